@@ -13,9 +13,9 @@ from raybundle.settings import NOT_NEGATIVE, setting
 Datum = Literal["auto", "control", "minimal", "inner"]
 NoiseModel = Literal["white", "fields", "auto"]
 NOISE_HELP = (
-    "Errors of image coordinates, for standard deviations: white: independent; fields: smooth ones that "
-    "differ from image to image, and a floor, both estimated from the residuals; auto: fields for five photographs or "
-    "more that are measured here, white for a block that is given."
+    "Error model of image coordinates. white: independent errors. fields: smooth errors that differ from image to "
+    "image, and a floor, both estimated from the residuals. auto: fields for five photographs or more that are "
+    "measured here; white for a given block."
 )
 
 FEWEST_IMAGES = 5
@@ -32,26 +32,27 @@ class AdjustmentOptions:
     """How a block is adjusted.  The defaults adjust what is given: nothing rejected, nothing chosen."""
 
     datum: Datum = setting(
-        "auto", "auto: inner constraints take what control, distances and stations leave open; control: an error if "
-        "anything stays open; minimal: the fewest coordinates held; inner: inner constraints for everything but a "
-        "measured scale.",
+        "auto", "Datum of the adjustment. auto: inner constraints for the part that control, distances and stations "
+        "leave open. control: an error if any part stays open. minimal: the fewest fixed coordinates. inner: inner "
+        "constraints for everything but a measured scale.",
     )  # fmt: skip
     datum_points: tuple[str, ...] = setting(
-        (), "Points that carry the datum; all if not given.", metavar="A,B,C,...", joined=True
+        (), "Points that define the datum. Without it: all points.", metavar="A,B,C,...", joined=True
     )
     datum_over: Literal["", "all", "good"] = ""
     """Without `datum_points`: all object points; good: those that rays determine to twice the median standard
     deviation, where points far away would carry their uncertainty into every standard deviation; "": as the block
     says, or all."""
     estimate: Literal["given", "auto"] = setting(
-        "given", "given: the parameters named in block.toml; auto: chosen by significance and determinability."
+        "given",
+        "Choice of camera parameters. given: those named in block.toml. auto: by significance and determinability.",
     )
     free: tuple[tuple[str, str], ...] = setting(
-        (), "Estimate this parameter of a camera in any case; may be repeated.", metavar="CAMERA SYMBOL",
+        (), "Estimate this camera parameter in any case. May be repeated.", metavar="CAMERA SYMBOL",
         limits=("text", "text"),
     )  # fmt: skip
     hold: tuple[tuple[str, str], ...] = setting(
-        (), "Hold this parameter of a camera as the block has it, in any case; may be repeated.",
+        (), "Fix this camera parameter at its value in the block. May be repeated.",
         metavar="CAMERA SYMBOL", limits=("text", "text"),
     )  # fmt: skip
     pixel_shape: Literal["sensor", "any"] = "sensor"
@@ -61,17 +62,17 @@ class AdjustmentOptions:
     """Where the standard deviations of the image points come from.  residuals: an earlier adjustment of the same image
     points chose them, so that sigma0 near 1 and a passed global test say nothing; no number hangs on it."""
     variance_groups: bool = setting(
-        False, "Groups of observations (image points of each camera, control, distances ...) have variance factors of "
-        "their own, as far as residuals determine them; what has no redundancy keeps its standard deviation as given.",
+        False, "Estimate a variance factor for each group of observations. Groups are image points of each camera, "
+        "control, distances and others. A group without redundancy keeps its given standard deviation.",
     )  # fmt: skip
     reject: Literal["none", "snooping"] = setting(
-        "none", "snooping: image observations with significant blunders are left out, one at a time."
+        "none", "Rejection of blunders. snooping: reject image observations with significant blunders, one at a time."
     )
     residuals: Literal["as_block", "measured", "corrected"] = setting(
-        "as_block", "Where residuals are taken: at the measured or at the corrected image point.  [default: as in"
-        "block.toml]", unsaid=True,
+        "as_block", "Place of residuals: the measured or the corrected image point.  [default: as in block.toml]",
+        unsaid=True,
     )  # fmt: skip
-    robust_start: bool = setting(False, "Begin with a robust weight function; the end is least squares.")
+    robust_start: bool = setting(False, "Begin with a robust weight function and end with least squares.")
     statistics: bool = True
     """False stops after the estimate: no covariances, no redundancy numbers."""
     max_iterations: int = 100
@@ -79,6 +80,6 @@ class AdjustmentOptions:
     """The last step's length, in standard deviations of the unknowns (root of dx' N dx / u)."""
     significance: float = 0.05
     """Family-wise significance level of the tests on additional parameters and of data snooping."""
-    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
+    jobs: int = setting(0, "Number of processors; 0: all.", limits=NOT_NEGATIVE)
     noise: NoiseModel = setting("auto", NOISE_HELP)
     """fields widens the standard deviations; the estimates stay."""

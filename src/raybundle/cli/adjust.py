@@ -18,7 +18,7 @@ from raybundle.settings import made
 @click.command("adjust", cls=Command)
 @click.argument("block", type=FOLDER)
 @click.option(
-    "--out", type=NEW_FOLDER, required=True, metavar="RESULT", help="Result folder; an older result is replaced."
+    "--out", type=NEW_FOLDER, required=True, metavar="RESULT", help="Result folder. An older result is replaced."
 )
 @options_of(AdjustSettings)
 @common_options

@@ -30,7 +30,7 @@ MOST_PARAMETERS = 16
 @click.command("calibrate", cls=Command)
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
 @click.option(
-    "--out", type=NEW_FOLDER, required=True, metavar="RESULT", help="Result folder; an older one is replaced."
+    "--out", type=NEW_FOLDER, required=True, metavar="RESULT", help="Result folder. An older result is replaced."
 )
 @options_of(CalibrateSettings, spacing=Length(0, above=True))
 @common_options

@@ -130,7 +130,7 @@ def shared_options(*, files: bool) -> list[click.Option]:
     """New options for a command; `files`: whether it writes a file that somebody may want to replace."""
     quiet = click.Option(
         ["--quiet"], is_flag=True, expose_value=False, callback=_kept(QUIET),
-        help="Print only what is wrong; files and the exit status hold the rest.",
+        help="Print only errors, faults and warnings. Files and the exit status hold the rest.",
     )  # fmt: skip
     verbose = click.Option(
         ["--verbose"], is_flag=True, expose_value=False, callback=_kept(VERBOSE),
@@ -138,19 +138,19 @@ def shared_options(*, files: bool) -> list[click.Option]:
     )  # fmt: skip
     as_json = click.Option(
         ["--json"], is_flag=True, expose_value=False, callback=_kept(JSON),
-        help="What it found as one JSON object, in place of words.",
+        help="Print the result as one JSON object instead of text.",
     )  # fmt: skip
     settings = click.Option(
         ["--settings"], type=click.Path(path_type=Path), metavar="FILE.toml", is_eager=True, expose_value=False,
         envvar="RAYBUNDLE_SETTINGS", callback=_settings_read,
-        help="Options from a file, in a table of the command's name; what is typed counts before it.",
+        help="Read options from the table named after the command. Options on the command line have priority.",
     )  # fmt: skip
     overwrite = click.Option(
         ["--overwrite"], is_flag=True, is_eager=True, expose_value=False, callback=_overwriting,
-        help="Replace files that stand there.",
+        help="Replace existing files.",
     )  # fmt: skip
     traceback = click.Option(
-        ["--traceback"], is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+        ["--traceback"], is_flag=True, expose_value=False, help="After an error, show its place in the program."
     )
     return [*([overwrite] if files else []), settings, as_json, quiet, verbose, traceback]
 

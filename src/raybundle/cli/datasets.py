@@ -9,7 +9,7 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Group, common_options, counted, facts
 
 listing_option = click.option(
-    "--listing", type=FOLDER, metavar="FILE", help="Sets that a TOML file lists, in place of those known here."
+    "--listing", type=FOLDER, metavar="FILE", help="TOML file with other sets instead of the built-in ones."
 )
 
 
@@ -40,7 +40,7 @@ def list_command(listing: Path | None) -> None:
 
 @command.command("get")
 @click.argument("name")
-@click.option("--out", type=NEW_FOLDER, metavar="FOLDER", help="Where to; by default a folder of the set's name.")
+@click.option("--out", type=NEW_FOLDER, metavar="FOLDER", help="Output folder. Default: a folder named after the set.")
 @listing_option
 @common_options
 def get_command(name: str, out: Path | None, listing: Path | None, progress: str) -> None:

@@ -16,7 +16,11 @@ from raybundle.commands.marks_settings import DatumSettings
 @click.argument("result", type=FOLDER)
 @options_of(DatumSettings)
 @click.option(
-    "--out", type=NEW_FOLDER, required=True, metavar="FOLDER", help="Gets points.csv and transformation.json."
+    "--out",
+    type=NEW_FOLDER,
+    required=True,
+    metavar="FOLDER",
+    help="Output folder for points.csv and transformation.json.",
 )
 def command(result: Path, out: Path, **given: Any) -> None:
     """The points of a result in a coordinate system by some of them: origin, X axis, XY plane or a level.

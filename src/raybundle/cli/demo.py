@@ -24,16 +24,16 @@ if TYPE_CHECKING:
 
 @click.command("demo", cls=Command)
 @click.option(
-    "--out", type=NEW_FOLDER, default=Path("demo"), show_default=True, metavar="FOLDER", help="Where it writes."
+    "--out", type=NEW_FOLDER, default=Path("demo"), show_default=True, metavar="FOLDER", help="Output folder."
 )
 @click.option(
     "--set",
     "photographs",
     metavar="NAME|FOLDER",
-    help=f"Make photographs and what belongs to them instead, for a tutorial: {', '.join(set_names())}. Or orient "
-    "those of a FOLDER with known truth: photos/, measured.csv, truth/.",
+    help=f"Make a set of photographs for a tutorial: {', '.join(set_names())}. Or orient "
+    "the photographs of a FOLDER with known truth: photos/, measured.csv, truth/.",
 )
-@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of the random errors.")
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of the random errors.")
 @common_options
 def command(out: Path, photographs: str | None, seed: int, progress: str) -> None:
     """Simulate a testfield, calibrate the camera, and print truth beside estimate and sigma.

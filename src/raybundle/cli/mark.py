@@ -53,7 +53,7 @@ def _precision(usual: float) -> Callable[[Callable[..., Any]], Callable[..., Any
     """Add --mark-sigma, with its default, and --covariance."""
     whole = click.option(
         "--covariance", type=(POSITIVE, POSITIVE, NUMBER), metavar="XX YY XY",
-        help="Variances of x and y and their covariance [px^2], in place of --mark-sigma.",
+        help="Variances of x and y and their covariance [px^2], instead of --mark-sigma.",
     )  # fmt: skip
     sigma = click.option(
         "--mark-sigma",
@@ -70,7 +70,7 @@ def _precision(usual: float) -> Callable[[Callable[..., Any]], Callable[..., Any
 @command.command("begin")
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
 @click.option(
-    "--out", type=NEW_FOLDER, metavar="PROJECT", help="Project folder; begun, or continued.  [default: PHOTOS-project]"
+    "--out", type=NEW_FOLDER, metavar="PROJECT", help="Project folder, new or existing.  [default: PHOTOS-project]"
 )
 @options_of(BeginSettings)
 @common_options
@@ -147,9 +147,12 @@ def remove(folder: Path, image: str, point: str, author: str) -> None:
 @subcommand("point")
 @click.argument("point")
 @click.option("--role", type=click.Choice(["tie", "control", "check"]), default="tie", show_default=True)
-@click.option("--coordinates", type=(PERHAPS,) * 3, metavar="X Y Z", help="Given coordinates; - for one not known.")
+@click.option("--coordinates", type=(PERHAPS,) * 3, metavar="X Y Z", help="Given coordinates; - for an unknown one.")
 @click.option(
-    "--sigma", type=(PERHAPS_SIGMA,) * 3, metavar="sX sY sZ", help="Their standard deviations; 0 holds, - for none."
+    "--sigma",
+    type=(PERHAPS_SIGMA,) * 3,
+    metavar="sX sY sZ",
+    help="Standard deviations of the coordinates; 0: fixed, -: none.",
 )
 def point_(
     folder: Path, point: str, role: str, coordinates: tuple[Any, ...] | None, sigma: tuple[Any, ...] | None, author: str
@@ -222,9 +225,16 @@ def unbar(folder: Path, start: str, end: str, author: str) -> None:
 @click.argument("points", nargs=-1, metavar="POINT...")
 @click.option(
     "--figure", "kind", type=click.Choice(["straight", "plumb", "level", "plane"]), default="straight",
-    show_default=True, help="A straight line, a plumb line, points at one height, points on one plane.",
+    show_default=True, help="Kind of figure: a straight line, a plumb line, points at one height, or points on one "
+    "plane.",
 )  # fmt: skip
-@click.option("--sigma", type=POSITIVE, default=0.01, show_default=True, help="Of a point's distance from the figure.")
+@click.option(
+    "--sigma",
+    type=POSITIVE,
+    default=0.01,
+    show_default=True,
+    help="Standard deviation of a point's distance from the figure.",
+)
 def line_(folder: Path, line: str, points: tuple[str, ...], kind: str, sigma: float, author: str) -> None:
     """Points on one line, level or plane; without points: take it away.
 
@@ -348,8 +358,8 @@ def redo(folder: Path, author: str) -> None:
 
 @command.command("list")
 @click.argument("folder", type=FOLDER)
-@click.option("--history", "with_history", is_flag=True, help="All actions, those taken back included.")
-@click.option("--json", "as_json", is_flag=True, help="As JSON.")
+@click.option("--history", "with_history", is_flag=True, help="Show all actions, including undone ones.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT001
     """Show what was measured.
 
@@ -384,9 +394,9 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
 @click.option(
     "--as-masks",
     is_flag=True,
-    help="OUT is a folder of masks, one picture a photograph, as `orient --masks` reads it.",
+    help="Write a folder of masks, one picture per photograph. `orient --masks` reads it.",
 )
-@click.option("--crs", default="", help="Coordinate system of the points, for gcp_list.txt: EPSG:32633 ...")
+@click.option("--crs", default="", help="Coordinate system of the points for gcp_list.txt, e.g. EPSG:32633.")
 def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: FBT001
     """Write what was measured: NAME.csv as --control reads it, gcp_list.txt, or else a block folder; or the masks.
 
@@ -410,12 +420,12 @@ def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: 
 @click.argument("folder", type=FOLDER)
 @click.option(
     "--out", type=NEW_FOLDER, metavar="RESULT",
-    help="Result folder; an older result is replaced.  [default: FOLDER/measured-result of a project, else "
+    help="Result folder. An older result is replaced.  [default: FOLDER/measured-result of a project, else "
     "FOLDER-measured]",
 )  # fmt: skip
 @options_of(AdjustmentOptions)
 @click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
-@click.option("--pdf", is_flag=True, help="Write the report as report.pdf, too.")
+@click.option("--pdf", is_flag=True, help="Also write the report as report.pdf.")
 @click.option("--language", default="en", metavar="CODE", help=f"{LANGUAGE_HELP}  [default: en]")
 @common_options
 def adjust_(

@@ -29,9 +29,9 @@ def command() -> None:
 
 
 def _author(function: Callable[..., Any]) -> Callable[..., Any]:
-    return click.option("--operator", "author", default="", metavar="TEXT", help="Who does it, for the journal.")(
-        function
-    )
+    return click.option(
+        "--operator", "author", default="", metavar="TEXT", help="Name of the operator, for the journal."
+    )(function)
 
 
 def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:

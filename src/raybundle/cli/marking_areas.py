@@ -29,11 +29,9 @@ def control(folder: Path, file: str, author: str) -> None:
 @click.argument("image")
 @click.option(
     "--polygon", required=True, metavar="'X,Y X,Y X,Y'",
-    help="Corners in pixels of the file, x and y with a comma, with a blank between corners.",
+    help="Corners of the area in pixels of the file. Write x and y with a comma and corners with a blank between them.",
 )  # fmt: skip
-@click.option(
-    "--all-images", "camera", is_flag=True, help="At the same place in every photograph of the image's camera."
-)
+@click.option("--all-images", "camera", is_flag=True, help="Apply the mask to every photograph of the same camera.")
 def mask(folder: Path, mask: str, image: str, polygon: str, camera: bool, author: str) -> None:  # noqa: FBT001
     """Leave an area of a photograph out of all measuring; one of that name is replaced.
 

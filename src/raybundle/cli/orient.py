@@ -37,7 +37,7 @@ class StageName(click.ParamType):
 
 @click.command("orient", cls=Command)
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
-@click.option("--out", type=NEW_FOLDER, required=True, metavar="PROJECT", help="Project folder; begun, or continued.")
+@click.option("--out", type=NEW_FOLDER, required=True, metavar="PROJECT", help="Project folder, new or existing.")
 @options_of(OrientSettings, redo_from=StageName())
 @common_options
 def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) -> int:

@@ -27,7 +27,7 @@ SHOWN = 100
 @click.command("photos", cls=Command)
 @click.argument("photos", type=FOLDER, nargs=-1, required=True, metavar="PHOTOS...")
 @options_of(PhotosSettings)
-@click.option("--json", "as_json", is_flag=True, help="Everything as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="Print everything as JSON.")
 @common_options
 def command(photos: tuple[Path, ...], as_json: bool, progress: str, **given: Any) -> int:  # noqa: FBT001
     """Say what raybundle knows about some photographs: cameras, starting values, positions, files left out.

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 @click.command("query", cls=SeveralNames)
 @click.argument("result", type=FOLDER)
 @options_of(QuerySettings)
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line, with covariances.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object per line, with covariances.")
 def command(result: Path, as_json: bool, **given: Any) -> None:  # noqa: FBT001  (a flag of the command line)
     """Coordinates, distances, angles, areas, planes and lines of a result, each with its standard deviation.
 

@@ -14,14 +14,16 @@ from raybundle.cli.common import FOLDER, NEW_FOLDER, Command
 @click.command("studio", cls=Command)
 @click.argument("source", type=FOLDER, metavar="PROJECT|RESULT|BLOCK|PHOTOS")
 @click.option("--out", type=NEW_FOLDER, metavar="PROJECT",
-    help="Project folder of PHOTOS; begun, or continued.  [default: PHOTOS-project]",
+    help="Project folder of PHOTOS, new or existing.  [default: PHOTOS-project]",
 )  # fmt: skip
 @click.option("--photos", type=FOLDER, multiple=True, metavar="FOLDER",
-    help="Where the photographs are.  [default: as the project knows]",
+    help="Folder of the photographs.  [default: recorded in the project]",
 )  # fmt: skip
-@click.option("--port", type=click.IntRange(0, 65535), default=0, show_default=True, help="0: a free one.")
-@click.option("--json", "as_json", is_flag=True, help="The address as a JSON object.")
-@click.option("--no-browser", is_flag=True, help="Print the address and do not open it.")
+@click.option(
+    "--port", type=click.IntRange(0, 65535), default=0, show_default=True, help="Port of the server; 0: a free one."
+)
+@click.option("--json", "as_json", is_flag=True, help="Print the address as a JSON object.")
+@click.option("--no-browser", is_flag=True, help="Print the address without opening it.")
 def command(
     source: Path, out: Path | None, photos: tuple[Path, ...], *, port: int, no_browser: bool, as_json: bool
 ) -> None:

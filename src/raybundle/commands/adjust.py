@@ -35,16 +35,16 @@ class AdjustSettings(AdjustmentOptions):
     all_coordinates: bool = setting(False, COORDINATES_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
     cluster: str = setting(
-        "", "Reduce the normal equations in parts by the workers of a cluster: its folder, which `raybundle scheduler "
-        "FOLDER` makes (extra [cluster]).", metavar="FOLDER",
+        "", "Reduce the normal equations in parts on a cluster. Give its folder from `raybundle scheduler FOLDER` "
+        "(extra [cluster]).", metavar="FOLDER",
     )  # fmt: skip
     store: str = setting(
-        "", "Where parts of the normal equations lie meanwhile: the URL of an object store, as s3://bucket/folder "
-        "(extra [cluster], and the package of the service).  [default: beside the result]", metavar="URL",
+        "", "Object store for parts of the normal equations during the run. Give its URL, e.g. s3://bucket/folder "
+        "(extra [cluster] and the package of the service).  [default: beside the result]", metavar="URL",
     )  # fmt: skip
     memory: float = setting(
-        0.0, "Memory that the adjustment may take, in GB; 0: four fifths of what is free, 1 at least.  What does not "
-        "fit lies in files beside the result meanwhile, and normal equations are reduced in parts.", metavar="GB",
+        0.0, "Memory limit of the adjustment [GB]; 0: four fifths of the free memory, at least 1. A larger "
+        "adjustment uses files beside the result and reduces normal equations in parts.", metavar="GB",
         limits=NOT_NEGATIVE,
     )  # fmt: skip
 

@@ -22,11 +22,11 @@ class BeginSettings:
     own_camera: tuple[str, ...] = setting((), APART, metavar="PATTERN")
     library: bool = setting(True, LIBRARY, flag="no-library")
     film: Path | None = setting(
-        None, "The photographs are scans of film: calibrated positions of its fiducial marks, mark,x_mm,y_mm; their "
-        "camera is the one of {calibration}.", metavar="CERTIFICATE.csv",
+        None, "Calibrated fiducial marks of film scans: mark,x_mm,y_mm. All photographs are scans; {calibration} "
+        "gives their camera.", metavar="CERTIFICATE.csv",
     )  # fmt: skip
     pixel_mm: float | None = setting(
-        None, "Pixel of the scanner.  [default: that of the camera]", metavar="MM", limits=POSITIVE
+        None, "Pixel size of the scanner.  [default: that of the camera]", metavar="MM", limits=POSITIVE
     )
     film_transformation: Literal["similarity", "affine"] = setting(
         "affine", "Transformation from a scan to the camera's frame."

@@ -31,37 +31,37 @@ class CalibrateSettings:
     out: Path
     """result folder; an older one is replaced"""
     target: tuple[str, ...] = setting(
-        (), "What was photographed, as aicon14 or chessboard-9x6; how-to Coded targets lists them.  [default: found "
-        "out; natural points where there is nothing]", metavar="FAMILY", also=("family",),
+        (), "Targets in the photographs, e.g. aicon14 or chessboard-9x6. How-to Coded targets lists them.  [default: "
+        "detected; natural points if there are none]", metavar="FAMILY", also=("family",),
     )  # fmt: skip
-    table: Path | None = setting(None, "Rings of one's own: a table id,code; with {bits}.", metavar="FILE")
-    bits: int | None = setting(None, "Sectors of the rings of {table}.", limits=Range(low=3, high=24))
-    sheet: Path | None = setting(None, "The file beside the printed sheet, in place of {target}.", metavar="SHEET.toml")
+    table: Path | None = setting(None, "Table of custom rings: id,code; with {bits}.", metavar="FILE")
+    bits: int | None = setting(None, "Number of sectors of the rings of {table}.", limits=Range(low=3, high=24))
+    sheet: Path | None = setting(None, "TOML file of the printed sheet, instead of {target}.", metavar="SHEET.toml")
     masks: Path | None = setting(
-        None, "Masks of the photographs for natural points, where there are no targets; named as for `raybundle "
-        "orient`.", metavar="DIR",
+        None, "Masks of the photographs for natural points. They apply if there are no targets. File names as for "
+        "`raybundle orient`.", metavar="DIR",
     )  # fmt: skip
     own_camera: tuple[str, ...] = setting(
-        (), "Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without "
-        "metadata.", metavar="PATTERN",
+        (), "Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For "
+        "photographs without metadata.", metavar="PATTERN",
     )  # fmt: skip
     model: str = setting(
         "auto", "Distortion model: aicon, brown, brown_harmonic, division, eucm, field_of_view, fisheye, "
-        "kannala_brandt, radial, rational, spline, thin_prism; auto: brown, or "
-        "what fits a wide lens or what repeats in all residuals better.", metavar="NAME",
+        "kannala_brandt, radial, rational, spline, thin_prism. auto: brown, or the better model for a wide lens or "
+        "for systematic residuals.", metavar="NAME",
     )  # fmt: skip
     parameters: str = setting(
-        "", "Parameters to be estimated, as c,x0,y0,K1,K2,P1,P2.  [default: what is significant and determinable]",
+        "", "Parameters to estimate, e.g. c,x0,y0,K1,K2,P1,P2.  [default: significant and determinable ones]",
         metavar="SYMBOLS",
     )  # fmt: skip
     spacing: float | None = setting(
-        None, "Distance of neighbouring points of a board, as 25mm, for lengths in mm; the calibration does not depend "
-        "on it.", limits=POSITIVE,
+        None, "Distance of neighbouring points of a board, e.g. 25mm. It gives lengths in mm; the calibration does "
+        "not depend on it.", limits=POSITIVE,
     )  # fmt: skip
-    dots: bool = setting(False, "Use dots without a code among the targets, too.")
-    shear: bool = setting(False, "Believe any shear and affinity of the pixels: for scanned pictures.")
-    keep: bool = setting(False, "Keep a good calibration in the camera library, where orient finds it.")
-    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
+    dots: bool = setting(False, "Also use dots without a code among the targets.")
+    shear: bool = setting(False, "Allow any shear and affinity of the pixels, for scanned pictures.")
+    keep: bool = setting(False, "Store a good calibration in the camera library. orient finds it there.")
+    jobs: int = setting(0, "Number of processors; 0: all.", limits=NOT_NEGATIVE)
     noise: NoiseModel = setting("auto", NOISE_HELP)
     title: str = setting("", TITLE, metavar="TEXT")
     client: str = setting("", CLIENT, metavar="TEXT")

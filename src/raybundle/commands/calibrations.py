@@ -32,9 +32,9 @@ if TYPE_CHECKING:
     from raybundle.io.photos.photo import Photo
 
 FROM_HELP = "Format of the file.  [default: recognised]"
-SIZE_HELP = "Format [px], where the file lacks it.  [x>=1]"
-CAMERA_HELP = "One camera of a file that holds several."
-LIBRARY_HELP = "The library.  [default: RAYBUNDLE_CAMERAS, or the user's folder]"
+SIZE_HELP = "Format [px], if the file lacks it.  [x>=1]"
+CAMERA_HELP = "Name of one camera, if the file has several."
+LIBRARY_HELP = "Folder of the camera library.  [default: RAYBUNDLE_CAMERAS, or the user's folder]"
 PIXEL = Range(low=1)
 
 
@@ -47,10 +47,8 @@ class CalibrationConvertSettings:
     read_as: str | None = setting(None, FROM_HELP, flag="from", metavar="FORMAT")
     to: str = setting(MISSING, "Format to write.", metavar="FORMAT")
     out: Path = setting(MISSING, "New file; nothing is overwritten.", metavar="FILE")
-    model: str | None = setting(None, "Distortion model of FORMAT, as 8 (opencv) or OPENCV (colmap).", metavar="NAME")
-    pixel_mm: float | None = setting(
-        None, "Size of a pixel, where INPUT does not state it.", metavar="MM", limits=POSITIVE
-    )
+    model: str | None = setting(None, "Distortion model of FORMAT, e.g. 8 (opencv) or OPENCV (colmap).", metavar="NAME")
+    pixel_mm: float | None = setting(None, "Pixel size, if INPUT lacks it.", metavar="MM", limits=POSITIVE)
     format: tuple[int, int] | None = setting(None, SIZE_HELP, metavar="WIDTH HEIGHT", limits=(PIXEL, PIXEL))
     camera: str | None = setting(None, CAMERA_HELP, metavar="ID")
     approximate: bool = setting(False, APPROXIMATE_HELP)
@@ -63,7 +61,9 @@ class CalibrationCompareSettings:
     first: Path
     """file of any format, or a result folder"""
     second: Path
-    object_distance: float | None = setting(None, "Of the object; else infinity.", metavar="D", limits=POSITIVE)
+    object_distance: float | None = setting(
+        None, "Distance of the object. Without it: infinity.", metavar="D", limits=POSITIVE
+    )
     format: tuple[int, int] | None = setting(None, SIZE_HELP, metavar="WIDTH HEIGHT", limits=(PIXEL, PIXEL))
     camera: str | None = setting(None, CAMERA_HELP, metavar="ID")
 
@@ -75,16 +75,18 @@ class CalibrationAddSettings:
     source: Path
     """file of any format, or a result folder"""
     read_as: str | None = setting(None, FROM_HELP, flag="from", metavar="FORMAT")
-    photo: Path | None = setting(None, "A photograph of the set: make, model, serial, lens, focal length, focus.")
-    camera_make: str | None = setting(None, "Replaces what the photograph states.")
-    camera_model: str | None = setting(None, "As {camera_make}.")
-    serial: str | None = setting(None, "As {camera_make}.")
-    lens: str | None = setting(None, "As {camera_make}.")
-    focal: float | None = setting(None, "EXIF focal length; as {camera_make}.", metavar="MM", limits=POSITIVE)
-    focus: float | None = setting(
-        None, "Distance to which the lens was focused; as {camera_make}.", metavar="M", limits=POSITIVE
+    photo: Path | None = setting(None, "Photograph of the set, for make, model, serial, lens, focal length and focus.")
+    camera_make: str | None = setting(None, "Camera make, instead of the photograph's entry.")
+    camera_model: str | None = setting(None, "Camera model, instead of the photograph's entry.")
+    serial: str | None = setting(None, "Serial number of the camera, instead of the photograph's entry.")
+    lens: str | None = setting(None, "Name of the lens, instead of the photograph's entry.")
+    focal: float | None = setting(
+        None, "EXIF focal length, instead of the photograph's entry.", metavar="MM", limits=POSITIVE
     )
-    date: str | None = setting(None, "Of the calibration.  [default: today]")
+    focus: float | None = setting(
+        None, "Focus distance of the lens, instead of the photograph's entry.", metavar="M", limits=POSITIVE
+    )
+    date: str | None = setting(None, "Date of the calibration.  [default: today]")
     format: tuple[int, int] | None = setting(None, SIZE_HELP, metavar="WIDTH HEIGHT", limits=(PIXEL, PIXEL))
     camera: str | None = setting(None, CAMERA_HELP, metavar="ID")
     library: Path | None = setting(None, LIBRARY_HELP, metavar="FOLDER")
@@ -103,7 +105,7 @@ class CalibrationFindSettings:
 
     photo: Path
     """photograph"""
-    out: Path | None = setting(None, "Write the best one as a file for {calibration}.", metavar="FILE")
+    out: Path | None = setting(None, "Write the best calibration as a file for {calibration}.", metavar="FILE")
     library: Path | None = setting(None, LIBRARY_HELP, metavar="FOLDER")
 
 
@@ -115,13 +117,13 @@ class ZoomSettings:
     """result folders of `calibrate`"""
     out: Path = setting(MISSING, "New folder for camera.toml and zoom.toml.", metavar="FOLDER")
     focal: tuple[float, ...] = setting(
-        (), "EXIF focal length of each camera in its order, where the photographs do not state it.", metavar="MM",
+        (), "EXIF focal length of each camera in order, if the photographs lack it.", metavar="MM",
         limits=POSITIVE,
     )  # fmt: skip
     resolution: float | None = setting(
         None, "Step of the focal lengths; 0: not rounded.", metavar="MM", limits=NOT_NEGATIVE
     )
-    keep: bool = setting(False, "Keep it in the camera library, where orient finds it for any focal length.")
+    keep: bool = setting(False, "Store it in the camera library. orient finds it there for any focal length.")
     library: Path | None = setting(None, LIBRARY_HELP, metavar="FOLDER")
 
 

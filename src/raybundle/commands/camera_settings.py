@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 KNOWN = (
-    "Known cameras; `estimate = []` in it holds them; those of `raybundle calibrate` are observed with their "
-    "covariance."
+    "File of known cameras. `estimate = []` in it fixes them. Calibrations of `raybundle calibrate` are observed "
+    "with their covariance."
 )
-APART = "Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without metadata."
-LIBRARY = "Leave calibrations of the camera library out."
+APART = (
+    "Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For photographs "
+    "without metadata."
+)
+LIBRARY = "Ignore calibrations of the camera library."

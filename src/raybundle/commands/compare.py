@@ -22,7 +22,7 @@ class CompareSettings:
     """result folder"""
     second: Path
     out: Path = setting(
-        Path("compare.html"), "The HTML file to write; an older comparison is replaced, no other file.", metavar="FILE"
+        Path("compare.html"), "HTML file to write. Only an older comparison is replaced.", metavar="FILE"
     )
 
 

@@ -17,8 +17,8 @@ from raybundle.settings import ANY, made, path_of, setting
 if TYPE_CHECKING:
     from raybundle.block import Block
 
-APPROXIMATE_HELP = "Write cameras too that deviate from the given ones by more than 0.1 px."
-FREE_SCALE_HELP = "Also where nothing fixes the scale: lengths are then in no unit."
+APPROXIMATE_HELP = "Also write cameras with deviations above 0.1 px."
+FREE_SCALE_HELP = "Allow a result with free scale. Its lengths have no unit."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,8 +29,8 @@ class ConvertSettings:
     """block folder, result folder, project of `orient`, or file or folder of another program"""
     read_as: str | None = setting(None, "Format of INPUT.  [default: recognised]", flag="from")
     to: str = setting(
-        MISSING, "Format to write. Several with commas between, as gpkg,dxf,las: {out} NAME is then the beginning of "
-        "their names, NAME.gpkg and so on; what can be written is, and what cannot is named at the end.",
+        MISSING, "Format to write, or several, e.g. gpkg,dxf,las. With several, {out} NAME is the beginning of the "
+        "file names (NAME.gpkg and so on). Formats that cannot be written are named at the end.",
     )  # fmt: skip
     out: Path = setting(
         MISSING, "New file or folder; nothing is overwritten. A file gets the ending of its format.", metavar="PATH"
@@ -39,23 +39,23 @@ class ConvertSettings:
         None, "Coordinate system: EPSG:25832, EPSG:25832+7837 or a PROJ string.", metavar="SYSTEM"
     )
     frame_origin: tuple[float, float, float] | None = setting(
-        None, "The block stands in the local east-north-up frame at this point of {crs}; without it, in {crs} itself, "
-        "and is brought to a local frame in its middle.", metavar="E N H", limits=(ANY, ANY, ANY),
+        None, "Origin of the block's local east-north-up frame, in {crs}. Without it, the block is in {crs} itself "
+        "and is transformed to a local frame in its middle.", metavar="E N H", limits=(ANY, ANY, ANY),
     )  # fmt: skip
     undulation: float | None = setting(
         None, "Height of the geoid above the ellipsoid of WGS 84 or GRS 80, for {crs}.", metavar="M", limits=ANY
     )
     photos: Path | None = setting(
-        None, "The photographs: colours of points, and {undistort}. An oriented project's colours are found without "
-        "it.", metavar="FOLDER",
+        None, "Folder of the photographs, for colours of points and {undistort}. An oriented project needs it for "
+        "{undistort} only.", metavar="FOLDER",
     )  # fmt: skip
     undistort: Literal["inside", "all"] | None = setting(
-        None, "Write the photographs without distortion into images/ beside {out}, and pinhole cameras. inside: no "
-        "empty pixels; all: nothing is cut.",
+        None, "Write undistorted photographs into images/ beside {out}, with pinhole cameras. inside: no empty "
+        "pixels. all: nothing is cut.",
     )  # fmt: skip
     within: Path | None = setting(
-        None, "A drawing (dxf, gpkg) in the axes of this plane, X right, Y up, Z out of it: the NAME.toml that rectify "
-        "writes beside a picture, so that they lie on each other.", flag="in", metavar="NAME.toml",
+        None, "Plane of the drawing (dxf, gpkg): X right, Y up, Z out of it. Give the NAME.toml that rectify writes "
+        "beside a picture; drawing and picture then match.", flag="in", metavar="NAME.toml",
     )  # fmt: skip
     tables: Literal["auto", "csv", "parquet"] = setting("auto", TABLES_HELP)
     approximate: bool = setting(False, APPROXIMATE_HELP)

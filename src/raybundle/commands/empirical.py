@@ -27,9 +27,9 @@ class EmpiricalSettings:
 
     points: Path
     """table point,X,Y,Z,x_px,y_px or point,lon_deg,lat_deg,h_m,x_px,y_px, with a column role where some are compared"""
-    model: Model = setting("auto", "auto: the adequate one with the fewest parameters.")
+    model: Model = setting("auto", "Model to fit. auto: the adequate one with the fewest parameters.")
     image_sigma: float = setting(
-        0.5, "Of a measured image coordinate [px]; it decides what is adequate.", limits=PIXELS
+        0.5, "Sigma of a measured image coordinate [px]. It decides which models are adequate.", limits=PIXELS
     )
     without: tuple[str, ...] = setting(
         (), "Additional parameters of dlt-brown to leave out.", metavar="K3,P1,...", joined=True

@@ -23,38 +23,41 @@ SHARE = Range(low=0, high=0.98)
 class EstimateCostSettings:
     """How large a block is, and who does the work."""
 
-    images: int | None = setting(None, "Photographs, where there are none yet.", limits=Range(low=2, high=1e8))
+    images: int | None = setting(None, "Number of photographs, if none exist yet.", limits=Range(low=2, high=1e8))
     megapixels: float | None = setting(
-        None, "Of a photograph; without it that of PHOTOS, or 20.", metavar="MP", limits=Range(low=0.01, high=1e4)
+        None,
+        "Size of a photograph [megapixels]. Without it: from PHOTOS, else 20.",
+        metavar="MP",
+        limits=Range(low=0.01, high=1e4),
     )
     overlap: float = setting(
-        10.0, "Photographs that show a place of the object, on average.", metavar="K", limits=Range(low=2, high=1000)
+        10.0, "Mean number of photographs that show a place of the object.", metavar="K", limits=Range(low=2, high=1000)
     )
     flight_overlap: tuple[float, float] | None = setting(
-        None, "Of photographs along a line, and of lines: a flight, in place of {overlap}.", metavar="ALONG ACROSS",
+        None, "Overlap along and between lines of a flight, instead of {overlap}.", metavar="ALONG ACROSS",
         limits=(SHARE, SHARE),
     )  # fmt: skip
     points_per_image: float | None = setting(
-        None, "Image points of a photograph that are adjusted; without it 0.8 of its features.", metavar="N",
+        None, "Adjusted image points per photograph. Without it: 0.8 of its features.", metavar="N",
         limits=Range(low=6, high=1e6),
     )  # fmt: skip
     iterations: int = setting(6, "Iterations of the adjustment.", limits=Range(low=1, high=1000))
-    workers: int = setting(1, "Processes that work at once.", limits=Range(low=1, high=100_000))
+    workers: int = setting(1, "Number of parallel processes.", limits=Range(low=1, high=100_000))
     memory: float | None = setting(
-        None, "Memory of a machine; without it what is free on this one.", metavar="GB", limits=Range(low=0.1, high=1e6)
+        None, "Memory of a machine. Without it: the free memory here.", metavar="GB", limits=Range(low=0.1, high=1e6)
     )  # fmt: skip
     disk: float | None = setting(
-        None, "Disk that is free for products; without it that of the current folder.", metavar="GB", limits=POSITIVE
+        None, "Free disk space for products. Without it: that of the current folder.", metavar="GB", limits=POSITIVE
     )
     network: float = setting(
-        1.0, "Line of a worker to the store that all share, in Gbit/s; 0: one machine does all.", metavar="GBIT",
+        1.0, "Bandwidth between a worker and the shared store [Gbit/s]; 0: one machine.", metavar="GBIT",
         limits=Range(low=0, high=1e4),
     )  # fmt: skip
     store_line: float = setting(
-        10.0, "Line of the store, in Gbit/s.", metavar="GBIT", limits=Range(low=0.001, high=1e5)
+        10.0, "Bandwidth of the store [Gbit/s].", metavar="GBIT", limits=Range(low=0.001, high=1e5)
     )
-    measure: bool = setting(False, "Measure this machine anew, even where its figures are kept.")
-    shipped: bool = setting(False, "Take the figures that come with raybundle, of the processor named there.",
+    measure: bool = setting(False, "Measure this machine again, even if stored figures exist.")
+    shipped: bool = setting(False, "Use the built-in figures of the processor named there.",
                             flag="no-measure")  # fmt: skip
 
 

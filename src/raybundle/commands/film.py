@@ -23,16 +23,18 @@ class FilmSettings:
 
     marks: Path
     """CSV image,mark,x_px,y_px[,sx_px,sy_px]"""
-    calibrated: Path = setting(MISSING, "CSV: mark,x_mm,y_mm[,sx_mm,sy_mm].", metavar="FILE")
+    calibrated: Path = setting(MISSING, "CSV of the calibrated marks: mark,x_mm,y_mm[,sx_mm,sy_mm].", metavar="FILE")
     calibration: Path = setting(
         MISSING, "TOML with one [cameras.ID]: format, c_mm, x0_mm, y0_mm of the certificate.", metavar="FILE"
     )
-    image_points: Path | None = setting(None, "CSV: image,point,x_px,y_px[,sx_px,sy_px].", metavar="FILE")
+    image_points: Path | None = setting(
+        None, "CSV of image points: image,point,x_px,y_px[,sx_px,sy_px].", metavar="FILE"
+    )
     pixel_mm: float | None = setting(
-        None, "Pixel of the scanner.  [default: that of the camera]", metavar="MM", limits=POSITIVE
+        None, "Pixel size of the scanner.  [default: that of the camera]", metavar="MM", limits=POSITIVE
     )
     transformation: Literal["similarity", "affine", "projective"] = setting("affine", "")
-    reseau: Literal["none", "bilinear", "affine"] = setting("none", "Local correction between the crosses of a reseau.")
+    reseau: Literal["none", "bilinear", "affine"] = setting("none", "Correct locally between the crosses of a reseau.")
     out: Path = setting(MISSING, "New folder; nothing is overwritten.", metavar="FOLDER")
 
 

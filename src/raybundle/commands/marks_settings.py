@@ -13,10 +13,10 @@ class QuerySettings:
 
     coordinates: tuple[str, ...] = setting((), "Coordinates of each of these points.", metavar="POINT...", joined=True)
     distance: tuple[tuple[str, str], ...] = setting(
-        (), "Distance between two points; may be repeated.", metavar="A B", limits=("text", "text")
+        (), "Distance between two points. May be repeated.", metavar="A B", limits=("text", "text")
     )
     angle: tuple[tuple[str, str, str], ...] = setting(
-        (), "Angle at B between A and C; may be repeated.", metavar="A B C", limits=("text", "text", "text")
+        (), "Angle at B between A and C. May be repeated.", metavar="A B C", limits=("text", "text", "text")
     )
     area: tuple[str, ...] = setting(
         (), "Area of the polygon through these points, in order.", metavar="A B C...", joined=True
@@ -26,14 +26,13 @@ class QuerySettings:
     )
     plane: tuple[str, ...] = setting(
         (),
-        "Flatness of four or more points: from the lowest to the highest about their best plane, and the deviation "
-        "of each from it.",
+        "Flatness of four or more points: range of their deviations from the best plane, and each deviation.",
         metavar="A B C D...",
         joined=True,
     )
     line: tuple[str, ...] = setting(
         (),
-        "Largest distance of three or more points from their best line, and that of each.",
+        "Largest distance of three or more points from their best line, and each distance.",
         metavar="A B C...",
         joined=True,
     )
@@ -55,8 +54,8 @@ class DatumSettings:
     )
     plane: str = setting("", "Point in the XY plane: Z = 0, Y above 0.", metavar="POINT")
     level: tuple[str, ...] = setting(
-        (), "Point at the height of the others that are given so, three or more: the surface of water, a floor. They "
-        "give the XY plane instead of a plane point. Several times, or with commas.", metavar="POINT", joined=True,
+        (), "Point at the same height as the others given here, e.g. on water or a floor. Three or more points give "
+        "the XY plane instead of a plane point. Repeat it, or separate points by commas.", metavar="POINT", joined=True,
     )  # fmt: skip
 
 
@@ -65,15 +64,18 @@ class RejectSettings:
     """Which image observations are left out together, by what the last adjustment says of them; one of these."""
 
     w: float | None = setting(
-        None, "All whose largest |w|, the normalised residual, is above this.", metavar="LIMIT", limits=NOT_NEGATIVE
+        None, "Reject observations with larger |w|, the normalised residual.", metavar="LIMIT", limits=NOT_NEGATIVE
     )
     sigma: float | None = setting(
-        None, "All of tie points of which a standard deviation of X, Y or Z is above this, in the length unit of the "
-        "block.", metavar="LIMIT", limits=NOT_NEGATIVE,
+        None, "Reject tie points with a larger standard deviation of X, Y or Z. In the length unit of the block.",
+        metavar="LIMIT", limits=NOT_NEGATIVE,
     )  # fmt: skip
     rays: float | None = setting(
-        None, "All of tie points with fewer rays that take part.", metavar="LIMIT", limits=NOT_NEGATIVE
+        None, "Reject tie points with fewer active rays.", metavar="LIMIT", limits=NOT_NEGATIVE
     )
     redundancy: float | None = setting(
-        None, "All whose smaller redundancy number is below this.", metavar="LIMIT", limits=NOT_NEGATIVE
+        None,
+        "Reject observations with a smaller redundancy number (the smaller of x and y).",
+        metavar="LIMIT",
+        limits=NOT_NEGATIVE,
     )

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 __all__ = ["LENGTHS", "LIST", "NOMINAL", "MeasureSettings", "Measured", "measure", "run_measure"]
 
 
-NOISE_HELP_HERE = NOISE_HELP.partition("; auto:")[0] + "; auto: fields from five photographs on, of a result as well."
+NOISE_HELP_HERE = NOISE_HELP.partition(" auto:")[0] + " auto: fields for five photographs or more, also of a result."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,54 +47,53 @@ class MeasureSettings:
 
     photos: tuple[Path, ...]
     """photographs of targets (folders and files), or one result"""
-    out: Path = setting(MISSING, "Result folder; an older one is replaced.", metavar="RESULT")
+    out: Path = setting(MISSING, "Result folder. An older result is replaced.", metavar="RESULT")
     target: tuple[str, ...] = setting(
         (),
-        "What was photographed, as aicon14; how-to Coded targets lists them.  [default: found out]",
+        "Targets in the photographs, e.g. aicon14. How-to Coded targets lists them.  [default: detected]",
         metavar="FAMILY",
         also=("family",),
     )
-    dots: bool = setting(False, "Use dots without a code among the targets, too.")
+    dots: bool = setting(False, "Also use dots without a code among the targets.")
     calibration: Path | None = setting(
-        None, "Hold this calibration.  [default: the camera is calibrated with the object]", metavar="CAMERA.toml"
+        None, "Fix this calibration.  [default: the camera is calibrated with the object]", metavar="CAMERA.toml"
     )
     scale_bar: tuple[tuple[str, str, float, float], ...] = setting(
-        (), "A known distance between two targets and its standard deviation [m]; may be repeated.",
+        (), "Known distance between two targets with its standard deviation [m]. May be repeated.",
         metavar="A B LENGTH SIGMA", limits=("text", "text", POSITIVE, POSITIVE),
     )  # fmt: skip
     control: Path | None = setting(
-        None, "Targets whose coordinates are known, and give the datum: point,X,Y,Z and sX,sY,sZ (0: held; as they fit "
-        "where there is none), role control or check; in units of {unit}.", metavar="FILE",
+        None, "Known targets that define the datum: point,X,Y,Z; optional sX,sY,sZ (0: fixed) and role (control or "
+        "check). In units of {unit}. Without standard deviations, they are estimated from the fit.", metavar="FILE",
     )  # fmt: skip
     nominal: Path | None = setting(
-        None, "Coordinates that points are to have: point,X,Y,Z, and sX,sY,sZ and tolerance where known; in units of "
-        "{unit}.",
+        None, "Nominal coordinates: point,X,Y,Z; optional sX,sY,sZ and tolerance. In units of {unit}.",
         metavar="FILE",
     )  # fmt: skip
     by: tuple[str, ...] = setting(
-        (), "Points by which axes are fitted.  [default: all nominal ones]", metavar="A,B,C,...", joined=True
+        (), "Points for the fit of the axes.  [default: all nominal ones]", metavar="A,B,C,...", joined=True
     )
-    fit_scale: bool = setting(False, "Fit the scale to {nominal}, too; always where nothing measured it.")
+    fit_scale: bool = setting(False, "Also fit the scale to {nominal}. Without a measured scale, it is always fitted.")
     weighting: Literal["covariance", "equal"] = setting(
-        "covariance", "Of the fit: the joint covariance, or all coordinates alike as other programs do."
+        "covariance", "Weights of the fit: the joint covariance, or equal weights as in other programs."
     )
     check_length: tuple[tuple[str, str, float], ...] = setting(
-        (), "A known distance between two targets that takes no part [m]; may be repeated.", metavar="A B LENGTH",
+        (), "Known distance between two targets as an independent check [m]. May be repeated.", metavar="A B LENGTH",
         limits=("text", "text", POSITIVE),
     )  # fmt: skip
     lengths: Path | None = setting(
-        None, "A table of such distances: from,to,length, and sigma where known; in units of {unit}.", metavar="FILE"
+        None, "Table of check distances: from,to,length; optional sigma. In units of {unit}.", metavar="FILE"
     )
     allowed: tuple[float, float] | None = setting(
-        None, "Largest error of a length that is allowed: A + K L, in mm and mm per metre.", metavar="A K",
+        None, "Maximum permissible length error: A + K L, in mm and mm per metre.", metavar="A K",
         limits=(NOT_NEGATIVE, NOT_NEGATIVE),
     )  # fmt: skip
-    unit: float = setting(1.0, "Metres of one unit of the files.", limits=Range(low=1e-9, high=1e6))
+    unit: float = setting(1.0, "Metres per unit of the files.", limits=Range(low=1e-9, high=1e6))
     significance: float = setting(
-        0.05, "Probability that any deviation or length is called significant by errors of measurement alone.",
+        0.05, "Probability of any false significant deviation or length.",
         limits=Range(low=1e-6, high=0.5),
     )  # fmt: skip
-    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
+    jobs: int = setting(0, "Number of processors; 0: all.", limits=NOT_NEGATIVE)
     noise: NoiseModel = setting("auto", NOISE_HELP_HERE)
     title: str = setting("", TITLE, metavar="TEXT")
     client: str = setting("", CLIENT, metavar="TEXT")

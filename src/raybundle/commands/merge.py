@@ -26,10 +26,10 @@ class MergeSettings:
     """results, projects or blocks"""
     out: Path = setting(MISSING, "New block folder.", metavar="BLOCK")
     same_camera: bool = setting(
-        False, "Cameras of one name are one camera; without it each project keeps its own, as of another day."
+        False, "Join cameras of one name. Without it, each project keeps its own cameras, as of another day."
     )
     significance: float = setting(
-        0.01, "Probability that any common point is called another, or moved, where none is.",
+        0.01, "Probability that any unmoved common point is rejected as moved or exchanged.",
         limits=Range(low=1e-6, high=0.5),
     )  # fmt: skip
 

@@ -35,32 +35,31 @@ class MovedSettings:
 
     epochs: tuple[Path, ...]
     """results, projects or blocks, in the order of time"""
-    out: Path = setting(MISSING, "New folder: report.html, points.csv, moved.json.", metavar="FOLDER")
+    out: Path = setting(MISSING, "New folder for report.html, points.csv and moved.json.", metavar="FOLDER")
     datum_points: tuple[str, ...] = setting(
-        (), "Points that are known to have stayed.  [default: found by the test]", metavar="A,B,C,...", joined=True
+        (), "Known stable points.  [default: found by the test]", metavar="A,B,C,...", joined=True
     )
     points: tuple[str, ...] = setting(
         (),
-        "Take these points alone; dots by their names in the first measurement.  [default: all that have a name, and "
-        "dots]",
+        "Use only these points. Dots have their names of the first measurement.  [default: all named points, and dots]",
         metavar="A,B,C,...",
         joined=True,
     )
     significance: float = setting(
-        0.05, "Probability that any point is called moved where none did.", limits=Range(low=1e-6, high=0.5)
+        0.05, "Probability that any stable point is reported as moved.", limits=Range(low=1e-6, high=0.5)
     )
     axes: Path | None = setting(
-        None, "Nominal coordinates in whose axes the result is given: point,X,Y,Z; fitted by the points that stayed, "
-        "as the first measurement has them.  [default: the axes of the first measurement]", metavar="FILE",
+        None, "Nominal coordinates that define the axes of the result: point,X,Y,Z. The fit uses the stable points "
+        "in the first measurement.  [default: the axes of the first measurement]", metavar="FILE",
     )  # fmt: skip
     by: tuple[str, ...] = setting(
         (),
-        "Points by which {axes} are fitted.  [default: all of the file that stayed]",
+        "Points for the fit of {axes}.  [default: all stable points of the file]",
         metavar="A,B,C,...",
         joined=True,
     )
-    unit: float = setting(1.0, "Metres of one unit of {axes}.", limits=Range(low=1e-9, high=1e6))
-    free_scale: bool = setting(False, "Epochs may differ in scale, though bars or control measured it.")
+    unit: float = setting(1.0, "Metres per unit of {axes}.", limits=Range(low=1e-9, high=1e6))
+    free_scale: bool = setting(False, "Let epochs differ in scale, even if bars or control measured it.")
     title: str = setting("", TITLE, metavar="TEXT")
     client: str = setting("", CLIENT, metavar="TEXT")
     operator: str = setting("", OPERATOR, metavar="TEXT")

@@ -51,100 +51,100 @@ class OrientSettings:
     calibration: Path | None = setting(None, KNOWN, metavar="CAMERAS.toml")
     own_camera: tuple[str, ...] = setting((), APART, metavar="PATTERN")
     masks: Path | None = setting(
-        None, "Masks of the photographs, named photo.jpg.png as by COLMAP, or photo_mask.png or photo.png as by "
-        "Metashape: nothing is measured where they are 0.", metavar="DIR",
+        None, "Masks of the photographs: nothing is measured where they are 0. Named photo.jpg.png (COLMAP), "
+        "photo_mask.png or photo.png (Metashape).", metavar="DIR",
     )  # fmt: skip
     library: bool = setting(True, LIBRARY, flag="no-library")
     control: tuple[Path, ...] = setting(
-        (), "Control points with their places in the photographs: gcp_list.txt, CSV or a block folder; or the places "
-        "in the photographs alone, as of the ends of a scale bar: image,point,x_px,y_px.", metavar="FILE",
+        (), "Control points with their image points: gcp_list.txt, CSV or a block folder. Image points alone are "
+        "possible, e.g. of the ends of a scale bar: image,point,x_px,y_px.", metavar="FILE",
     )  # fmt: skip
     check: tuple[Path, ...] = setting((), "Check points, in the same formats.", metavar="FILE")
     control_sigma: tuple[float, float] | None = setting(
-        None, "Standard deviation of control whose file states none, in metres, whatever the unit of the file.  "
+        None, "Standard deviation of control, if its file has none. In metres, regardless of the unit of the file.  "
         "[default: 0.01 0.02]", metavar="PLAN HEIGHT",
         limits=(NOT_NEGATIVE, NOT_NEGATIVE),
     )  # fmt: skip
     mark_sigma: float = setting(
-        0.5, "Standard deviation of a point marked in a photograph.", metavar="PX", limits=Range(low=0.001, high=1e5)
+        0.5, "Standard deviation of a marked image point.", metavar="PX", limits=Range(low=0.001, high=1e5)
     )
     target: tuple[str, ...] = setting(
-        (), "Coded targets in the photographs, as aicon14 or apriltag-36h11: points with the names of their codes, or "
-        "those of {control} by these names; of several families FAMILY:CODE.", metavar="FAMILY", also=("family",),
+        (), "Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or points "
+        "of {control}. With several families: FAMILY:CODE.", metavar="FAMILY", also=("family",),
     )  # fmt: skip
     scale_bar: tuple[tuple[str, str, float, float], ...] = setting(
-        (), "A known distance between two points that {control} measures, or two targets, and its standard deviation, "
-        "both in metres; may be repeated.", metavar="A B LENGTH SIGMA",
+        (), "Known distance between two points, with its standard deviation [m]. The points are in {control} or are "
+        "targets. May be repeated.", metavar="A B LENGTH SIGMA",
         limits=("text", "text", POSITIVE, NOT_NEGATIVE),
     )  # fmt: skip
     positions: Path | None = setting(
         None,
-        "Positions of the photographs (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB) in place of their own.",
+        "Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB).",
         metavar="FILE",
     )
     attitudes: Literal["auto", "none", "opk", "rpy-ned", "gimbal"] = setting(
-        "auto", "Observe attitudes of {positions}, or the gimbal's in the photographs, by their convention; auto: what "
-        "the file holds with standard deviations.",
+        "auto", "Observe attitudes of {positions}, or of the gimbal, by their convention. auto: attitudes with "
+        "standard deviations in the file.",
     )  # fmt: skip
     attitude_sigma: tuple[float, float] | None = setting(
-        None, "Standard deviations [deg] of attitudes that state none; observes those of the gimbal as well.",
+        None, "Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.",
         metavar="TILT HEADING", limits=(POSITIVE, POSITIVE),
     )  # fmt: skip
     misalignment: bool = setting(
-        True, "Attitudes are those of the camera itself: no misalignment is estimated.", flag="no-misalignment"
+        True, "Take attitudes as those of the camera: estimate no misalignment.", flag="no-misalignment"
     )
     relative: Literal["", "shift", "drift"] = setting(
-        "", "Relative aerial control: positions and attitudes of a flight line count by their differences alone; "
-        "drift: after a drift of the positions as well.",
+        "", "Use only differences of positions and attitudes within a flight line (relative aerial control). drift: "
+        "also after a drift of the positions.",
     )  # fmt: skip
     lever_arm: tuple[float, float, float, float] | None = setting(
-        None, "Positions belong to an antenna that stands there in the axes of the image, seen from the projection "
-        "centre; SIGMA 0 holds it.", metavar="RIGHT UP BACK SIGMA", limits=(ANY, ANY, ANY, NOT_NEGATIVE),
+        None, "Lever arm from the projection centre to the antenna, in the axes of the image. SIGMA 0 fixes it.",
+        metavar="RIGHT UP BACK SIGMA", limits=(ANY, ANY, ANY, NOT_NEGATIVE),
     )  # fmt: skip
     shift: bool = setting(
-        True, "Control and positions are in one datum: no shift of the positions of each flight is estimated.",
+        True, "Take control and positions in one datum: estimate no shift of the positions of each flight.",
         flag="no-shift",
     )  # fmt: skip
     scene_bias: Literal["none", "shift", "drift", "affine"] = setting(
-        "shift", "What is estimated of a satellite scene's RPC."
+        "shift", "Parameters to estimate for the RPC of a satellite scene."
     )
     crs: str | None = setting(
-        None, "As EPSG:32633, of what names no coordinate system itself: control and check files, {positions} in a "
-        "grid. With heights, as EPSG:32633+5773 or EPSG:32633+ellipsoid, also of files that name its plan alone.",
+        None, "Coordinate system of inputs that define none, e.g. EPSG:32633: control, check points, {positions} in "
+        "a grid. With heights (EPSG:32633+5773, EPSG:32633+ellipsoid) also for files that define only the plan.",
         metavar="SYSTEM",
     )  # fmt: skip
-    gps: bool = setting(True, "Leave positions out that the photographs state.", flag="no-gps")
+    gps: bool = setting(True, "Ignore positions in the photographs.", flag="no-gps")
     up: str = setting(
-        "auto", "Which way is up where neither control nor positions determine it: auto, by how the photographs were "
-        "held; terrestrial, aerial, oblique; or two points A,B that {control} measures, B plumb above A.",
+        "auto", "Up direction, if neither control nor positions determine it. auto: from the attitude of the camera; "
+        "terrestrial, aerial, oblique; or two points A,B of {control}, B plumb above A.",
         metavar="WAY",
     )  # fmt: skip
     features: str = setting(
-        "rootsift", "rootsift; for wide baselines, with the extra [learned]: xfeat or disk.", metavar="METHOD"
+        "rootsift", "Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).", metavar="METHOD"
     )
-    feature_count: int = setting(10_000, "Features of a photograph.", limits=Range(low=100))
+    feature_count: int = setting(10_000, "Number of features per photograph.", limits=Range(low=100))
     start: Literal["auto", "growing", "averaging", "parts"] = setting(
-        "auto", "Image by image, all pairs at once, or in parts that are joined; auto: parts of very many photographs, "
-        "all pairs where the first way leaves photographs or the view is narrow.",
+        "auto", "Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto: "
+        "parts for very many photographs; all pairs if image by image leaves photographs out or the view is narrow.",
     )  # fmt: skip
-    precise: bool = setting(True, "Leave out least-squares matching: several times less precise.", flag="quick")
-    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
+    precise: bool = setting(True, "Skip least-squares matching: several times less precise.", flag="quick")
+    jobs: int = setting(0, "Number of processors; 0: all.", limits=NOT_NEGATIVE)
     cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
     store: str = setting("", STORE_HELP, metavar="URL|project")
     memory: float = setting(
-        0.0, "Memory that the pixels of photographs may take while points are measured, and an adjustment, in GB; 0: "
-        "4 for the pixels, and for adjustments four fifths of what is free, 1 at least.  What needs more is adjusted "
-        "in parts, from 0.2 on.", metavar="GB", limits=Range(low=0.0, high=1e6),
+        0.0, "Memory limit for pixels during measurement, and for an adjustment [GB]. 0: 4 for pixels; for "
+        "adjustments four fifths of the free memory, at least 1. Larger adjustments run in parts, from 0.2 on.",
+        metavar="GB", limits=Range(low=0.0, high=1e6),
     )  # fmt: skip
     redo_from: str = setting(
         "",
-        "Do this stage, as `raybundle status` lists them, and all after it again.",
+        "Repeat this stage and all later ones. `raybundle status` lists them.",
         flag="from-stage",
         metavar="STAGE",
     )
     read_out: float | None = setting(
-        None, "Time in which a rolling shutter reads a frame, where it is known; 0: there is none. Not given, "
-        "photographs that state their times are asked for it.", metavar="MS", limits=Range(low=0, high=1000),
+        None, "Read-out time of a rolling shutter; 0: none. Without it, photographs with recorded times are tested "
+        "for it.", metavar="MS", limits=Range(low=0, high=1000),
     )  # fmt: skip
     noise: NoiseModel = setting("auto", NOISE_HELP)
     accuracy_class: str = setting("", ACCURACY_CLASS, metavar="WANTED")

@@ -10,12 +10,14 @@ from raybundle.report.paper.needed import check_typesetter
 
 NO_REPORT_HELP = "Leave out report.html and network.html."
 TABLES_HELP = (
-    "How tables are written: csv, parquet (with pyarrow), or auto: CSV, Parquet for those of more rows than a "
-    "spreadsheet holds (1 048 575) where pyarrow is installed."
+    "Format of the tables. csv; parquet (with pyarrow). auto: CSV, but Parquet for tables with more rows than a "
+    "spreadsheet holds (1 048 575), if pyarrow is installed."
 )
-PDF_HELP = "Write the report as report.pdf: A4, with page numbers and bookmarks; also where report.html is left out."
-LANGUAGE_HELP = f"Language of the report: {', '.join(language_codes())}. Tables and result.json are English in any."
-COORDINATES_HELP = "Put every object point into the appendix of the report, and not the first of many alone."
+PDF_HELP = "Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without report.html."
+LANGUAGE_HELP = f"Language of the report: {', '.join(language_codes())}. Tables and result.json stay English."
+COORDINATES_HELP = (
+    "List every object point in the appendix of the report. Without it, only the first of many are listed."
+)
 
 
 class Pages(Protocol):

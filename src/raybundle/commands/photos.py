@@ -22,7 +22,7 @@ class PhotosSettings:
 
     photos: tuple[Path, ...]
     """folders and files"""
-    calibration: Path | None = setting(None, "Stored calibrations to be matched.", metavar="CAMERAS.toml")
+    calibration: Path | None = setting(None, "Stored calibrations to match.", metavar="CAMERAS.toml")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,12 +41,12 @@ class FramesSettings:
 
     video: Path
     """any file that OpenCV decodes"""
-    out: Path = setting(MISSING, "A new or empty folder for the photographs.", metavar="FOLDER")
-    count: int | None = setting(None, "So many frames, evenly by image motion.", limits=Range(low=1))
-    every: float | None = setting(None, "One frame in so many seconds.", metavar="SECONDS", limits=POSITIVE)
+    out: Path = setting(MISSING, "New or empty folder for the photographs.", metavar="FOLDER")
+    count: int | None = setting(None, "Number of frames, evenly spaced by image motion.", limits=Range(low=1))
+    every: float | None = setting(None, "Take one frame every so many seconds.", metavar="SECONDS", limits=POSITIVE)
     motion: float = setting(
-        0.08, "Without {count} and {every}: one frame whenever the view has moved by this share of the image's longer "
-        "side.", limits=POSITIVE,
+        0.08, "Image motion from frame to frame, as a share of the longer side. Applies without {count} and {every}.",
+        limits=POSITIVE,
     )  # fmt: skip
 
 

@@ -25,27 +25,26 @@ class PlaneSettings:
     """A plane of the object and axes in it."""
 
     plane: tuple[str, ...] = setting(
-        (), "Object points of the plane: three or more, or two with {vertical}.  [default: that of most points]",
+        (), "Object points of the plane: three or more, or two with {vertical}.  [default: plane of most points]",
         metavar="A,B,C,...", joined=True,
     )  # fmt: skip
     vertical: bool = setting(
-        False, "A plane that stands plumb: through two points of {plane}, best through more of them, or through most "
-        "points."
+        False, "Use a plumb plane: through two points of {plane}, fitted to more of them, or through most points."
     )  # fmt: skip
     horizontal: bool = setting(
-        False, "A level plane at the points' median height: floors, flat ground. Of a result with a coordinate system "
-        "the picture lies in its map.",
+        False, "Use a level plane at the points' median height: floors, flat ground. If the result has a coordinate "
+        "system, the picture is in its map.",
     )  # fmt: skip
     up: str = setting(
-        "z", "What is plumb: z, the Z axis of the block; lines, its measured plumb lines; or two points A,B, of which "
-        "B stands above A.", metavar="z|lines|A,B",
+        "z", "Plumb direction. z: Z axis of the block. lines: its measured plumb lines. A,B: two points, B above A.",
+        metavar="z|lines|A,B",
     )  # fmt: skip
     axis: tuple[str, str] | None = setting(
-        None, "The plane's axis to the right goes from A towards B.  [default: level]", metavar="A B",
+        None, "Two points of the plane's axis to the right, from A to B.  [default: level]", metavar="A B",
         limits=("text", "text"),
     )  # fmt: skip
     origin: str = setting(
-        "", "The plane's coordinates begin at the foot of this point.  [default: in the middle of the points]",
+        "", "Point with its foot at the origin of the plane.  [default: in the middle of the points]",
         metavar="POINT",
     )  # fmt: skip
 

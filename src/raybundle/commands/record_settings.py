@@ -12,11 +12,11 @@ from typing import Protocol
 from raybundle.results.record import Record, record_from
 
 TITLE = "Title of the report."
-CLIENT = "Whom it is for; stands on the first page of the report."
-OPERATOR = "Who made it; stands there, too."
+CLIENT = "Client, on the first page of the report."
+OPERATOR = "Operator, on the first page of the report."
 ACCURACY_CLASS = (
-    "Largest RMSE that is wanted at the check points: metres as 0.03, of plan and height as 0.03,0.05 (- asks for "
-    "none), or a class of ASPRS (2024) as asprs:2.5cm,5cm. The exit status is 4 where it is not kept."
+    "Largest permitted RMSE at the check points. In metres: 0.03, or plan and height: 0.03,0.05 (-: no limit). Or a "
+    "class of ASPRS (2024): asprs:2.5cm,5cm. If it is exceeded, the exit status is 4."
 )
 
 

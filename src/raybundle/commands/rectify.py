@@ -39,21 +39,21 @@ class RectifySettings(PlaneSettings):
         limits=POSITIVE,
     )  # fmt: skip
     extent: tuple[float, float, float, float] | None = setting(
-        None, "Part of the plane, in its coordinates; of a map, east and north.  [default: where the points lie]",
+        None, "Part of the plane, in its coordinates; of a map, east and north.  [default: extent of the points]",
         metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY),
     )  # fmt: skip
     photos: tuple[Path, ...] = setting(
-        (), "Where the photographs are.  [default: as the project knows]", metavar="FOLDER"
+        (), "Folder of the photographs.  [default: recorded in the project]", metavar="FOLDER"
     )
-    only: tuple[str, ...] = setting((), "Take these photographs alone.", metavar="A,B,C,...", joined=True)
+    only: tuple[str, ...] = setting((), "Use only these photographs.", metavar="A,B,C,...", joined=True)
     control: Path | None = setting(
-        None, "For a PHOTO: points of the plane and their places in it, as for orient.", metavar="FILE"
+        None, "For a PHOTO: points of the plane with their image points, as for orient.", metavar="FILE"
     )
     transformation: Literal["projective", "affine"] = setting(
-        "projective", "For a PHOTO; affine: taken from far away, or copied flat."
+        "projective", "For a PHOTO: transformation. affine: for a distant view or a flat copy."
     )
     calibration: Path | None = setting(
-        None, "For a PHOTO: the lens, to take its distortion off.", metavar="CAMERA.toml"
+        None, "For a PHOTO: calibration of the lens, to correct distortion.", metavar="CAMERA.toml"
     )
     mark_sigma: float = setting(
         0.5, "For a PHOTO: standard deviation of a marked point.", metavar="PX", limits=Range(low=0.001, high=1e5)

@@ -29,9 +29,9 @@ class RpcProjectSettings:
     points: Path
     """table point,lon_deg,lat_deg,h_m, or point,x_px,y_px,h_m to the ground"""
     out: Path = setting(MISSING, "Table to write.", metavar="CSV")
-    to_ground: bool = setting(False, "POINTS holds point,x_px,y_px,h_m; their ground points are wanted.")
+    to_ground: bool = setting(False, "Compute ground points of POINTS (point,x_px,y_px,h_m).")
     model: Literal["auto", "rpc", "rigorous"] = setting(
-        "auto", "auto: the RPC where the file has one, else the rigorous model."
+        "auto", "Sensor model. auto: the RPC, if the file has one, else the rigorous model."
     )
 
 

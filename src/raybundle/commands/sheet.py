@@ -34,35 +34,35 @@ class DrawingSheetSettings(PlaneSettings):
         None, "Denominator of the scale: 50 is 1 : 50.  [default: the largest of 1, 2, 5, 10, 20, 50 ... that fits]",
         metavar="N", limits=Range(low=1, high=1e8),
     )  # fmt: skip
-    paper: PaperName = setting("A3", "Paper.")
-    landscape: bool = setting(False, "The paper's longer side lies level.  [default: as the drawing is larger]")
-    portrait: bool = setting(False, "The paper's longer side stands upright.")
-    several: bool = setting(
-        False, "Several sheets, joined by register marks in their overlaps, where the object is larger than one."
-    )
+    paper: PaperName = setting("A3", "Paper size.")
+    landscape: bool = setting(False, "Use the paper with its longer side horizontal.  [default: by the drawing]")
+    portrait: bool = setting(False, "Use the paper with its longer side vertical.")
+    several: bool = setting(False, "Use several sheets for a large object. Register marks in their overlaps join them.")
     extent: tuple[float, float, float, float] | None = setting(
         None, "Part to draw, in the coordinates of the plane or the map.  [default: the pictures, else the points]",
         metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY),
     )  # fmt: skip
     grid: float | None = setting(
-        None, "Distance of the grid's crosses, in the unit of the plane; 0: none.  [default: a usual one]",
+        None, "Spacing of the grid crosses, in the unit of the plane; 0: none.  [default: a usual one]",
         metavar="LENGTH", limits=NOT_NEGATIVE,
     )  # fmt: skip
-    draw_points: Literal["named", "all", "none"] = setting("named", "Points that are drawn; all: tie points, too.")
+    draw_points: Literal["named", "all", "none"] = setting("named", "Points to draw; all: also tie points.")
     lengths: bool = setting(True, "Leave out the values of measured lengths at their lines.", flag="no-lengths")
     language: str = setting(
         "", f"Language of the sheet: {', '.join(language_codes())}.  [default: that of the project's reports]",
         metavar="CODE",
     )  # fmt: skip
-    title: str = setting("", "Title.  [default: the object, or the name of the first source]", metavar="TEXT")
-    object: str = setting("", "Entry of the title block, as are the others that follow.", metavar="TEXT")
-    place: str = setting("", "Where it stands.", metavar="TEXT")
-    date: str = setting("", "When it was recorded.", metavar="TEXT")
-    client: str = setting("", "Whom the drawing is for.", metavar="TEXT")
-    operator: str = setting("", "Who made it.", metavar="TEXT")
-    instruments: str = setting("", "With what.", metavar="TEXT")
+    title: str = setting(
+        "", "Title of the drawing.  [default: the object, or the name of the first source]", metavar="TEXT"
+    )
+    object: str = setting("", "Name of the object, in the title block.", metavar="TEXT")
+    place: str = setting("", "Place of the object.", metavar="TEXT")
+    date: str = setting("", "Date of the recording.", metavar="TEXT")
+    client: str = setting("", "Client of the drawing.", metavar="TEXT")
+    operator: str = setting("", "Operator.", metavar="TEXT")
+    instruments: str = setting("", "Instruments.", metavar="TEXT")
     reference: str = setting("", "Numbers of object and order.", metavar="TEXT")
-    rights: str = setting("", "Who owns it, under which licence.", metavar="TEXT")
+    rights: str = setting("", "Owner and licence.", metavar="TEXT")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -36,23 +36,25 @@ class SimulateSettings:
     """a name, or a folder with a plan, a result or a block"""
     out: Path
     """new folder"""
-    seed: int = setting(1, "Of all random numbers.", limits=NOT_NEGATIVE)
+    seed: int = setting(1, "Seed of all random numbers.", limits=NOT_NEGATIVE)
     image_sigma: float | None = setting(
         None, "Sigma of an image coordinate [px].  [default: 0.1, of a plan as planned]", limits=PIXELS
     )
-    control_points: int = setting(0, "How many.", limits=NOT_NEGATIVE)
+    control_points: int = setting(0, "Number of control points.", limits=NOT_NEGATIVE)
     control_sigma: tuple[float, float] = setting(
-        (0.0, 0.0), "Their standard deviations [m]; 0: held.", metavar="PLAN HEIGHT", limits=(SIGMA, SIGMA)
+        (0.0, 0.0), "Standard deviations of control points [m]; 0: fixed.", metavar="PLAN HEIGHT", limits=(SIGMA, SIGMA)
     )
-    check_points: int = setting(0, "How many.", limits=NOT_NEGATIVE)
-    scale_bars: int = setting(0, "How many.", limits=NOT_NEGATIVE)
-    scale_bar_sigma: float = setting(1e-4, "Their sigma [m].", limits=METRES)
-    station_sigma: float | None = setting(None, "Observe projection centres so well [m].", limits=METRES)
+    check_points: int = setting(0, "Number of check points.", limits=NOT_NEGATIVE)
+    scale_bars: int = setting(0, "Number of scale bars.", limits=NOT_NEGATIVE)
+    scale_bar_sigma: float = setting(1e-4, "Standard deviation of scale bars [m].", limits=METRES)
+    station_sigma: float | None = setting(
+        None, "Observe projection centres with this standard deviation [m].", limits=METRES
+    )
     orientation: Literal["exact", "approximate", "absent"] = setting(
-        "approximate", "Exterior orientation given at the start."
+        "approximate", "Given exterior orientation at the start."
     )
     gross: float = setting(0.0, "Share of blunders.", limits=Range(low=0, high=0.5))
-    gross_px: float = setting(20.0, "Their size [px].", limits=Range(low=0, high=1e5))
+    gross_px: float = setting(20.0, "Size of the blunders [px].", limits=Range(low=0, high=1e5))
 
     def survey(self) -> Survey:
         """What is measured; a single photograph has ten control points where none are asked for."""

@@ -26,7 +26,7 @@ class SpreadsheetSettings:
     """folder with tables: a result, a project, what `moved` or `measure` wrote"""
     out: Path = setting(MISSING, "New workbook, FILE.xlsx.", metavar="FILE")
     tables: tuple[str, ...] = setting(
-        (), "These tables alone, by the names of their files without .csv.  [default: all that have rows]",
+        (), "Only these tables. Give file names without .csv.  [default: all that have rows]",
         metavar="A,B,C,...", joined=True,
     )  # fmt: skip
 

@@ -42,53 +42,54 @@ class SurfaceSettings(PlaneSettings):
     """result folder or project of `orient`"""
     out: Path | None = setting(None, "New folder.  [default: SOURCE/surface]", metavar="FOLDER")
     density: Literal["1", "2", "4"] = setting(
-        "1", "Measure every pixel, or every second or fourth of rows and columns."
+        "1", "Measured pixels: each, or every second or fourth of rows and columns."
     )
     dsm: float | None = setting(
-        None, "Also heights above the plane, on a grid with cells of this size in the object's unit. Of a result with "
-        "a coordinate system they are those of its map, if no plane is named.", limits=POSITIVE, metavar="CELL",
+        None, "Also write heights above the plane, on a grid of this cell size in the object's unit. If the result "
+        "has a coordinate system and no plane is given, heights are in its map.", limits=POSITIVE, metavar="CELL",
     )  # fmt: skip
     ortho: float | None = setting(
-        None, "Also a true orthophoto above the same plane, with pixels of this size: each of them from the photograph "
-        "that sees its place best, and how far it may be off.", limits=POSITIVE, metavar="CELL",
+        None, "Also write a true orthophoto above the same plane, with this pixel size. Each pixel comes from the "
+        "photograph with the best view and has its uncertainty.", limits=POSITIVE, metavar="CELL",
     )  # fmt: skip
     mesh: float | None = setting(
-        None, "Also a mesh above the same plane, with vertices so far apart and the orthophoto on it: PLY, OBJ, glTF.",
+        None, "Also write a mesh above the same plane, with this vertex spacing: PLY, OBJ, glTF. The orthophoto is "
+        "its texture.",
         limits=POSITIVE, metavar="CELL",
     )  # fmt: skip
-    las: bool = setting(False, "Also the points as LAZ, or LAS where no library for LAZ is there.")
-    depths: bool = setting(False, "Also the depth map of each photograph with its standard deviations, as TIFF.")
+    las: bool = setting(False, "Also write the points as LAZ, or as LAS without a LAZ library.")
+    depths: bool = setting(False, "Also write the depth map of each photograph with its standard deviations, as TIFF.")
     thin: float | None = setting(
-        None, "Write of the points of each cube of this size the best one alone.", limits=POSITIVE, metavar="LENGTH"
+        None, "Thin the cloud: keep the best point per cube of this size.", limits=POSITIVE, metavar="LENGTH"
     )
     region: tuple[str, ...] = setting(
-        (), "Measure this part of the object alone, and nothing around it: a file (GeoJSON, KML, CSV, what OGR reads) "
-        "or corners X Y, X Y, ... in plan of the plane or the map, whatever the height.  [default: all that is shown]",
+        (), "Measure only this part of the object: a file (GeoJSON, KML, CSV, OGR formats) or corners X Y, X Y, ... "
+        "in plan of the plane or the map. All heights count.  [default: everything visible]",
         metavar="FILE|CORNERS",
     )  # fmt: skip
     extent: tuple[float, float, float, float] | None = setting(
-        None, "A rectangle of the plane instead, in its coordinates; of a map, east and north.",
+        None, "Rectangle of the plane in its coordinates; of a map, east and north. Instead of a region.",
         metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY),
     )  # fmt: skip
     photos: tuple[Path, ...] = setting(
-        (), "Where the photographs are.  [default: as the project knows]", metavar="FOLDER"
+        (), "Folder of the photographs.  [default: recorded in the project]", metavar="FOLDER"
     )
     masks: Path | None = setting(
-        None, "Masks of the photographs, named as `orient` takes them: where they are 0 nothing is measured, and no "
-        "colour is taken.  [default: those of the project, and what is drawn there]", metavar="DIR",
+        None, "Masks of the photographs, named as for `orient`. Where they are 0, neither points nor colours are "
+        "taken.  [default: masks and drawn areas of the project]", metavar="DIR",
     )  # fmt: skip
     cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
     store: str = setting("", STORE_HELP, metavar="URL|project")
-    jobs: int = setting(0, "How many processors; 0: all.", limits=Range(low=0, high=MOST_JOBS))
+    jobs: int = setting(0, "Number of processors; 0: all.", limits=Range(low=0, high=MOST_JOBS))
     memory: float = setting(
-        2.0, "Memory that depth maps in work may take together; approximate depths are found by bands of rows where "
-        "they would take more. One map is made whatever is allowed.", limits=POSITIVE, metavar="GB",
+        2.0, "Memory limit of all depth maps in work. Beyond it, approximate depths are computed by bands of rows. "
+        "At least one map is made.", limits=POSITIVE, metavar="GB",
     )  # fmt: skip
     free_scale: bool = setting(False, FREE_SCALE_HELP)
     title: str = setting("", TITLE, metavar="TEXT")
     client: str = setting("", CLIENT, metavar="TEXT")
     operator: str = setting("", OPERATOR, metavar="TEXT")
-    pdf: bool = setting(False, "Write surface.html as surface.pdf, too: A4, with page numbers and bookmarks.")
+    pdf: bool = setting(False, "Also write surface.html as surface.pdf: A4, with page numbers and bookmarks.")
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
 

@@ -31,8 +31,8 @@ class FamilySettings:
     """Which targets."""
 
     target: str | None = setting(None, FAMILY_HELP, metavar="FAMILY", also=("family",))
-    table: Path | None = setting(None, "Targets of one's own: a table id,code; with {bits}.", metavar="FILE")
-    bits: int | None = setting(None, "Sectors of the rings of {table}.", limits=Range(low=3, high=24))
+    table: Path | None = setting(None, "Table of custom targets: id,code; with {bits}.", metavar="FILE")
+    bits: int | None = setting(None, "Number of sectors of the rings of {table}.", limits=Range(low=3, high=24))
 
     def rings(self) -> RingFamily:
         """The ring family that is named; raises InputError."""
@@ -68,18 +68,22 @@ class SheetSettings(FamilySettings):
     """What is printed on which paper."""
 
     count: int | None = setting(
-        None, "So many targets, chosen to stay distinct when partly hidden.", limits=Range(low=1)
+        None, "Number of targets, chosen to stay distinct when partly hidden.", limits=Range(low=1)
     )
-    codes: str | None = setting(None, "These targets, in place of {count}.", metavar="ID,FROM-TO,...")
+    codes: str | None = setting(None, "Numbers of the targets, instead of {count}.", metavar="ID,FROM-TO,...")
     spacing: float | None = setting(
-        None, "Boards: side of a square, distance of dots; tags: their side.", limits=MILLIMETRES
+        None, "Boards: side of a square, distance of dots. Tags: their side.", limits=MILLIMETRES
     )
     dot_radius: float = setting(5.0, "Radius of the dots.", limits=MILLIMETRES, typed="5mm")
     paper: Literal["A0", "A1", "A2", "A3", "A4"] = setting("A4", "")
-    lying: bool = setting(False, "The longer side across.")
-    tile: Literal["A1", "A2", "A3", "A4"] | None = setting(None, "Cut into parts for a printer of this paper.")
-    polarity: Literal["dark", "light"] = setting("dark", "dark: black on white; light: white on black.")
-    out: Path = setting(MISSING, "FILE.pdf or FILE.svg; FILE.toml goes beside it.", metavar="FILE")
+    lying: bool = setting(False, "Print with the longer side horizontal.")
+    tile: Literal["A1", "A2", "A3", "A4"] | None = setting(
+        None, "Cut the sheet into parts for a printer of this paper."
+    )
+    polarity: Literal["dark", "light"] = setting(
+        "dark", "Colour of the targets. dark: black on white. light: white on black."
+    )
+    out: Path = setting(MISSING, "FILE.pdf or FILE.svg; FILE.toml is written beside it.", metavar="FILE")
 
     def options(self) -> SheetOptions:
         """What the sheet is drawn with."""
@@ -105,11 +109,11 @@ class DetectSettings(FamilySettings):
     photos: tuple[Path, ...]
     """folders and files"""
     polarity: Literal["both", "dark", "light"] = setting("both", "Colour of the dots.")
-    out: Path | None = setting(None, "Table of all that was found.", metavar="FILE")
-    observations: Path | None = setting(None, "Points with a name as observations.csv of a block.", metavar="FILE")
-    dots: bool = setting(False, "With rings: dots without a ring, too.")
-    overlay: Path | None = setting(None, "Write the photographs with what was found drawn on them.", metavar="DIR")
-    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
+    out: Path | None = setting(None, "Table of all detected targets.", metavar="FILE")
+    observations: Path | None = setting(None, "Write named points as observations.csv of a block.", metavar="FILE")
+    dots: bool = setting(False, "With rings: also detect dots without a ring.")
+    overlay: Path | None = setting(None, "Write the photographs with the detected targets drawn in.", metavar="DIR")
+    jobs: int = setting(0, "Number of processors; 0: all.", limits=NOT_NEGATIVE)
 
 
 def write_target_sheet(target: str | None, out: str | Path, **settings: Any) -> Sheet:

@@ -15,14 +15,14 @@ if TYPE_CHECKING:
     from raybundle.pipeline.shards import ShardDone
 
 CLUSTER_HELP = (
-    "Tasks on other machines, as features and depth maps: the folder of a cluster, which `raybundle scheduler FOLDER` "
-    "makes (extra [cluster]); or shards, to write the tasks down for `raybundle worker` and end."
+    "Run tasks such as features and depth maps on other machines. Give the cluster folder from `raybundle scheduler "
+    "FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and end."
 )
 """Of the setting `cluster`, which every command has whose stages can be done elsewhere"""
 STORE_HELP = (
-    "Where products of stages lie: the URL of an object store for this project alone, as s3://bucket/folder (extra "
-    "[cluster], and the package of the service), which the project remembers; project: in its folder.  [default: as "
-    "the last run, at first in the folder]"
+    "Storage of the products of stages. Give the URL of an object store for this project alone, e.g. "
+    "s3://bucket/folder (extra [cluster] and the package of the service). The project remembers it. project: its "
+    "own folder.  [default: as the last run, at first in the folder]"
 )
 """Of the setting `store`"""
 
@@ -36,16 +36,16 @@ class WorkerSettings:
     """What a worker works for: a cluster, or a share of the tasks in a project."""
 
     cluster: str = setting(
-        "", "Work for the scheduler of this folder until interrupted, and wait for one, also at first.",
+        "", "Work for the scheduler of this folder until interrupted. The worker waits for a scheduler, also at first.",
         metavar="FOLDER",
     )  # fmt: skip
     shard: str = setting(
-        "", "Of the tasks in PROJECT do those whose number leaves I when divided by N, and end: for the jobs of an "
-        "array, which need no scheduler.", metavar="I/N",
+        "", "Do share I of N of the tasks in PROJECT, by their numbers modulo N, and end. For the jobs of an array; "
+        "needs no scheduler.", metavar="I/N",
     )  # fmt: skip
-    jobs: int = setting(1, "Tasks at once; 0: as many as there are processors.", limits=NOT_NEGATIVE)
+    jobs: int = setting(1, "Number of parallel tasks; 0: one per processor.", limits=NOT_NEGATIVE)
     wait: float = setting(
-        60.0, "Seconds that a shard waits for what others make, before it ends with status 5.", metavar="S",
+        60.0, "Seconds that a shard waits for results of others. Then it ends with status 5.", metavar="S",
         limits=Range(low=0, high=1e6),
     )  # fmt: skip
 
@@ -55,7 +55,7 @@ class SchedulerSettings:
     """How a scheduler is reached."""
 
     host: str = setting("", "Name or address of this machine for the others.  [default: as it reaches the network]")
-    port: int = setting(0, "0: any that is free.", limits=Range(low=0, high=65535))
+    port: int = setting(0, "Port; 0: any free one.", limits=Range(low=0, high=65535))
 
 
 def run_worker(

@@ -20,7 +20,7 @@ from raybundle.studio.forms import fields_of, settings_of_form, words_of
 
 Name = Literal["orient", "calibrate"]
 Settings = OrientSettings | CalibrateSettings
-PHOTOS = "Folders and files of the photographs, those with blanks in their names in quotation marks."
+PHOTOS = "Folders and files of the photographs. Put names with blanks in quotation marks."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @click.argument("first", type=FOLDER, metavar="A")
 @click.argument("second", type=FOLDER, metavar="B")
 @options_of(CalibrationCompareSettings)
-@click.option("--json", "as_json", is_flag=True, help="Everything, the map too, as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="Print everything as JSON, including the map.")
 def compare(first: Path, second: Path, *, as_json: bool, **given: Any) -> None:
     """Say how far apart two calibrations place the image of the same ray, after the best rotation.
 

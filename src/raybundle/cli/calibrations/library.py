@@ -53,7 +53,7 @@ def _row(entry: LibraryEntry) -> str:
 
 
 @click.command("list", cls=Command)
-@click.option("--json", "as_json", is_flag=True, help="Everything as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="Print everything as JSON.")
 @options_of(CalibrationListSettings)
 def list_(*, as_json: bool, **given: Any) -> None:
     """Show the calibrations of the library.

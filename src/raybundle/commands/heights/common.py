@@ -18,6 +18,7 @@ class HeightsSettings:
     source: Path
     """folder of `surface` with heights"""
     fill: float | None = setting(
-        None, "Fill holes up to this width, in the unit of the heights, from what is around them; their standard "
-        "deviation grows with the gap. 0: none.  [default: 10 cells]", metavar="WIDTH", limits=NOT_NEGATIVE,
+        None, "Fill holes up to this width; 0: none. In the unit of the heights. Filled heights come from the "
+        "surroundings; their standard deviation grows with the gap.  [default: 10 cells]",
+        metavar="WIDTH", limits=NOT_NEGATIVE,
     )  # fmt: skip

@@ -22,10 +22,12 @@ class HeightsContoursSettings(HeightsSettings):
     """Which contour lines, and where they go."""
 
     interval: float | None = setting(
-        None, "From line to line, in the unit of the heights.", limits=POSITIVE, metavar="HEIGHT"
+        None, "Contour interval, in the unit of the heights.", limits=POSITIVE, metavar="HEIGHT"
     )
-    rough: bool = setting(False, "Leave the wiggles that are noise.")
-    out: tuple[Path, ...] = setting((), "New files: .gpkg, .geojson, .dxf, .svg, by their endings.", metavar="FILE")
+    rough: bool = setting(False, "Keep noise in the lines: no smoothing.")
+    out: tuple[Path, ...] = setting(
+        (), "New files. The endings choose the formats: .gpkg, .geojson, .dxf, .svg.", metavar="FILE"
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

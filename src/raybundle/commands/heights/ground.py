@@ -18,8 +18,8 @@ class HeightsGroundSettings(HeightsSettings):
     """How the ground is told from what stands on it."""
 
     largest: float | None = setting(
-        None, "Width of the largest thing that stands on the ground, in the unit of the heights.  [default: a tenth of "
-        "the longer side]", limits=POSITIVE, metavar="WIDTH",
+        None, "Width of the largest object on the ground, in the unit of the heights.  [default: a tenth of the "
+        "longer side]", limits=POSITIVE, metavar="WIDTH",
     )  # fmt: skip
     slope: float = setting(15.0, "Steepest slope of the ground.", limits=POSITIVE, metavar="PERCENT")
     out: Path | None = setting(None, "New folder.  [default: SURFACE/ground]", metavar="FOLDER")

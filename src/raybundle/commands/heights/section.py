@@ -25,18 +25,19 @@ class HeightsSectionSettings(HeightsSettings):
     """Along what the surface is cut."""
 
     line: tuple[str, ...] = setting(
-        (), "A line: its corners X Y, X Y, ... in the coordinates of the grid, or a file (GeoJSON, KML, CSV, what OGR "
-        "reads). Several make several sections.", metavar="CORNERS|FILE",
+        (), "Section line: corners X Y, X Y, ... in the coordinates of the grid, or a file (GeoJSON, KML, CSV, OGR "
+        "formats). Several lines give several sections.", metavar="CORNERS|FILE",
     )  # fmt: skip
     step: float | None = setting(
-        None, "Largest distance from place to place, in the unit of the heights.  [default: a cell]", limits=POSITIVE,
+        None, "Largest spacing of places on the line, in the unit of the heights.  [default: a cell]", limits=POSITIVE,
         metavar="LENGTH",
     )  # fmt: skip
     between: tuple[float, float] | None = setting(
-        None, "Also the difference of height between two places of each line, by their distances from its beginning.",
+        None, "Also give the height difference between two places of each line. Give their distances from its "
+        "beginning.",
         metavar="FROM TO", limits=(NOT_NEGATIVE, NOT_NEGATIVE),
     )  # fmt: skip
-    out: tuple[Path, ...] = setting((), "New files: .csv, .svg, .dxf, by their endings.", metavar="FILE")
+    out: tuple[Path, ...] = setting((), "New files. The endings choose the formats: .csv, .svg, .dxf.", metavar="FILE")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -25,18 +25,18 @@ class HeightsVolumeSettings(HeightsSettings):
     """Of what the volume is taken."""
 
     outline: tuple[str, ...] = setting(
-        (), "Area: a file (GeoJSON, KML, CSV, what OGR reads) or its corners X Y, X Y, ... in the coordinates of the "
+        (), "Area: a file (GeoJSON, KML, CSV, OGR formats) or its corners X Y, X Y, ... in the coordinates of the "
         "grid.  [default: all heights]", metavar="FILE|CORNERS",
     )  # fmt: skip
     extent: tuple[float, float, float, float] | None = setting(
-        None, "A rectangle instead.", metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY)
+        None, "Rectangle instead of an outline.", metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY)
     )
     above: str = setting(
-        RIM, "From where it counts: a height; the folder of another surface; or rim, the plane that fits the heights "
-        "along the outline best.", metavar="HEIGHT|SURFACE|rim",
+        RIM, "Base of the volume: a height, the folder of another surface, or rim. rim: the plane that fits the "
+        "heights along the outline best.", metavar="HEIGHT|SURFACE|rim",
     )  # fmt: skip
     most_filled: float = setting(
-        20.0, "Refuse a volume of which more than this share of the area was filled.", metavar="PERCENT",
+        20.0, "Reject a volume with a larger filled share of the area.", metavar="PERCENT",
         limits=POSITIVE,
     )  # fmt: skip
 

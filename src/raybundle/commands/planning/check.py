@@ -27,24 +27,22 @@ class PlanCheckSettings:
     """mission.toml, or the folder that holds it"""
     photos: tuple[Path, ...]
     """folders and files"""
-    positions: Path | None = setting(
-        None, "Positions of the photographs, in place of those that they state.", metavar="FILE"
-    )
-    crs: str = setting("", "Coordinate system of {positions}, where that file names none.", metavar="EPSG:CODE")
-    dem: Path | None = setting(
-        None, "Raster of the heights of the ground, where the plan followed one.", metavar="FILE"
-    )
+    positions: Path | None = setting(None, "Positions of the photographs, instead of their own.", metavar="FILE")
+    crs: str = setting("", "Coordinate system of {positions}, if that file defines none.", metavar="EPSG:CODE")
+    dem: Path | None = setting(None, "Raster of ground heights, if the plan followed one.", metavar="FILE")
     seen: int | None = setting(
-        None, "Photographs that are to show each place.  [default: half of what the plan gives it, 3 at least]",
+        None, "Required number of photographs of each place.  [default: half of the planned number, at least 3]",
         limits=Range(low=1, high=1000),
     )  # fmt: skip
     blur_tolerance: float = setting(
-        1.5, "Blur beyond the others' from which on a photograph does not count [px].", limits=POSITIVE
+        1.5, "Blur beyond that of the others that rejects a photograph [px].", limits=POSITIVE
     )
     tilt_tolerance: float = setting(
-        10.0, "Deviation of the view from which on it does not count [deg].", limits=Range(low=0, high=90)
+        10.0, "Deviation of the view that rejects a photograph [deg].", limits=Range(low=0, high=90)
     )
-    sharpness: bool = setting(True, "Do not look at pixels: positions, times and angles alone.", flag="no-sharpness")
+    sharpness: bool = setting(
+        True, "Do not test sharpness: check only positions, times and angles.", flag="no-sharpness"
+    )
     out: Path | None = setting(None, "New folder for the table of photographs, gaps and a picture.", metavar="FOLDER")
 
 

@@ -28,49 +28,56 @@ class FlightSettings:
     """A flight over level ground or hills as it is planned: by area or lines, overlap, format and camera constant."""
 
     area: tuple[float, float] | None = setting(
-        None, "To be photographed, across the lines and along them [m]; in place of {lines}, "
-        "{photographs_per_line} and {ground}.",
+        None, "Area to photograph, across and along the lines [m]. Instead of {lines}, {photographs_per_line} and "
+        "{ground}.",
         metavar="WIDTH LENGTH", limits=(METRES, METRES),
     )  # fmt: skip
-    lines: int | None = setting(None, "Flight lines.  [default: 4, or by {area}]", limits=Range(low=1, high=40))
+    lines: int | None = setting(
+        None, "Number of flight lines.  [default: 4, or by {area}]", limits=Range(low=1, high=40)
+    )
     photographs_per_line: int | None = setting(
-        None, "Photographs of a line.  [default: 8, or by {area}]", limits=Range(low=2, high=80)
+        None, "Number of photographs per line.  [default: 8, or by {area}]", limits=Range(low=2, high=80)
     )
-    gsd: float | None = setting(None, "Side of a pixel on the ground [m]; in place of {height}.", limits=METRES)
-    height: float | None = setting(None, "Above ground [m].  [default: 80, or by {gsd}]", limits=METRES)
-    relief: float = setting(
-        0.0, "Between the lowest and the highest ground, in per cent of {height}.", limits=Range(low=0, high=60)
+    gsd: float | None = setting(None, "Ground sampling distance [m], instead of {height}.", limits=METRES)
+    height: float | None = setting(None, "Height above ground [m].  [default: 80, or by {gsd}]", limits=METRES)
+    relief: float = setting(0.0, "Height range of the ground, in per cent of {height}.", limits=Range(low=0, high=60))
+    base: float | None = setting(
+        None, "Distance between photographs of a line [m].  [default: by {overlap}]", limits=METRES
     )
-    base: float | None = setting(None, "Between photographs of a line [m].  [default: by {overlap}]", limits=METRES)
-    line_spacing: float | None = setting(None, "Between lines [m].  [default: by {overlap}]", limits=METRES)
+    line_spacing: float | None = setting(None, "Distance between lines [m].  [default: by {overlap}]", limits=METRES)
     overlap: tuple[float, float] = setting(
-        OVERLAP, "Of photographs along a line, and of lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
+        OVERLAP, "Overlap along a line and between lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
     )
     camera: str = setting(
-        "5472x3648,3650", "A photograph that the camera took, its calibration (TOML), the name of a known one, or its "
+        "5472x3648,3650", "Photograph of the camera, its calibration (TOML), the name of a known camera, or its "
         "format and camera constant in px.", metavar="PHOTO|FILE|NAME|WxH,C",
     )  # fmt: skip
-    hold_camera: bool = setting(False, "The camera is calibrated and held; else it is calibrated in flight.")
+    hold_camera: bool = setting(False, "Fix the calibrated camera. Without it, the camera is calibrated in flight.")
     rtk: tuple[float, float, float] = setting(
         (0.02, 0.02, 0.03), "Standard deviations of the positions [m].", metavar="E N U",
         limits=(METRES, METRES, METRES),
     )  # fmt: skip
-    no_rtk: bool = setting(False, "Positions of 5, 5, 10 m in place of {rtk}, as photographs without RTK have them.")
-    free_lever_arm: bool = setting(False, "The lever arm of the antenna is free; else projection centres are observed.")
-    alternate: bool = setting(False, "Every second line is flown the other way.")
+    no_rtk: bool = setting(False, "Assume positions of 5, 5, 10 m (no RTK), instead of {rtk}.")
+    free_lever_arm: bool = setting(
+        False, "Estimate the lever arm of the antenna. Without it, projection centres are observed."
+    )
+    alternate: bool = setting(False, "Fly every second line in the opposite direction.")
     cross: float | None = setting(
-        None, "As many lines across, the camera tilted so far [deg].", metavar="TILT", limits=Range(low=0, high=60)
+        None,
+        "Add as many cross lines, with the camera tilted by this angle [deg].",
+        metavar="TILT",
+        limits=Range(low=0, high=60),
     )
     cross_height: float | None = setting(
-        None, "Of the lines across, above ground [m].  [default: {height}]", limits=METRES
+        None, "Height of the cross lines above ground [m].  [default: {height}]", limits=METRES
     )
     read_out: float = setting(
         0.0, "Read-out time of a rolling shutter, estimated [ms]; 0: none.", limits=Range(low=0, high=1000)
     )
-    speed: float = setting(10.0, "On the lines, for {read_out} [m/s].", limits=Range(low=0, high=100, above=True))
-    control_points: int = setting(0, "Control points: 1 to 5, 9 or 13.", limits=Range(low=0, high=13))
+    speed: float = setting(10.0, "Speed on the lines, for {read_out} [m/s].", limits=Range(low=0, high=100, above=True))
+    control_points: int = setting(0, "Number of control points: 1 to 5, 9 or 13.", limits=Range(low=0, high=13))
     control_sigma: tuple[float, float] = setting(
-        (0.01, 0.02), "Their standard deviations [m].", metavar="PLAN HEIGHT", limits=(METRES, METRES)
+        (0.01, 0.02), "Standard deviations of control points [m].", metavar="PLAN HEIGHT", limits=(METRES, METRES)
     )
     jitter: tuple[float, float] = setting(
         (0.5, 1.5), "Unevenness of the flight: standard deviations [m], [deg].", metavar="HEIGHT ANGLE",
@@ -83,10 +90,10 @@ class FlightSettings:
         limits=METRES,
     )
     tie_points: int | None = setting(
-        None, "Tie points along its longer side.  [default: 30, or so many that each photograph shows some]",
+        None, "Tie points along the longer side.  [default: 30, or enough for every photograph]",
         limits=Range(low=4, high=200),
     )  # fmt: skip
-    control_table: bool = setting(False, "What control brings, by number, standard deviation and place.")
+    control_table: bool = setting(False, "Print the effect of control: by number, standard deviation and place.")
     out: Path | None = setting(None, "New folder for the simulated block of the plan.", metavar="FOLDER")
 
     def flight(self) -> Flight:

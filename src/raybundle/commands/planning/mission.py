@@ -44,87 +44,93 @@ class MissionSettings:
 
     area: str
     """a file with an area, line or place (GeoJSON, KML, KMZ, or what OGR reads), or coordinates: "LON LAT, ..." """
-    pattern: PatternName = setting("nadir", "How it is flown.")
-    vehicle: str = setting("", "A vehicle that is known, with its camera: mavic-3e, ...", metavar="NAME")
+    pattern: PatternName = setting("nadir", "Flight pattern.")
+    vehicle: str = setting("", "Known vehicle with its camera, e.g. mavic-3e.", metavar="NAME")
     camera: str = setting(
-        "", "A photograph that the camera took, its calibration (TOML), the name of a known one, or its format and "
-        "camera constant in px.  [default: that of {vehicle}]", metavar="PHOTO|FILE|NAME|WxH,C",
+        "", "Photograph of the camera, its calibration (TOML), the name of a known camera, or its format and camera "
+        "constant in px.  [default: that of {vehicle}]", metavar="PHOTO|FILE|NAME|WxH,C",
     )  # fmt: skip
     gsd: float | None = setting(
         None, "Side of a pixel on the ground or facade [m].  [default: 0.02, or by {height}]", limits=METRES
     )
     height: float | None = setting(
-        None, "Above the ground, or distance from a facade or object [m]; in place of {gsd}.", limits=METRES
+        None, "Height above ground, or distance from a facade or object [m]. Instead of {gsd}.", limits=METRES
     )
     overlap: tuple[float, float] = setting(
-        OVERLAP, "Of photographs along a line, and of lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
+        OVERLAP, "Overlap along a line and between lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
     )
     direction: float | None = setting(
         None, "Azimuth of the lines from grid north [deg].  [default: that of the fewest lines]",
         limits=Range(low=-360, high=360),
     )  # fmt: skip
     margin: float | None = setting(
-        None, "By which the area is widened [m].  [default: half the spacing of lines]", limits=HEIGHTS
+        None, "Margin around the area [m].  [default: half the spacing of lines]", limits=HEIGHTS
     )
     tilt: float | None = setting(
-        None, "Of the view from the nadir [deg].  [default: 0, of oblique views 35]", limits=ANGLE
+        None, "Tilt of the view from the nadir [deg].  [default: 0, of oblique views 35]", limits=ANGLE
     )
-    directions: int = setting(4, "Oblique views of an oblique grid.", limits=Range(low=1, high=8))
+    directions: int = setting(4, "Number of oblique views of an oblique grid.", limits=Range(low=1, high=8))
     heights: tuple[float, float] | None = setting(
         None,
         "Lower and upper end of a facade or object above ground [m].",
         metavar="LOW TOP",
         limits=(HEIGHTS, HEIGHTS),
     )
-    rings: int = setting(1, "Of an orbit with {tilt}.", limits=Range(low=1, high=10))
-    width: float = setting(0.0, "Of a corridor [m].", limits=HEIGHTS)
-    side: Literal["left", "right"] = setting("right", "Of a facade's line on which the vehicle flies, along the line.")
-    dem: Path | None = setting(None, "Raster of the heights of the ground, to be followed.", metavar="FILE")
-    dem_unit: Literal["", "m", "ft", "us-ft"] = setting("", "Of its heights, where it does not say.", unsaid=True)
-    dem_band: int = setting(1, "Its band.", limits=Range(low=1, high=1000))
-    follow: float = setting(1.0, "Heights above ground are kept to so much [m].", limits=METRES)
+    rings: int = setting(1, "Number of rings of an orbit with {tilt}.", limits=Range(low=1, high=10))
+    width: float = setting(0.0, "Width of a corridor [m].", limits=HEIGHTS)
+    side: Literal["left", "right"] = setting("right", "Side of a facade's line for the flight, seen along the line.")
+    dem: Path | None = setting(None, "Raster of ground heights to follow.", metavar="FILE")
+    dem_unit: Literal["", "m", "ft", "us-ft"] = setting(
+        "", "Unit of its heights, if the raster defines none.", unsaid=True
+    )
+    dem_band: int = setting(1, "Band of the raster.", limits=Range(low=1, high=1000))
+    follow: float = setting(1.0, "Tolerance of heights above ground [m].", limits=METRES)
     crs: str = setting(
-        "", "Coordinate system of typed coordinates, or of a file that does not say.  [default: longitude, latitude]",
+        "", "Coordinate system of typed coordinates, or of a file that defines none.  [default: longitude, latitude]",
         metavar="EPSG:CODE",
     )  # fmt: skip
     take_off: tuple[float, float] | None = setting(
-        None, "Where the vehicle takes off, in the coordinates of the area.  [default: below the first photograph]",
+        None, "Take-off place, in the coordinates of the area.  [default: below the first photograph]",
         metavar="X Y", limits=(ANY, ANY),
     )  # fmt: skip
-    no_go: tuple[Path, ...] = setting((), "Files with areas that are not flown over.", metavar="FILE")
+    no_go: tuple[Path, ...] = setting((), "Files with no-fly areas.", metavar="FILE")
     speed: float | None = setting(
         None,
-        "On the lines [m/s].  [default: as vehicle, camera and {blur} allow]",
+        "Speed on the lines [m/s].  [default: as vehicle, camera and {blur} allow]",
         limits=Range(low=0, high=100, above=True),
     )
-    blur: float = setting(1.0, "Greatest motion during the exposure [px].", limits=POSITIVE)
+    blur: float = setting(1.0, "Largest motion during the exposure [px].", limits=POSITIVE)
     exposure: float | None = setting(None, "Exposure time [s].  [default: 1/800, or the photograph's]", limits=SECONDS)
     interval: float | None = setting(
-        None, "Least time between photographs [s].  [default: the camera's, or 1]", limits=SECONDS
+        None, "Shortest time between photographs [s].  [default: the camera's, or 1]", limits=SECONDS
     )
     climb: float | None = setting(
-        None, "Greatest rate of climb [m/s].  [default: the vehicle's]", limits=Range(low=0, high=50, above=True)
+        None, "Largest rate of climb [m/s].  [default: the vehicle's]", limits=Range(low=0, high=50, above=True)
     )
     battery: float | None = setting(
         None,
-        "Minutes of flight with one battery.  [default: the vehicle's]",
+        "Flight time of one battery [min].  [default: the vehicle's]",
         limits=Range(low=0, high=1440, above=True),
     )
-    reserve: float = setting(0.25, "Share of a battery that is kept.", limits=Range(low=0, high=0.9))
-    height_limit: float = setting(120.0, "Greatest height above ground [m]; EU 2019/947, open category.", limits=METRES)
-    sight: float = setting(500.0, "Distance up to which the vehicle is seen [m].", limits=METRES)
-    trigger: Literal["distance", "interval"] = setting("distance", "How the camera is released on a line.")
+    reserve: float = setting(0.25, "Battery share in reserve.", limits=Range(low=0, high=0.9))
+    height_limit: float = setting(120.0, "Largest height above ground [m]; EU 2019/947, open category.", limits=METRES)
+    sight: float = setting(500.0, "Largest distance of visual line of sight [m].", limits=METRES)
+    trigger: Literal["distance", "interval"] = setting("distance", "Camera trigger on a line.")
     to: tuple[str, ...] = setting(
-        ("kml",), "Formats of the plan: qgc, wpl, wpml, litchi, kml.", metavar="A,B,...", joined=True, typed="kml"
+        ("kml",),
+        "Output formats of the plan: qgc, wpl, wpml, litchi, kml.",
+        metavar="A,B,...",
+        joined=True,
+        typed="kml",
     )
-    predict: bool = setting(False, "What precision it will have without control, and what it does not determine.")
+    predict: bool = setting(False, "Predict precision without control, and list undetermined quantities.")
     rtk: tuple[float, float, float] = setting(
         (0.02, 0.02, 0.03), "Standard deviations of positions, for {predict} [m].", metavar="E N U",
         limits=(METRES, METRES, METRES),
     )  # fmt: skip
-    free_lever_arm: bool = setting(False, "The lever arm of the antenna is free, for {predict}.")
+    free_lever_arm: bool = setting(False, "Estimate the lever arm of the antenna, for {predict}.")
     image_sigma: float = setting(0.3, "Sigma of an image coordinate, for {predict} [px].", limits=POSITIVE)
-    name: str = setting("mission", "Of the mission, and of its files.")
+    name: str = setting("mission", "Name of the mission and of its files.")
     out: Path = setting(MISSING, "New folder for the plan.", metavar="FOLDER")
 
 

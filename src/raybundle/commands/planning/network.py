@@ -32,18 +32,21 @@ class PlannedCamera:
     """A kind with its size or line, a mesh, a raster or a result"""
     camera: Path | None = setting(
         None,
-        "A photograph of the camera, its calibration, or a block or result.  [default: that of an object that is one]",
+        "Photograph of the camera, its calibration, a block or a result.  [default: camera of OBJECT, if it is a "
+        "block or result]",
         metavar="PHOTO|TOML|FOLDER",
     )
     format: tuple[int, int] = setting(
-        (6000, 4000), "Without {camera}: its format [px].", metavar="WIDTH HEIGHT", limits=(FORMAT, FORMAT)
+        (6000, 4000), "Format of the camera [px], without {camera}.", metavar="WIDTH HEIGHT", limits=(FORMAT, FORMAT)
     )
-    c: float = setting(24.0, "Without {camera}: camera constant [mm].", limits=Range(low=0.1, high=1e4))
-    pixel_mm: float = setting(0.006, "Without {camera}: size of a pixel.", metavar="MM", limits=Range(low=1e-4, high=1))
-    hold_camera: bool = setting(False, "The camera is calibrated and held; else it is calibrated with the object.")
+    c: float = setting(24.0, "Camera constant [mm], without {camera}.", limits=Range(low=0.1, high=1e4))
+    pixel_mm: float = setting(0.006, "Pixel size, without {camera}.", metavar="MM", limits=Range(low=1e-4, high=1))
+    hold_camera: bool = setting(
+        False, "Fix the calibrated camera. Without it, the camera is calibrated with the object."
+    )
     f_number: float = setting(8.0, "Aperture, for the depth of field.", limits=Range(low=0.5, high=128))
     image_sigma: float | None = setting(None, "Sigma of an image coordinate [px].", limits=PIXELS)
-    unit: float = setting(1.0, "Metres of one unit of a mesh.", limits=Range(low=1e-9, high=1e6))
+    unit: float = setting(1.0, "Metres per unit of a mesh.", limits=Range(low=1e-9, high=1e6))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,56 +55,63 @@ class NetworkSettings(PlannedCamera):
 
     out: Path = setting(MISSING, "New folder for the plan.", metavar="FOLDER")
     sigma: float | None = setting(
-        None, "Wanted standard deviation of a coordinate [mm].", metavar="MM", limits=POSITIVE
+        None, "Required standard deviation of a coordinate [mm].", metavar="MM", limits=POSITIVE
     )
     photographs: int | None = setting(
-        None, "So many stations; without it the fewest that reach {sigma}.", limits=Range(low=3, high=200)
+        None, "Number of stations. Without it, the fewest that reach {sigma}.", limits=Range(low=3, high=200)
     )
     aim: Literal["worst", "mean", "calibration", "reliability"] = setting(
-        "worst", "What is made small: {sigma} of the worst point or of all in the mean, what the calibration leaves "
-        "uncertain, or how badly image points check each other."
+        "worst", "Quantity to minimise. worst: {sigma} of the worst point. mean: mean of all points. calibration: "
+        "uncertainty of the calibration. reliability: weak mutual checks of image points."
     )  # fmt: skip
     focus: float | None = setting(
-        None, "Distance to which the lens is focused [m].  [default: so that most is sharp]", limits=METRES
+        None, "Focus distance of the lens [m].  [default: for the sharpest image of the object]", limits=METRES
     )
-    measured: MeasuredName = setting("targets", "What is measured: sets the precision unless {image_sigma} is given.")
-    object_points: int = setting(
-        120, "Points on the object by which the network is judged.", limits=Range(low=8, high=1000)
+    measured: MeasuredName = setting(
+        "targets", "Kind of image points. It sets the precision if {image_sigma} is missing."
     )
-    rays: int = setting(3, "Photographs that each of them must be in, at least.", limits=Range(low=2, high=20))
+    object_points: int = setting(120, "Number of object points to assess the network.", limits=Range(low=8, high=1000))
+    rays: int = setting(3, "Smallest number of photographs of each object point.", limits=Range(low=2, high=20))
     incidence: float = setting(65.0, "Largest angle of a ray to the normal [deg].", limits=Range(low=5, high=89))
     heights: tuple[float, float] | None = setting(
-        None, "Of the camera over the object's lowest point [m].  [default: half the object to its whole and half]",
+        None, "Camera heights above the object's lowest point [m].  [default: from half to one and a half times the "
+        "object's height]",
         metavar="LOW HIGH", limits=(Range(low=-1e4, high=1e4), Range(low=-1e4, high=1e4)),
     )  # fmt: skip
-    around: float | None = setting(None, "How far one may go from the object [m].", limits=METRES)
-    clearance: float | None = setting(None, "How near one may go [m].  [default: by the focus]", limits=METRES)
+    around: float | None = setting(None, "Largest distance of a station from the object [m].", limits=METRES)
+    clearance: float | None = setting(
+        None, "Smallest distance of a station from the object [m].  [default: by the focus]", limits=METRES
+    )
     forbid: tuple[tuple[float, float, float, float, float, float], ...] = setting(
-        (), "A box in which no station may be; may be given again.", metavar="X0 Y0 Z0 X1 Y1 Z1",
+        (), "Box without stations. May be repeated.", metavar="X0 Y0 Z0 X1 Y1 Z1",
         limits=(Range(low=-1e7, high=1e7),) * 6,
     )  # fmt: skip
     crs: str = setting("", "Coordinate system of a raster or outline that is not in metres.", metavar="EPSG:CODE")
     everywhere: bool = setting(
-        False, "Add stations until {sigma} is reached on all of the surface that can be seen, not at its points alone."
+        False,
+        "Add stations until {sigma} is reached on all of the visible surface. Without it, at the object points only.",
     )
     repeat: int = setting(
-        0, "Take so many photographs more from stations that are there, where they help most.",
+        0, "Take so many more photographs from existing stations, at the most useful ones.",
         limits=Range(low=0, high=50),
     )  # fmt: skip
     stations: Path | None = setting(
-        None, "Judge these stations, look for none: stations.csv of a plan, a block or a result.", metavar="FILE|FOLDER"
+        None,
+        "Assess these stations instead of a search: stations.csv of a plan, a block or a result.",
+        metavar="FILE|FOLDER",
     )
-    scale_bars: int = setting(0, "Scale bars to put on the object.", limits=Range(low=0, high=20))
-    scale_bar_sigma: float = setting(5e-5, "Standard deviation of their lengths [m].", limits=METRES)
+    scale_bars: int = setting(0, "Number of scale bars on the object.", limits=Range(low=0, high=20))
+    scale_bar_sigma: float = setting(5e-5, "Standard deviation of scale bar lengths [m].", limits=METRES)
     scale_bar_length: float | None = setting(
-        None, "Their length [m].  [default: as long as the object allows]", limits=METRES
+        None, "Length of the scale bars [m].  [default: the largest that fits]", limits=METRES
     )
-    control_points: int = setting(0, "Control points to put on the object.", limits=Range(low=0, high=200))
+    control_points: int = setting(0, "Number of control points on the object.", limits=Range(low=0, high=200))
     control_sigma: tuple[float, float] = setting(
-        (0.002, 0.002), "Their standard deviations [m].", metavar="PLAN HEIGHT", limits=(METRES, METRES)
+        (0.002, 0.002), "Standard deviations of the control points [m].", metavar="PLAN HEIGHT", limits=(METRES, METRES)
     )
     effort: Literal["quick", "thorough"] = setting(
-        "thorough", "quick: seconds, for large networks a minute; thorough: better stations, in minutes."
+        "thorough",
+        "Effort of the search. quick: seconds, a minute for large networks. thorough: better stations, in minutes.",
     )
 
 

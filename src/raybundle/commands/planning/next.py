@@ -30,45 +30,48 @@ class NextSettings:
 
     result: Path
     """A result, block or project folder"""
-    photographs: int = setting(MISSING, "So many, each the best after those before it.", limits=Range(low=1, high=100))
+    photographs: int = setting(
+        MISSING, "Number of photographs, chosen one after the other.", limits=Range(low=1, high=100)
+    )
     out: Path = setting(MISSING, "New folder for the proposals.", metavar="FOLDER")
     aim: Literal["worst", "mean", "calibration"] = setting(
-        "worst", "What is to fall: the largest sigma of a coordinate, the mean one, or the camera's largest "
-        "uncertainty of projection over the format.",
+        "worst", "Quantity to minimise. worst: largest sigma of a coordinate. mean: mean sigma. calibration: the "
+        "camera's largest uncertainty of projection over the format.",
     )  # fmt: skip
     points: tuple[str, ...] = setting(
-        (), "Of {aim} worst: only these points count.", metavar="A,B,C,...", joined=True
+        (), "With {aim} worst: count only these points.", metavar="A,B,C,...", joined=True
     )  # fmt: skip
-    camera: str = setting("", "Camera of the block that takes them.  [default: that of most photographs]")
+    camera: str = setting("", "Camera of the block for the new photographs.  [default: camera of most photographs]")
     around: float | None = setting(
-        None, "How far one may go from the object.  [default: as far as {step} lets]", limits=LENGTH
+        None, "Largest distance from the object.  [default: limited by {step} only]", limits=LENGTH
     )
     step: float | None = setting(
-        None, "How far one may go from where photographs were taken.  [default: as far as the object is]", limits=LENGTH
+        None, "Largest distance from existing stations.  [default: distance of the object]", limits=LENGTH
     )
     heights: tuple[float, float] | None = setting(
-        None, "Of the camera over the object's lowest point; for blocks whose Z is up.", metavar="LOW HIGH",
+        None, "Camera heights above the object's lowest point, for blocks with vertical Z.", metavar="LOW HIGH",
         limits=(ANYWHERE, ANYWHERE),
     )  # fmt: skip
     clearance: float | None = setting(
-        None, "How near to the object's points one may go.  [default: a tenth of the distance]", limits=NOT_NEGATIVE
+        None, "Smallest distance from object points.  [default: a tenth of the distance]", limits=NOT_NEGATIVE
     )
     forbid: tuple[tuple[float, float, float, float, float, float], ...] = setting(
-        (), "A box in which no station may be; may be given again.", metavar="X0 Y0 Z0 X1 Y1 Z1",
+        (), "Box without stations. May be repeated.", metavar="X0 Y0 Z0 X1 Y1 Z1",
         limits=(ANYWHERE,) * 6,
     )  # fmt: skip
     incidence: float = setting(75.0, "Largest angle of a ray to the normal [deg].", limits=Range(low=5, high=89))
     f_number: float | None = setting(
         None, "Aperture, for the depth of field; with {focus}.", limits=Range(low=0.5, high=128)
     )
-    focus: float | None = setting(None, "Distance to which the lens is focused.", limits=POSITIVE)
+    focus: float | None = setting(None, "Focus distance of the lens.", limits=POSITIVE)
     hidden_by: str | None = setting(
-        None, "What hides what, in the frame of the block: a kind, mesh, raster or result, as of `plan network`.",
+        None, "Object that hides others, in the frame of the block: a kind, mesh, raster or result, as of `plan "
+        "network`.",
         metavar="OBJECT",
     )  # fmt: skip
-    unit: float = setting(1.0, "Units of the block of one unit of a mesh.", limits=Range(low=1e-9, high=1e9))
+    unit: float = setting(1.0, "Block units per unit of a mesh.", limits=Range(low=1e-9, high=1e9))
     candidates: int = setting(
-        1000, "Stations and ways of holding the camera that are compared.", limits=Range(low=3, high=100_000)
+        1000, "Number of compared stations and camera rotations.", limits=Range(low=3, high=100_000)
     )
 
 

@@ -45,26 +45,28 @@ class ListSettings(PlannedCamera):
     kind: str
     """cipa, calibration, turntable or targets"""
     out: Path = setting(MISSING, "New folder for the list.", metavar="FOLDER")
-    focus: float | None = setting(
-        None, "Distance to which the lens is focused [m].  [default: where the photographs need it]", limits=METRES
-    )
+    focus: float | None = setting(None, "Focus distance of the lens [m].  [default: by the photographs]", limits=METRES)
     measured: MeasuredName | None = setting(
-        None, "What is measured.  [default: natural of a building, dots of a sheet, else targets]"
+        None, "Kind of image points.  [default: natural for a building, dots for a sheet, else targets]"
     )
-    around: float = setting(30.0, "cipa: how far one can go from the walls [m].", limits=METRES)
+    around: float = setting(30.0, "cipa: largest distance from the walls [m].", limits=METRES)
     clearance: float | None = setting(
-        None, "cipa: how near one may go to the walls [m].  [default: as near as the lists need]", limits=METRES
+        None, "cipa: smallest distance from the walls [m].  [default: by the list]", limits=METRES
     )
     eye: float = setting(1.7, "cipa: height of the camera above the ground [m].", limits=METRES)
-    overlap: float = setting(0.6, "cipa: of neighbouring photographs of the ring.", limits=Range(low=0.5, high=0.95))
+    overlap: float = setting(
+        0.6, "cipa: overlap of neighbouring photographs of the ring.", limits=Range(low=0.5, high=0.95)
+    )
     steps: int = setting(24, "turntable: steps of a full turn.", limits=Range(low=3, high=360))
     elevations: tuple[float, ...] = setting(
-        (15.0, 45.0), "turntable: views above the table [deg]; may be given again.", limits=Range(low=-80, high=89)
+        (15.0, 45.0),
+        "turntable: elevations of the views above the table [deg]. May be repeated.",
+        limits=Range(low=-80, high=89),
     )
     stations: Path | None = setting(
         None, "targets: stations.csv of a plan, a block or a result.", metavar="FILE|FOLDER"
     )
-    count: int = setting(40, "targets: how many.", limits=Range(low=4, high=500))
+    count: int = setting(40, "targets: number of targets.", limits=Range(low=4, high=500))
     across: float = setting(
         10.0, "targets: diameter of a dot in the farthest photograph [px].", limits=Range(low=3, high=200)
     )

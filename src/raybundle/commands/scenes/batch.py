@@ -33,12 +33,10 @@ class RpcBatchSettings(ControlSettings):
 
     scenes: tuple[Path, ...]
     """scene files, pictures, or folders of them"""
-    control: Path = setting(
-        MISSING, "Control as for `rpc correct`, whose points say in which image they were measured.", metavar="FILE"
-    )
+    control: Path = setting(MISSING, "Control as for `rpc correct`, with a column image.", metavar="FILE")
     out: Path = setting(MISSING, "New folder for the corrected RPC and the table of biases.", metavar="FOLDER")
     to: Literal["txt", "rpb", "geom", "tif"] = setting(
-        "txt", "What is written of each scene: NAME_RPC.TXT, NAME.RPB, NAME.geom, or NAME.tif, a copy of its picture."
+        "txt", "Output for each scene: NAME_RPC.TXT, NAME.RPB, NAME.geom, or NAME.tif (a copy of its picture)."
     )
 
 

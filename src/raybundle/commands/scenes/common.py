@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
     from raybundle.scenes.rpc import Rpc
 
-HEIGHTS_HELP = "Ellipsoidal heights [m] between which the RPC shall hold.  [default: those of the file's RPC]"
+HEIGHTS_HELP = "Ellipsoidal heights [m] of the validity range of the RPC.  [default: those of the file's RPC]"
 
 
 def check_new(out: Path) -> None:

@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     from raybundle.scenes.rpc_fit import RpcFit
 
 BiasChoice = Literal["auto", "none", "shift", "drift", "affine"]
-CRS_HELP = "Coordinate system of control that names none, with its heights: EPSG:32633, EPSG:25832+7837."
+CRS_HELP = "Coordinate system of control that defines none, with its heights: EPSG:32633, EPSG:25832+7837."
 UNDULATION_HELP = (
-    "Height of the geoid above the ellipsoid of WGS 84 or GRS 80 at the control, where its heights count from it."
+    "Height of the geoid above the ellipsoid of WGS 84 or GRS 80 at the control, if its heights refer to the geoid."
 )
-IMAGE_POINTS_HELP = "Table image,point,x_px,y_px of points whose coordinates on the ground are in the control."
+IMAGE_POINTS_HELP = "Table image,point,x_px,y_px. The control gives ground coordinates of these points."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,8 +36,8 @@ class ControlSettings:
     image_points: Path | None = setting(None, IMAGE_POINTS_HELP, metavar="FILE")
     crs: str | None = setting(None, CRS_HELP, metavar="SYSTEM")
     undulation: float | None = setting(None, UNDULATION_HELP, metavar="M", limits=ANY)
-    scene_bias: BiasChoice = setting("auto", "auto: by significance and by points left out.")
-    image_sigma: float = setting(0.5, "Of a measured image coordinate [px].", limits=PIXELS)
+    scene_bias: BiasChoice = setting("auto", "Bias model of the RPC. auto: by significance and leave-one-out.")
+    image_sigma: float = setting(0.5, "Sigma of a measured image coordinate [px].", limits=PIXELS)
     heights: tuple[float, float] | None = setting(None, HEIGHTS_HELP, metavar="LOW HIGH", limits=(ANY, ANY))
 
 
@@ -51,12 +51,12 @@ class RpcCorrectSettings(ControlSettings):
     """control: CSV, GeoJSON, GeoPackage or gcp_list.txt"""
     out: Path | None = setting(
         None,
-        "RPC to write, with the correction built in: NAME_RPC.TXT, NAME.RPB, NAME.geom, or NAME.tif, a copy of the "
-        "picture with the RPC in its tag.",
+        "Corrected RPC to write: NAME_RPC.TXT, NAME.RPB, NAME.geom, or NAME.tif (a copy of the picture with the RPC "
+        "in its tag).",
         metavar="FILE",
     )
     into_scene: bool = setting(
-        False, "Write it into the tag of the GeoTIFF SCENE itself; its former RPC is kept as NAME-former_RPC.TXT."
+        False, "Write the RPC into the tag of the GeoTIFF SCENE itself. NAME-former_RPC.TXT keeps the former RPC."
     )
     rpc: Path | None = setting(None, "File with the RPC of the picture SCENE.  [default: its tag, or beside it]",
                                metavar="FILE")  # fmt: skip

@@ -31,7 +31,7 @@ class RpcOrthoSettings:
 
     scene: Path
     """picture with an RPC in its tag or beside it"""
-    dem: Path = setting(MISSING, "Raster of heights of the ground, in any coordinate system.", metavar="FILE")
+    dem: Path = setting(MISSING, "Raster of ground heights, in any coordinate system.", metavar="FILE")
     out: Path | None = setting(None, "GeoTIFF to write.", metavar="FILE")
     rpc: Path | None = setting(None, "File with the RPC of SCENE.  [default: its tag, or beside it]", metavar="FILE")
     crs: str | None = setting(
@@ -42,22 +42,24 @@ class RpcOrthoSettings:
         limits=POSITIVE,
     )  # fmt: skip
     extent: tuple[float, float, float, float] | None = setting(
-        None, "Part of the map.  [default: what the scene sees of {dem}]", metavar="LEFT BOTTOM RIGHT TOP",
+        None, "Part of the map.  [default: common part of scene and {dem}]", metavar="LEFT BOTTOM RIGHT TOP",
         limits=(ANY, ANY, ANY, ANY),
     )  # fmt: skip
     geoid: str | None = setting(
-        None, "Vertical system of {dem} that do not name theirs: EPSG:5773 (EGM96), EPSG:3855 (EGM2008).  "
+        None, "Vertical datum of {dem}, if the raster defines none: EPSG:5773 (EGM96), EPSG:3855 (EGM2008).  "
         "[default: as in the raster, else heights above the ellipsoid]", metavar="SYSTEM",
     )  # fmt: skip
     undulation: float | None = setting(
         None,
-        "Height of the geoid above the ellipsoid of WGS 84 or GRS 80, in place of the grid of a geoid.",
+        "Height of the geoid above the ellipsoid of WGS 84 or GRS 80, instead of a geoid grid.",
         metavar="M",
         limits=ANY,
     )
-    resampling: Literal["nearest", "bilinear", "cubic"] = setting("cubic", "Between the pixels of the scene.")
+    resampling: Literal["nearest", "bilinear", "cubic"] = setting(
+        "cubic", "Interpolation between the pixels of the scene."
+    )
     nodata: float | None = setting(
-        None, "Value where there is none.  [default: that of the scene, else 0, NaN among floats]", metavar="VALUE",
+        None, "Value of empty pixels.  [default: that of the scene, else 0, NaN among floats]", metavar="VALUE",
         limits=ANY,
     )  # fmt: skip
 
