@@ -25,7 +25,7 @@ from raybundle.settings import made
 def command(block: Path, out: Path, progress: str, **given: Any) -> int:
     """Adjust a block folder and write a result folder with its report.
 
-    By default nothing is rejected, and the parameters named in block.toml are estimated, no more and no less.
+    By default, nothing is rejected, and exactly the parameters named in block.toml are estimated.
 
     \b
     Exit status: 0 a result is written, and its faults are printed (one of them where the iteration did not come

@@ -37,9 +37,9 @@ MOST_PARAMETERS = 16
 def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) -> int:
     """Calibrate cameras from photographs of coded targets or a board: photographs in, a calibration with a verdict out.
 
-    The report states first whether the calibration is good, for what, and which photographs to take next.
-    calibration.toml in RESULT is for `raybundle orient --calibration`. A run that was stopped continues with the same
-    command; targets that were measured once are not measured again, whatever else is asked for.
+    The report first states the quality of the calibration, its use, and the photographs to take next. calibration.toml
+    in RESULT is for `raybundle orient --calibration`. A stopped run continues with the same command. Targets are
+    measured only once, whatever the other options.
 
     \b
     Exit status: 0 calibrated (the verdict states how well); 2 bad input; 3 the photographs cannot be oriented.

@@ -19,8 +19,8 @@ def command() -> None:
     Formats: opencv, opencv-fisheye, colmap, metashape, kalibr, mrcal, australis, photomodeler, micmac, and
     raybundle, our own TOML file.
 
-    Our model corrects the measured point, most programs distort the ideal one: where the direction changes, the
-    distortion is fitted over the whole format, and what the fit leaves is printed.
+    Our model corrects the measured point; most programs distort the ideal one. If the direction changes, the distortion
+    is fitted over the whole format, and the remaining deviation is printed.
 
     \b
     Example:

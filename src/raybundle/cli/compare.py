@@ -19,9 +19,9 @@ from raybundle.settings import made
 @options_of(CompareSettings, out=NEW_PAGE)
 @common_options
 def command(first: Path, second: Path, progress: str, **given: Any) -> None:
-    """Put two result folders side by side: statistics, interior orientations, points after a similarity.
+    """Compare two result folders: statistics, interior orientations, points after a similarity.
 
-    Points are the same by their names; those with a running number (t100) only where their image points agree too.
+    Points are identified by name. Points with a running number (t100) also need agreeing image points.
 
     \b
     Example:

@@ -22,10 +22,10 @@ TITLES = "\n".join(
 )
 HELP = f"""Convert between block folders, result folders and the formats of other programs.
 
-INPUT is a block folder, a result folder or the project of `orient` (adjusted values, without rejected observations), or
-a file or folder of another program. Cameras are fitted where the other program describes distortion differently; the
-largest deviation is printed, and nothing is written where it exceeds 0.1 px, unless --approximate is given. The tables
-of a result folder (points.csv, images.csv, observations.csv ...) are CSV already.
+INPUT is a block folder, a result folder, the project of `orient`, or a file or folder of another program. Results are
+converted with adjusted values, without rejected observations. If the other program describes distortion differently,
+cameras are fitted and the largest deviation is printed. If it exceeds 0.1 px, nothing is written without --approximate.
+The tables of a result folder (points.csv, images.csv, observations.csv ...) are CSV already.
 
 \b
 Formats:

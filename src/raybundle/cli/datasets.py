@@ -44,7 +44,7 @@ def list_command(listing: Path | None) -> None:
 @listing_option
 @common_options
 def get_command(name: str, out: Path | None, listing: Path | None, progress: str) -> None:
-    """Fetch a set from its source and check every file; a fetch that was stopped continues with the same command.
+    """Fetch a set from its source and check every file. A stopped fetch continues with the same command.
 
     \b
     Example:

@@ -23,7 +23,7 @@ from raybundle.commands.marks_settings import DatumSettings
     help="Output folder for points.csv and transformation.json.",
 )
 def command(result: Path, out: Path, **given: Any) -> None:
-    """The points of a result in a coordinate system by some of them: origin, X axis, XY plane or a level.
+    """Transform points of a result to axes defined by points: origin, X axis, XY plane or a level.
 
     Writes a folder with points.csv (coordinates, standard deviations, covariances) and transformation.json (rotation
     and translation). The errors of these points are carried into all coordinates; scale and residuals stay.

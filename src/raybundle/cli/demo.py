@@ -36,10 +36,10 @@ if TYPE_CHECKING:
 @click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of the random errors.")
 @common_options
 def command(out: Path, photographs: str | None, seed: int, progress: str) -> None:
-    """Simulate a testfield, calibrate the camera, and print truth beside estimate and sigma.
+    """Simulate a testfield, calibrate the camera, and print truth, estimate and sigma.
 
-    Given are image coordinates and one scale bar, and nothing else: no orientations, no object coordinates, a camera
-    constant two per cent off, no distortion.
+    Input: image coordinates, one scale bar, and a camera constant with an error of two per cent. Orientations, object
+    coordinates and distortion are unknown.
 
     \b
     Example:

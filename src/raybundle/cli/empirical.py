@@ -24,10 +24,10 @@ CORRELATED = 0.95
 @click.argument("points", type=FOLDER)
 @options_of(EmpiricalSettings, out=NEW_FOLDER)
 def command(points: Path, **given: Any) -> int:
-    """Fit an image of an unknown sensor to known points: affine, projective and DLT models, and say what is adequate.
+    """Fit affine, projective and DLT models to known points in an image of an unknown sensor.
 
     POINTS is a table point,X,Y,Z,x_px,y_px or point,lon_deg,lat_deg,h_m,x_px,y_px; a column role with `check` marks
-    points that are compared only.  Z may be missing for the models of a plane.
+    check points. The output names the adequate model.  Z may be missing for the models of a plane.
 
     \b
     Exit status: 0 adequate; 2 bad input; 3 the model is not adequate, or cannot be fitted to these points.

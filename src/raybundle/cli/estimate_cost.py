@@ -35,10 +35,10 @@ MOST_NAMES, LEAST_GB = 5, 1e-4
 @options_of(EstimateCostSettings)
 @common_options
 def command(photos: Path | None, progress: str, **given: Any) -> None:
-    """Say what orienting and adjusting photographs takes: CPU time, memory, disk, bytes moved, wall time, by stage.
+    """Estimate the cost of orientation and adjustment by stage: CPU and wall time, memory, disk, transfer.
 
-    PHOTOS is a folder, of which only headers are read; --images stands for photographs that are yet to be taken. What
-    work takes was measured on this machine, in half a minute, the first time that this command ran.
+    PHOTOS is a folder; only file headers are read. --images stands for future photographs. On its first run, this
+    command measures the speed of the machine in half a minute.
 
     \b
     Example:

@@ -24,11 +24,11 @@ LARGE_SHRINKAGE = 0.01
 @options_of(FilmSettings, out=NEW_FOLDER)
 @common_options
 def command(marks: Path, progress: str, **given: Any) -> None:
-    """Bring image points of scanned film into the camera's frame by its fiducial marks or reseau.
+    """Transform image points of scanned film to the camera's frame by fiducial marks or reseau.
 
-    MARKS is a CSV image,mark,x_px,y_px[,sx_px,sy_px] of the marks measured in the scans. Written are film.csv
-    (shrinkage and fit of each scan), residuals.csv, cameras.toml and, with --image-points, observations.csv for a block
-    folder, in the pixel frame of the ideal camera.
+    MARKS is a CSV image,mark,x_px,y_px[,sx_px,sy_px] of the marks measured in the scans. Output: film.csv (shrinkage
+    and fit of each scan), residuals.csv and cameras.toml. With --image-points also observations.csv for a block folder,
+    in the pixel frame of the ideal camera.
 
     \b
     Example:

@@ -20,7 +20,7 @@ from raybundle.settings import made
 def command(video: Path, progress: str, **given: Any) -> None:
     """Choose sharp frames of a video by image motion and write them as photographs.
 
-    Make, model, time and place go into their EXIF as far as the video has them; frames.csv lists what was measured.
+    EXIF gets make, model, time and place as far as the video has them. frames.csv lists the measurements.
 
     \b
     Example:

@@ -75,7 +75,7 @@ def _precision(usual: float) -> Callable[[Callable[..., Any]], Callable[..., Any
 @options_of(BeginSettings)
 @common_options
 def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: Any) -> None:
-    """Begin a project of photographs that matching cannot join, to measure them by hand.
+    """Begin a project of photographs for manual measurement, if matching cannot join them.
 
     \b
     Example:
@@ -103,7 +103,7 @@ def put(
     folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, covariance: Covariance | None,
     author: str,
 ) -> None:  # fmt: skip
-    """Mark a point in an image; a name that is new makes a tie point.
+    """Mark a point in an image. A new name makes a tie point.
 
     \b
     Example:
@@ -135,7 +135,7 @@ def move(
 @click.argument("image")
 @click.argument("point")
 def remove(folder: Path, image: str, point: str, author: str) -> None:
-    """Take a mark away; the point stays.
+    """Remove a mark; the point stays.
 
     \b
     Example:
@@ -157,7 +157,7 @@ def remove(folder: Path, image: str, point: str, author: str) -> None:
 def point_(
     folder: Path, point: str, role: str, coordinates: tuple[Any, ...] | None, sigma: tuple[Any, ...] | None, author: str
 ) -> None:
-    """Give a point its role and what is known of its coordinates.
+    """Set the role of a point and its known coordinates.
 
     \b
     Example:
@@ -171,7 +171,7 @@ def point_(
 @click.argument("point")
 @click.argument("to")
 def rename(folder: Path, point: str, to: str, author: str) -> None:
-    """Give a point another name.
+    """Rename a point.
 
     \b
     Example:
@@ -183,7 +183,7 @@ def rename(folder: Path, point: str, to: str, author: str) -> None:
 @subcommand("forget")
 @click.argument("point")
 def forget(folder: Path, point: str, author: str) -> None:
-    """Take away all that was measured of a point, and the bars and lines that name it.
+    """Remove all measurements of a point, with its bars and lines.
 
     \b
     Example:
@@ -198,7 +198,7 @@ def forget(folder: Path, point: str, author: str) -> None:
 @click.argument("length", type=POSITIVE)
 @click.argument("sigma", type=POSITIVE)
 def bar(folder: Path, start: str, end: str, length: float, sigma: float, author: str) -> None:
-    """A measured distance between two points, with its standard deviation.
+    """Add a measured distance between two points, with its standard deviation.
 
     \b
     Example:
@@ -211,7 +211,7 @@ def bar(folder: Path, start: str, end: str, length: float, sigma: float, author:
 @click.argument("start", metavar="A")
 @click.argument("end", metavar="B")
 def unbar(folder: Path, start: str, end: str, author: str) -> None:
-    """Take a scale bar away.
+    """Remove a scale bar.
 
     \b
     Example:
@@ -236,7 +236,7 @@ def unbar(folder: Path, start: str, end: str, author: str) -> None:
     help="Standard deviation of a point's distance from the figure.",
 )
 def line_(folder: Path, line: str, points: tuple[str, ...], kind: str, sigma: float, author: str) -> None:
-    """Points on one line, level or plane; without points: take it away.
+    """Define points on one line, level or plane. Without points: remove it.
 
     Plumb lines and levels give the vertical.
 
@@ -251,9 +251,9 @@ def line_(folder: Path, line: str, points: tuple[str, ...], kind: str, sigma: fl
 @subcommand("datum")
 @click.argument("names", nargs=-1, metavar="[ORIGIN AXIS [PLANE]]")
 def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
-    """The coordinate system by three points, or two and the vertical; without any: as the block has it.
+    """Define the coordinate system by three points, or two and the vertical. Without points: as in the block.
 
-    With two points, levels and plumb lines that are measured give the vertical, and the axis point lies on X in plan.
+    With two points, measured levels and plumb lines give the vertical, and the axis point lies on X in plan.
 
     \b
     Example:
@@ -270,7 +270,7 @@ def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
 @click.argument("point", required=False)
 @options_of(RejectSettings)
 def reject(folder: Path, image: str | None, point: str | None, author: str, **limits: float | None) -> None:
-    """Leave image observations of the block out: one, or all beyond a limit in the last adjustment, as one action.
+    """Reject image observations: one, or all beyond a limit in the last adjustment, as one action.
 
     \b
     Example:
@@ -292,7 +292,7 @@ def reject(folder: Path, image: str | None, point: str | None, author: str, **li
 @click.argument("image")
 @click.argument("point")
 def accept(folder: Path, image: str, point: str, author: str) -> None:
-    """Let an image observation take part again that was rejected by hand.
+    """Accept an image observation again that was rejected by hand.
 
     \b
     Example:
@@ -306,7 +306,7 @@ def accept(folder: Path, image: str, point: str, author: str) -> None:
 @click.argument("symbol")
 @click.argument("choice", type=click.Choice(["free", "held", "auto"]))
 def parameter(folder: Path, camera: str, symbol: str, choice: str, author: str) -> None:
-    """Estimate a parameter of a camera in the next adjustments, or hold it; auto: as block and options say.
+    """Estimate or fix a camera parameter in the next adjustments. auto: according to block and options.
 
     \b
     Example:
@@ -325,7 +325,7 @@ def fiducial(
     folder: Path, image: str, name: str, x_px: float | None, y_px: float | None, sigma: float,
     covariance: Covariance | None, author: str,
 ) -> None:  # fmt: skip
-    """Where a fiducial mark is in a scan of film; without X and Y: take it away.
+    """Set a fiducial mark in a scan of film. Without X and Y: remove it.
 
     \b
     Example:
@@ -336,7 +336,7 @@ def fiducial(
 
 @subcommand("undo")
 def undo(folder: Path, author: str) -> None:
-    """Take the last action back.
+    """Undo the last action.
 
     \b
     Example:
@@ -347,7 +347,7 @@ def undo(folder: Path, author: str) -> None:
 
 @subcommand("redo")
 def redo(folder: Path, author: str) -> None:
-    """Do again what was taken back.
+    """Redo the last undone action.
 
     \b
     Example:
@@ -361,7 +361,7 @@ def redo(folder: Path, author: str) -> None:
 @click.option("--history", "with_history", is_flag=True, help="Show all actions, including undone ones.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT001
-    """Show what was measured.
+    """List the measurements.
 
     \b
     Example:
@@ -398,7 +398,7 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
 )
 @click.option("--crs", default="", help="Coordinate system of the points for gcp_list.txt, e.g. EPSG:32633.")
 def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: FBT001
-    """Write what was measured: NAME.csv as --control reads it, gcp_list.txt, or else a block folder; or the masks.
+    """Export the measurements: NAME.csv for --control, gcp_list.txt, a block folder, or masks.
 
     \b
     Example:
@@ -431,9 +431,9 @@ def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: 
 def adjust_(
     folder: Path, out: Path | None, no_report: bool, pdf: bool, language: str, progress: str, **given: Any  # noqa: FBT001
 ) -> None:  # fmt: skip
-    """Adjust the block with what was measured by hand, and write a result folder.
+    """Adjust the block with the manual measurements, and write a result folder.
 
-    Photographs without orientation are oriented from their marks, as far as these allow; what others lack is reported.
+    Photographs without orientation are oriented from their marks if possible; missing marks are reported.
 
     \b
     Exit status: 0 a result is written; 2 bad input; 3 not solvable as given: what is lacking is named.

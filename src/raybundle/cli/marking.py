@@ -15,10 +15,10 @@ from raybundle.cli.common import FOLDER, Group, facts
 def command() -> None:
     """Measure points by hand in the images of a project, result or block folder, or in photographs alone.
 
-    What is done is kept, action by action, in FOLDER/measured.db of a project, and in FOLDER.measured.db beside another
-    folder; of a folder of photographs, in a project that is begun beside it, FOLDER-project. There marks orient the
-    photographs: six points that two show, then four with coordinates in each further one. Undo and redo are unlimited.
-    Pixels count from the outer corner of the first one, in the file as it is stored.
+    A project stores every action in FOLDER/measured.db, another folder in FOLDER.measured.db beside it. For a folder of
+    photographs, a new project FOLDER-project is made beside it. There, marks orient the photographs: six points in the
+    first two, then four with coordinates in each further one. Undo and redo are unlimited. Pixel coordinates start at
+    the outer corner of the first pixel of the stored file.
 
     \b
     Example:

@@ -13,7 +13,7 @@ from raybundle.errors import InputError
 @subcommand("control")
 @click.argument("file", metavar="TABLE.csv")
 def control(folder: Path, file: str, author: str) -> None:
-    """Give all points of a table their coordinates, as one action: point,X,Y,Z and, if known, sX,sY,sZ,role.
+    """Set coordinates of all points of a table in one action: point,X,Y,Z; optional sX,sY,sZ,role.
 
     The action holds the rows: the table is not read again.
 
@@ -33,9 +33,9 @@ def control(folder: Path, file: str, author: str) -> None:
 )  # fmt: skip
 @click.option("--all-images", "camera", is_flag=True, help="Apply the mask to every photograph of the same camera.")
 def mask(folder: Path, mask: str, image: str, polygon: str, camera: bool, author: str) -> None:  # noqa: FBT001
-    """Leave an area of a photograph out of all measuring; one of that name is replaced.
+    """Mask an area of a photograph: nothing is measured there. A mask of the same name is replaced.
 
-    `orient` heeds it when it runs again in the project; `raybundle mark export --as-masks` writes them as pictures.
+    The next run of `orient` in the project uses it. `raybundle mark export --as-masks` writes masks as pictures.
 
     \b
     Example:
@@ -48,7 +48,7 @@ def mask(folder: Path, mask: str, image: str, polygon: str, camera: bool, author
 @subcommand("unmask")
 @click.argument("mask", metavar="NAME")
 def unmask(folder: Path, mask: str, author: str) -> None:
-    """Take a drawn mask away.
+    """Remove a drawn mask.
 
     \b
     Example:

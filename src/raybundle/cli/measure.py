@@ -36,12 +36,12 @@ UNFIT = frozenset({"nominal_names", "nominal_mirrored", "nominal_scale", "nomina
 @options_of(MeasureSettings, out=NEW_FOLDER)
 @common_options
 def command(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
-    """Measure targets: photographs in, coordinates out, held against nominal ones and known lengths.
+    """Measure targets: photographs in, coordinates out, compared with nominal ones and known lengths.
 
-    Coded targets are found, the camera is calibrated with them or held, and the free network is scaled by scale bars,
-    or brought to control.
-    RESULT gets, beside what `adjust` writes, coordinate_list.csv (in natural order, with standard deviations and
-    correlations), nominal.csv (deviations, their significance, tolerances) and lengths.csv (errors of lengths).
+    Coded targets are detected; the camera is calibrated with them or fixed. Scale bars scale the free network, or
+    control defines its datum. RESULT gets the files of `adjust` and three tables. coordinate_list.csv: coordinates in
+    natural order, with standard deviations and correlations. nominal.csv: deviations, their significance, tolerances.
+    lengths.csv: errors of lengths.
 
     \b
     Exit status: 0 measured and kept what was asked; 2 bad input; 3 not solvable; 4 a tolerance or an allowed error of a

@@ -18,12 +18,12 @@ from raybundle.settings import made
 @options_of(MergeSettings, out=NEW_FOLDER)
 @common_options
 def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
-    """Merge projects of one object into one block over the points that they have in common.
+    """Merge projects of one object into one block by their common points.
 
-    Points are common by names that people, codes or tables gave them: targets, control, marked points. Those that
-    moved, or are others of the same name, are found by the congruence test of `raybundle moved` and kept apart.
-    Projects are brought to the frame of the one that control or positions fix; tie points and images of one name stay
-    apart. Adjust the block afterwards: common points then tie the projects together.
+    Points are common by names from people, codes or tables: targets, control, marked points. The congruence test of
+    `raybundle moved` detects moved points and different points of the same name; they stay separate. Projects are
+    transformed to the frame of the one with control or positions. Tie points and images of one name stay separate.
+    Adjust the block afterwards: common points then tie the projects together.
 
     \b
     Example:

@@ -27,11 +27,11 @@ LINES = 20
 @options_of(MovedSettings, out=NEW_FOLDER)
 @common_options
 def command(epochs: tuple[Path, ...], progress: str, **given: Any) -> None:
-    """What has moved between measurements of the same points: a congruence test in the datum of those that stayed.
+    """Detect moved points between measurements by a congruence test, in the datum of the stable points.
 
-    Points are the same by their names. Those that stayed are found by the test, with the full covariances of all
-    measurements; each measurement is taken as a free network with the scale that it measured. FOLDER gets a report,
-    points.csv (displacements, their standard deviations, what could have been found) and moved.json.
+    Points are identified by name. The test finds stable points, with the full covariances of all measurements. Each
+    measurement is a free network with its own measured scale. FOLDER gets a report, points.csv (displacements, their
+    standard deviations, smallest detectable displacements) and moved.json.
 
     \b
     Example:

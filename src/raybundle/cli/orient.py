@@ -43,11 +43,11 @@ class StageName(click.ParamType):
 def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) -> int:
     """Orient photographs: a folder or files in, calibrated cameras, oriented images, object points and a report out.
 
-    Images that bring an RPC (in a TIFF tag, or as NAME_RPC.TXT, NAME.RPB, NAME.XML beside them) are satellite scenes;
-    scenes and photographs are adjusted together, joined by control and by common points.
+    Images with an RPC (in a TIFF tag, or as NAME_RPC.TXT, NAME.RPB, NAME.XML beside them) are satellite scenes. Scenes
+    and photographs are adjusted together, joined by control and by common points.
 
-    No parameter is needed. A run that was stopped continues with the same command; photographs that are added
-    later are matched with the others, and only they.
+    No parameter is needed. A stopped run continues with the same command. Of photographs added later, only these are
+    matched with the others.
 
     \b
     Exit status: 0 oriented (photographs that could not be are named); 2 bad input; 3 no two photographs fit; 4 the

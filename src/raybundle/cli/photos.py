@@ -30,7 +30,7 @@ SHOWN = 100
 @click.option("--json", "as_json", is_flag=True, help="Print everything as JSON.")
 @common_options
 def command(photos: tuple[Path, ...], as_json: bool, progress: str, **given: Any) -> int:  # noqa: FBT001
-    """Say what raybundle knows about some photographs: cameras, starting values, positions, files left out.
+    """List facts about photographs: cameras, approximate values, positions, unusable files.
 
     Exit status 2 if none can be used.
 

@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 @options_of(QuerySettings)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object per line, with covariances.")
 def command(result: Path, as_json: bool, **given: Any) -> None:  # noqa: FBT001  (a flag of the command line)
-    """Coordinates, distances, angles, areas, planes and lines of a result, each with its standard deviation.
+    """Compute coordinates, distances, angles, areas, planes and lines of a result, with standard deviations.
 
-    From the full covariance of the points, correlations included. RESULT is a result, project or block folder; its
-    block is adjusted once more, which ends at once, since it holds adjusted values.
+    Standard deviations come from the full covariance of the points, with correlations. RESULT is a result, project or
+    block folder. Its block is adjusted once more; this ends at once, since the values are adjusted.
 
     \b
     Example:

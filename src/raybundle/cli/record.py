@@ -19,10 +19,10 @@ from raybundle.settings import made
 def command(project: Path, **given: Any) -> None:
     """Show the recording sheet of a project, or write entries of it: object, place, client, operator, rights ...
 
-    They stand in the table [record] of PROJECT/project.toml, which may be edited by hand and which runs of `orient`
-    keep; in record.toml of the result, in its report, in drawings, maps and sheets made from it. What the photographs
-    know (camera, dates, number) is filled in by itself. An empty TEXT takes an entry away. With --new a PROJECT that
-    is not there yet is begun, so that the first report has it all.
+    The entries are in the table [record] of PROJECT/project.toml. Edit it by hand if you like; runs of `orient` keep
+    it. They appear in record.toml of the result, in its report, in drawings, maps and sheets made from it. Facts from
+    the photographs (camera, dates, number) are filled in automatically. An empty TEXT removes an entry. --new begins a
+    new PROJECT, so that its first report is complete.
 
     \b
     Example:

@@ -26,12 +26,12 @@ ROUNDING = 1e-9
 @options_of(RectifySettings, out=NEW_FILE)
 @common_options
 def command(source: Path, progress: str, **given: Any) -> None:
-    """Bring photographs of a plane object to scale.
+    """Rectify photographs of a plane object to scale.
 
-    RESULT is a result folder or the project of `orient`: every pixel comes from the photograph that shows it best,
-    through the calibrated lens. PHOTO is one photograph with four points or more of the plane marked in it.
-    Beside the picture stand a world file, which maps and drawings read, and NAME.toml with the plane. Level ground
-    (--horizontal) of a result with a coordinate system becomes a GeoTIFF in its map.
+    RESULT is a result folder or the project of `orient`. Every pixel comes from the photograph with the best view,
+    through the calibrated lens. PHOTO is one photograph with at least four marked points of the plane. A world file
+    (for maps and drawings) and NAME.toml with the plane are written beside the picture. Level ground (--horizontal) of
+    a result with a coordinate system becomes a GeoTIFF in its map.
 
     \b
     Example:

@@ -31,10 +31,9 @@ CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 def command() -> None:
     """Rational polynomials (RPC) of satellite scenes: show, project, correct, make, orthorectify.
 
-    Reads _RPC.TXT, .RPB, .geom, GeoTIFF and NITF with RPC, RPC of GDAL (VRT, .aux.xml, gdalinfo -json), of rpcm
-    (JSON) and orthority (YAML), DIMAP XML, Maxar ISD XML, and line-scan ISD JSON.
-    Pixels count from the outer corner of the first one, whose centre is 0.5, 0.5; files that count otherwise
-    are converted on reading and writing.  Heights are above the ellipsoid.
+    Input formats: _RPC.TXT; .RPB; .geom; GeoTIFF and NITF with RPC; RPC of GDAL (VRT, .aux.xml, gdalinfo -json); RPC of
+    rpcm (JSON) and orthority (YAML); DIMAP XML; Maxar ISD XML; line-scan ISD JSON. The centre of the first pixel is
+    0.5, 0.5. Files with another convention are converted on reading and writing. Heights are above the ellipsoid.
 
     \b
     Example:
@@ -51,7 +50,7 @@ command.add_command(ortho)
 @command.command("info")
 @click.argument("scene", type=FOLDER)
 def info(scene: Path) -> None:
-    """Show what a scene file holds, and how far its RPC is from its rigorous model.
+    """Show the contents of a scene file, and deviations of its RPC from its rigorous model.
 
     \b
     Example:
@@ -77,9 +76,9 @@ def info(scene: Path) -> None:
 @click.argument("points", type=FOLDER)
 @options_of(RpcProjectSettings, out=NEW_FILE)
 def project(scene: Path, points: Path, **given: Any) -> None:
-    """Image points of POINTS (point,lon_deg,lat_deg,h_m), or the other way.
+    """Compute image points of POINTS (point,lon_deg,lat_deg,h_m), or ground points.
 
-    Every point keeps its row; where the model has no coordinates for it they are empty, with the reason in note.
+    Every point keeps its row. If the model has no coordinates for it, they are empty; the column note has the reason.
 
     \b
     Example:
@@ -104,7 +103,7 @@ def project(scene: Path, points: Path, **given: Any) -> None:
 @click.argument("scene", type=FOLDER)
 @options_of(RpcFitSettings, out=NEW_FILE)
 def fit(scene: Path, **given: Any) -> None:
-    """Make an RPC that stands for the rigorous model of a scene.
+    """Fit an RPC to the rigorous model of a scene.
 
     \b
     Example:

@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 @options_of(RpcBatchSettings, out=NEW_FOLDER)
 @common_options
 def batch(scenes: tuple[Path, ...], progress: str, **given: Any) -> None:
-    """Correct many SCENES, files or folders of them, on one file of control.
+    """Correct many SCENES (files or folders) on one control file.
 
-    The column image of the control names the image in which a point was measured: NAME or NAME.tif. A row a scene
-    stands in biases.csv; a scene that cannot be corrected costs that scene, and its row has the reason.
+    The column image of the control names the image of each measurement: NAME or NAME.tif. biases.csv has one row per
+    scene. If a scene cannot be corrected, its row gives the reason; the other scenes are corrected.
 
     \b
     Example:

@@ -31,9 +31,9 @@ if TYPE_CHECKING:
 def correct(scene: Path, points: Path, **given: Any) -> None:
     """Correct the RPC of SCENE on the control points in CONTROL.
 
-    CONTROL is a CSV point,lon_deg,lat_deg,h_m,x_px,y_px[,sE_m,sN_m,sU_m] or, in any coordinate system,
-    point,X,Y,Z,x_px,y_px[,sX,sY,sZ]; points in GeoJSON or GeoPackage with attributes x_px and y_px; or gcp_list.txt.
-    Points whose role is check take no part and check.
+    CONTROL is one of these: a CSV `point,lon_deg,lat_deg,h_m,x_px,y_px[,sE_m,sN_m,sU_m]`; in any coordinate system, a
+    CSV `point,X,Y,Z,x_px,y_px[,sX,sY,sZ]`; points in GeoJSON or GeoPackage with attributes x_px and y_px; gcp_list.txt.
+    Points with the role check are check points.
 
     \b
     Example:

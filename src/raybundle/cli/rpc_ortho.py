@@ -19,10 +19,10 @@ from raybundle.settings import made
 @options_of(RpcOrthoSettings, out=NEW_FILE)
 @common_options
 def ortho(scene: Path, progress: str, **given: Any) -> None:
-    """Bring SCENE to the map over a raster of heights: orthorectification.
+    """Orthorectify SCENE with a raster of heights.
 
-    Heights may stand in any coordinate system, in degrees as well; above a geoid where the raster's system has one
-    (EPSG:32654+5773) or --geoid does.  What hides what is not found out.
+    Heights may be in any coordinate system, also in degrees. They refer to a geoid if the raster's system
+    (EPSG:32654+5773) or --geoid defines one. Occlusions are not handled.
 
     \b
     Example:

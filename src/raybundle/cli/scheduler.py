@@ -18,10 +18,10 @@ from raybundle.settings import made
 @click.argument("cluster", type=FOLDER)
 @options_of(SchedulerSettings)
 def command(cluster: Path, **given: Any) -> None:
-    """Be the scheduler of a cluster until interrupted.
+    """Run the scheduler of a cluster until interrupted.
 
-    CLUSTER is a folder that all its machines see; it gets the address and, where it has none, certificates, by which
-    scheduler, workers and runs know each other. Who can read it may run programs on the workers.
+    CLUSTER is a folder that all its machines can access. It gets the address and, if missing, certificates for
+    scheduler, workers and runs. Any user who can read it may run programs on the workers.
 
     \b
     Example:

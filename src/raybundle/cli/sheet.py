@@ -21,12 +21,11 @@ if TYPE_CHECKING:
 @options_of(DrawingSheetSettings, out=NEW_FILE)
 @common_options
 def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
-    """Draw on a sheet true to scale: pictures to scale, and points and lines that were measured.
+    """Draw rectified pictures and measured points and lines on a sheet true to scale.
 
-    PICTURE comes from `rectify` (NAME.toml beside it has its plane) or has a world file; RESULT is a result folder
-    or project, whose points and lines are drawn on the picture, or without one on a plane of their own. The PDF has
-    frame, grid, scale bar, title block and legend; entries of the title block that are not given come from the
-    project's record.
+    PICTURE comes from `rectify` (NAME.toml beside it has its plane) or has a world file. RESULT is a result folder or
+    project. Its points and lines are drawn on the picture, or without one on their own plane. The PDF has frame, grid,
+    scale bar, title block and legend. Missing entries of the title block come from the project's record.
 
     \b
     Example:

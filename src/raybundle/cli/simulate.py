@@ -23,9 +23,9 @@ from raybundle.settings import made
 def command(scene: str, out: Path, progress: str, **given: Any) -> None:
     """Write a simulated block, the truth beside it and the list of its blunders.
 
-    testfield: targets in relief, convergent rolled images; flat: the same in one plane; aerial: three strips;
-    ring: stations round a cylinder; single: one photo of control points. A folder with a plan, a result or a block is
-    measured (once more) from its stations, with new errors of the stated size.
+    testfield: targets in relief, convergent rolled images; flat: the same in one plane; aerial: three strips; ring:
+    stations round a cylinder; single: one photo of control points. For a folder with a plan, a result or a block, its
+    stations measure again, with new errors of the given size.
 
     \b
     Example:

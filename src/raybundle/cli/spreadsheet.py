@@ -20,8 +20,8 @@ from raybundle.settings import made
 def command(source: Path, progress: str, **given: Any) -> None:
     """Write the tables of a result as sheets of one workbook (.xlsx).
 
-    A spreadsheet of any language opens it with numbers as numbers, where a table with commas and decimal points may
-    come as one column. RESULT is a result folder, a project, or what `moved` wrote.
+    A spreadsheet program of any language reads its numbers correctly. With CSV, some read one column of text. RESULT is
+    a result folder, a project, or the folder of `moved`.
 
     \b
     Example:

@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 @click.command("status", cls=Command)
 @click.argument("project", type=FOLDER)
 def command(project: Path) -> None:
-    """Show the stages of a project folder, a calibration or a surface: what the last run made, what was kept.
+    """Show the stages of a project folder, calibration or surface, and products of the last run.
 
-    Also how far a stage in work is, where the products lie and what they take; of a project with a surface both are
-    shown. Of a result folder it shows the parts that an adjustment left beside it which was cut short.
+    Also shown: progress of a running stage, reused products, place and size of the products. A project with a surface
+    shows both. A result folder shows the remaining parts of an interrupted adjustment beside it.
 
     \b
     Example:

@@ -29,10 +29,10 @@ def command(
 ) -> None:
     """Look, measure and adjust in the browser.
 
-    The server listens on this computer alone. The address that is printed lets in once, the browser that opens it
-    stays in. What is measured is kept, action by action, in PROJECT/measured.db (RESULT.measured.db beside a result
-    or block); what is adjusted with it, in PROJECT/measured-result. Of photographs alone, which matching cannot join, a
-    project is begun beside them: the points that are marked in them orient them, at once.
+    The server listens on this computer only. The printed address works once; the browser that opens it keeps access.
+    Every measurement is stored in PROJECT/measured.db (RESULT.measured.db beside a result or block). Adjustments with
+    them are in PROJECT/measured-result. For photographs that matching cannot join, a project is begun beside them.
+    Marked points orient these photographs at once.
 
     \b
     Example:

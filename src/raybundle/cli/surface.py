@@ -28,13 +28,13 @@ MOST_LEFT_OUT = 8
 @options_of(SurfaceSettings, out=NEW_FOLDER)
 @common_options
 def command(source: Path, progress: str, **given: Any) -> int:
-    """Measure dense points of what the photographs show, each with its standard deviations.
+    """Measure dense surface points, each with its standard deviations.
 
-    RESULT is a result folder or the project of `orient`. SOURCE/surface/points.ply holds the points with colours,
-    standard deviations of x, y, z, and their parts along the ray: noise of grey values, roughness of the surface
-    within the window, orientation and calibration. Other depth maps confirm each point, and the best estimate of a
-    place is kept. surface.html shows how good it is, and what speaks against the adjustment that it rests on. A run
-    that was stopped goes on where it was.
+    RESULT is a result folder or the project of `orient`. SOURCE/surface/points.ply holds the points with colours and
+    standard deviations of x, y, z. It also has their parts along the ray: noise of grey values, roughness of the
+    surface within the window, orientation and calibration. Other depth maps confirm each point; the best estimate of a
+    place is used. surface.html shows the quality, and objections to the underlying adjustment. A stopped run continues
+    at its last step.
 
     \b
     Example:

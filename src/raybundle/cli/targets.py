@@ -29,7 +29,7 @@ ON_SHEET = Length(MILLIMETRES.low, MILLIMETRES.high, above=True)
 
 @click.group("targets", cls=Group)
 def command() -> None:
-    """Print coded targets, and find and measure them in photographs.
+    """Print coded targets, and measure them in photographs.
 
     \b
     Example:
@@ -89,8 +89,8 @@ def choose(progress: str, **given: Any) -> None:
 def detect(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
     """Find, read and measure targets.
 
-    Standard deviations in the tables come from the grey values alone; what lens, film and panel add is for the
-    adjustment to find.  Exit status 2 if nothing was found.
+    Standard deviations in the tables come from the grey values alone. The adjustment estimates the errors of lens, film
+    and panel. Exit status 2 if nothing was found.
 
     \b
     Example:

@@ -21,11 +21,11 @@ WAITING = 5
 @options_of(WorkerSettings)
 @common_options
 def command(project: str | None, progress: str, **given: Any) -> int:
-    """Do tasks of runs on other machines: for the scheduler of a cluster, or a share of the tasks in PROJECT.
+    """Do tasks of runs on other machines: for a scheduler, or a share of the tasks in PROJECT.
 
-    Project and photographs lie in folders that all machines see under the same paths, and all have the same version of
-    raybundle. Where the products of a project lie in an object store, its URL is enough in place of PROJECT. Which
-    worker does a task makes no difference to the result.
+    All machines need the project and photographs under the same paths, and the same version of raybundle. If the
+    products of a project are in an object store, its URL replaces PROJECT. The result does not depend on the worker of
+    a task.
 
     \b
     Exit status of a share: 0 all of it is done (what could not be is reported by the run that wanted it); 2 bad input;

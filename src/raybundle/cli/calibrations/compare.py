@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 @options_of(CalibrationCompareSettings)
 @click.option("--json", "as_json", is_flag=True, help="Print everything as JSON, including the map.")
 def compare(first: Path, second: Path, *, as_json: bool, **given: Any) -> None:
-    """Say how far apart two calibrations place the image of the same ray, after the best rotation.
+    """Compare two calibrations: distance of the image points of the same ray, after the best rotation.
 
-    The rotation is what the exterior orientation of a user takes up; at --object-distance a translation too.
+    The exterior orientation of a user absorbs this rotation; at --object-distance a translation too.
 
     \b
     Example:

@@ -22,12 +22,11 @@ if TYPE_CHECKING:
 def convert(source: Path, **given: Any) -> None:
     """Convert a calibration; INPUT is a file of any format, or a result folder.
 
-    Photographs of a result that are stored turned or reduced have a camera of their own, in their pixels; a format of
-    one camera a file gets a second file beside the first, with the camera's name.
+    Photographs of a result that are stored rotated or reduced have their own camera, in their pixels. A format with one
+    camera per file gets a second file beside the first, with the camera's name.
 
-    In the same direction the conversion is exact where the other model has all terms. Otherwise the simplest model
-    within 0.01 px is taken, or else the best; --model chooses one. What is off by more than 0.1 px is not written
-    without --approximate.
+    In the same direction, the conversion is exact if the other model has all terms. Otherwise the simplest model within
+    0.01 px is used, or else the best; --model chooses one. Deviations above 0.1 px need --approximate.
 
     \b
     Example:

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 @click.argument("source", type=FOLDER, metavar="FILE")
 @options_of(CalibrationAddSettings)
 def add(source: Path, **given: Any) -> None:
-    """Keep a calibration; FILE is a file of any format, or the result folder of an adjustment (with covariance).
+    """Store a calibration. FILE is a file of any format, or the result folder of an adjustment (with covariance).
 
     \b
     Example:
@@ -79,7 +79,7 @@ def list_(*, as_json: bool, **given: Any) -> None:
 @click.argument("photo", type=FOLDER)
 @options_of(CalibrationFindSettings, out=NEW_FILE)
 def find(photo: Path, **given: Any) -> int:
-    """Say which calibrations of the library serve a photograph, and why the others do not.
+    """Find calibrations of the library for a photograph, and reasons against the others.
 
     Exit status 2 if none does.
 

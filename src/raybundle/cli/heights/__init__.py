@@ -11,16 +11,16 @@ SUBCOMMANDS = {
     "section": "Profiles along lines, as table, picture or drawing.",
     "contours": "Contour lines, without the wiggles that are noise.",
     "ground": "Separate the ground from what stands on it: a terrain model.",
-    "difference": "What has moved between two surfaces by more than chance.",
+    "difference": "Detect significant movements between two surfaces.",
 }
 
 
 @click.group("heights", cls=LazyGroup)
 def command() -> None:
-    """What people compute from the heights of a surface, with true standard deviations.
+    """Compute volumes, sections, contours and differences from heights, with true standard deviations.
 
-    SURFACE is a folder that `raybundle surface --dsm CELL` wrote, or `raybundle heights ground`. Errors of neighbours,
-    those along steps, and those of the orientation are correlated, and all of it is counted.
+    SURFACE is a folder from `raybundle surface --dsm CELL` or `raybundle heights ground`. Errors of neighbours, errors
+    along steps, and errors of the orientation are correlated. The standard deviations include these correlations.
 
     \b
     Example:

@@ -18,10 +18,10 @@ from raybundle.settings import made
 @click.argument("source", type=FOLDER, metavar="SURFACE")
 @options_of(HeightsContoursSettings, out=NEW_FILE)
 def command(source: Path, **given: Any) -> None:
-    """Contour lines with their heights, for GIS and CAD.
+    """Write contour lines with their heights, for GIS and CAD.
 
-    Heights are smoothed as far as their standard deviations say that a wiggle is noise, so that edges stay sharp and
-    even ground gets even lines; --rough leaves them as they were measured.
+    Heights are smoothed within their standard deviations. Edges stay sharp, and even ground gets even lines. --rough
+    keeps measured heights.
 
     \b
     Example:

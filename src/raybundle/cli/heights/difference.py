@@ -28,14 +28,14 @@ UNSURE = 2.0
 @click.argument("after", type=FOLDER, metavar="AFTER")
 @options_of(HeightsDifferenceSettings, out=NEW_FOLDER)
 def command(before: Path, after: Path, **given: Any) -> None:
-    """What has moved between two surfaces by more than chance.
+    """Detect significant movements between two surfaces.
 
-    Errors of the two orientations move large parts alike: whether the whole has moved by more than they allow is
-    separated from what has moved against the rest. For that the chance of any false alarm on the whole surface is 5 %.
-    FOLDER gets difference.tif (difference, movement against the rest, both with sigma, significance, region),
-    moved.csv, moved.geojson and, where something has moved, moved.gpkg with area, mean movement, movement of the inner
-    part (amount) and volume of each region, smallest.csv with the smallest movements that would have been found, and
-    difference.png.
+    Errors of the two orientations displace large parts alike. Therefore a movement of the whole is separated from
+    movements relative to the rest. For the latter, the probability of any false alarm on the whole surface is 5 %.
+    FOLDER gets difference.tif (difference, movement relative to the rest, both with sigma, significance, region),
+    moved.csv and moved.geojson. If a region has moved, moved.gpkg lists area, mean movement, movement of the inner part
+    (amount) and volume of each region. smallest.csv has the smallest detectable movements; difference.png shows the
+    differences.
 
     \b
     Example:

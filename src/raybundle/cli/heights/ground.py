@@ -21,11 +21,11 @@ SPANNED = 0.2
 @click.argument("source", type=FOLDER, metavar="SURFACE")
 @options_of(HeightsGroundSettings, out=NEW_FOLDER)
 def command(source: Path, **given: Any) -> None:
-    """Separate the ground from what stands on it, and write it as heights of the same kind: a terrain model.
+    """Separate the ground from objects on it, and write a digital terrain model.
 
-    The simple morphological filter (Pingel and others 2013): the surface is opened with discs that grow to the width
-    of the largest thing; what is cut off by more than the slope and the standard deviations allow stands on the
-    ground. Below it the ground is spanned, with a standard deviation that grows with the gap. All commands of
+    The simple morphological filter (Pingel and others 2013) opens the surface with discs that grow to the width of the
+    largest object. A cell is an object if the opening lowers it by more than the slope and the standard deviations
+    allow. Below objects, the ground is interpolated, with a standard deviation that grows with the gap. All commands of
     `heights` take the folder.
 
     \b

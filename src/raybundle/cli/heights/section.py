@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 @click.argument("source", type=FOLDER, metavar="SURFACE")
 @options_of(HeightsSectionSettings, out=NEW_FILE)
 def command(source: Path, **given: Any) -> None:
-    """Profiles along lines: height and standard deviation of each place, of the mean, of differences of places.
+    """Write profiles along lines: heights, their mean and differences, with standard deviations.
 
-    .csv is a table, with 1 under filled where a height was not measured, .svg a picture with the band in which 95 % of
-    the surface lies, .dxf a drawing true to scale with profile and band on layers of their own.
+    .csv: a table; filled = 1 marks a height that was not measured. .svg: a picture with the band that contains 95 % of
+    the surface. .dxf: a drawing true to scale, with profile and band on separate layers.
 
     \b
     Example:

@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 @click.argument("source", type=FOLDER, metavar="SURFACE")
 @options_of(HeightsVolumeSettings)
 def command(source: Path, **given: Any) -> None:
-    """Volume above and below a base within an outline, area in plan and true area, with standard deviations.
+    """Compute volumes above and below a base, area in plan and true area, with standard deviations.
 
-    The base is a height, another surface, or the plane that fits the heights along the outline best, whose errors
-    count, too. Small holes are filled, and their share is reported.
+    The base is a height, another surface, or the plane that fits the heights along the outline best. Errors of the base
+    are included. Small holes are filled, and their share is reported.
 
     \b
     Example:

@@ -18,7 +18,7 @@ SUBCOMMANDS = {
 
 @click.group("plan", cls=LazyGroup)
 def command() -> None:
-    """Know what photographs will determine, before they are taken.
+    """Predict the precision of photographs before they are taken.
 
     \b
     Example:

@@ -31,13 +31,13 @@ REFLY = 4
 @options_of(PlanCheckSettings, out=NEW_FOLDER)
 @common_options
 def command(plan: Path, photos: tuple[Path, ...], progress: str, **given: Any) -> int:
-    """Hold photographs that were flown against their plan, in the field: what is missing, blurred, tilted, too high.
+    """Compare photographs with their plan in the field: missing, blurred, tilted or too high ones.
 
-    PLAN is mission.toml or its folder, or the folder of `raybundle plan list`, whose photographs are ticked off by
-    what they show: they are oriented first, or PHOTOS is a result of theirs.  Of a mission, photographs that are
-    blurred or tilted too far do not count; places that are then seen too rarely are gaps, and are written as areas
-    that `raybundle plan mission` takes.  Blur is measured against the other photographs: what all of them share is not
-    seen.  Exit status 4 where something is to be flown or taken again.
+    PLAN is mission.toml or its folder, or the folder of `raybundle plan list`. Photographs of a list are identified by
+    their content. For this, they are oriented first, or PHOTOS is their result. In a mission, blurred or strongly
+    tilted photographs do not count. Places with too few other photographs are gaps, written as areas for `raybundle
+    plan mission`. Blur is measured relative to the other photographs; blur common to all is not detected. Exit status 4
+    if photographs must be taken again.
 
     \b
     Example:

@@ -23,11 +23,12 @@ if TYPE_CHECKING:
 @options_of(FlightSettings, out=NEW_FOLDER)
 @common_options
 def command(progress: str, **given: Any) -> None:
-    """Predicted precision of a flight with or without RTK, what it does not determine and what would mend it.
+    """Predict the precision of a flight with or without RTK, undetermined quantities and remedies.
 
-    The covariance of the plan is computed, once with the unevenness of a real flight and once exactly level at one
-    height: what the second does not determine hangs on accident in the first.  Without RTK positions have 5, 5, 10 m.
-    The longer side of the format lies across the flight; the camera's c, x0, y0, K1-K3, P1, P2 are free unless held.
+    The covariance of the plan is computed twice: with the unevenness of a real flight, and exactly level at one height.
+    A quantity that the level flight does not determine depends on chance in the real one. Without RTK, positions have
+    5, 5, 10 m. The longer side of the format lies across the flight. The camera's c, x0, y0, K1-K3, P1, P2 are free
+    unless fixed.
 
     \b
     Example:

@@ -19,13 +19,13 @@ from raybundle.settings import made
 @options_of(ListSettings, out=NEW_FOLDER)
 @common_options
 def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noqa: A002  (the argument's name)
-    """List photographs one by one, by rules that are known to work: a PDF with sketches and boxes to take along.
+    """List photographs one by one by established rules: a PDF with sketches and checkboxes.
 
     cipa: the 3x3 ring round a building (box:WIDTH,DEPTH,HEIGHT) and stereo pairs of its facades; calibration: a network
-    for this camera and this sheet (sheet:WIDTH,HEIGHT); turntable: views of an object on a table; targets: where coded
-    targets and scale bars go on an object that `plan network` has stations for. OBJECT as for `plan network`. FOLDER
-    gets list.pdf, list.csv and what `plan network` writes: the promised precision, and a block.
-    `raybundle plan check FOLDER PHOTOS` ticks off what came back.
+    for this camera and this sheet (sheet:WIDTH,HEIGHT); turntable: views of an object on a table; targets: places of
+    coded targets and scale bars on an object with stations of `plan network`. OBJECT as for `plan network`. FOLDER gets
+    list.pdf, list.csv and the files of `plan network`: the predicted precision, and a block. `raybundle plan check
+    FOLDER PHOTOS` compares the photographs with the list.
 
     \b
     Example:

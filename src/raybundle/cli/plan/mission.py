@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 @click.argument("area", metavar="AREA")
 @options_of(MissionSettings, out=NEW_FOLDER)
 def command(area: str, **given: Any) -> None:
-    """Plan a flight over AREA and write it for a vehicle: way points, heights, views, photographs.
+    """Plan a flight over AREA for a vehicle: way points, heights, views, photographs.
 
     AREA is a file with one polygon, line or point (GeoJSON, KML, KMZ; GeoPackage and others by pyogrio), or
     coordinates: "LON LAT, LON LAT, ...".  The folder holds the plan itself (mission.toml), a picture of it, and one
-    file for each battery and format.  Heights are written above the take-off, so that no geoid is needed.
+    file for each battery and format. Heights refer to the take-off; no geoid is needed.
 
     \b
     Example:

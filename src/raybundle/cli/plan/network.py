@@ -26,14 +26,14 @@ SHOWN = 12
 @options_of(NetworkSettings, out=NEW_FOLDER)
 @common_options
 def command(object: str, progress: str, **given: Any) -> None:  # noqa: A002  (the argument's name)
-    """Plan photographs of an object: where to stand, how to turn the camera, what precision to expect where.
+    """Plan photographs of an object: stations, camera rotations and expected precision.
 
-    OBJECT is a kind with its size in metres (box:WIDTH,DEPTH,HEIGHT, cylinder:DIAMETER,HEIGHT, facade:WIDTH,HEIGHT or
-    facade:OUTLINE.csv, corridor:LENGTH,WIDTH or corridor:AXIS.geojson,WIDTH), a mesh (PLY, OBJ, STL), a raster of
-    heights (GeoTIFF), or a folder with a result, whose points are the object. Boxes and facades face -Y. The fewest
-    stations are looked for that promise the wanted standard deviation, and moved to where they serve best; each with
-    its purpose. FOLDER gets network.html (the object in colours of its precision), stations.csv, points.csv, plan.json,
-    and a simulated block that `adjust` takes.
+    OBJECT is a kind with its size in metres: box:WIDTH,DEPTH,HEIGHT; cylinder:DIAMETER,HEIGHT; facade:WIDTH,HEIGHT or
+    facade:OUTLINE.csv; corridor:LENGTH,WIDTH or corridor:AXIS.geojson,WIDTH. Or it is a mesh (PLY, OBJ, STL), a raster
+    of heights (GeoTIFF), or a result folder with the points of the object. Boxes and facades face -Y. The plan has the
+    fewest stations for the required standard deviation, at their best places, each with its purpose. FOLDER gets
+    network.html (the object in colours of its precision), stations.csv, points.csv, plan.json, and a simulated block
+    for `adjust`.
 
     \b
     Example:

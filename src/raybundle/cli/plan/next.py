@@ -26,12 +26,12 @@ HARDLY = 0.99
 @options_of(NextSettings, out=NEW_FOLDER)
 @common_options
 def command(result: Path, progress: str, **given: Any) -> None:
-    """Say which photographs to take next of a block in hand: where to stand, and what each would bring.
+    """Propose the next photographs of an existing block: stations, and the gain of each.
 
-    RESULT is a result, block or project folder. Stations within reach are compared by the standard deviations that
-    an adjustment with each would state, exactly; the best is added, and the next one looked for. Each is described
-    relative to the nearest photograph. FOLDER gets network.html (what there is, the proposals in red), next.csv,
-    next.json, and a block with the proposals in it that `adjust` takes. Only for frame cameras.
+    RESULT is a result, block or project folder. Stations within reach are compared by the exact standard deviations of
+    an adjustment with each of them. The best one is added, then the next one is searched. Each is described relative to
+    the nearest photograph. FOLDER gets network.html (the block, proposals in red), next.csv, next.json, and a block
+    with the proposals for `adjust`. Only for frame cameras.
 
     \b
     Example:
