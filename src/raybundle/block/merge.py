@@ -30,7 +30,7 @@ def merge_blocks(blocks: Sequence[Block], *, prefer: Mapping[Subject, int] | Non
     """One block of several in one object frame, in which nothing is lost that any of them holds.
 
     blocks   their ids name the same things: images, points, cameras and instruments of one id are one
-    prefer   what -> position (from 0) of the block whose word stands where blocks contradict each other in that; what:
+    prefer   kind -> position (from 0) of the block that decides contradictions of this kind.  Kinds:
              "block" (units, place, a-priori sigma ...), "camera", "instrument", "image" (its camera, file, pixel frame,
              station, held orientation), "point" (role and given coordinates), "observation".  With "block" the others
              are brought to its length unit
@@ -40,7 +40,7 @@ def merge_blocks(blocks: Sequence[Block], *, prefer: Mapping[Subject, int] | Non
     Approximate orientations and coordinates contradict nothing: those of the last block stand that has the image
     oriented, or sees the point in two images.  Rows of observations that blocks hold alike are one; distances of one
     pair of points that differ are two observations, image points and positions of one image that differ contradict.
-    What it does not do: bring blocks into one frame (`transform_block`), tell whether two ids are one thing.
+    Limits: blocks must be in one frame (`transform_block`), and ids must name the same things in all blocks.
     """
     for k, b in enumerate(blocks):
         if not isinstance(b, Block):  # pyright: ignore[reportUnnecessaryIsInstance]

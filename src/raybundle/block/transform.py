@@ -28,9 +28,9 @@ def transform_block(block: Block, by: SimilarityTransform, *, observed: Literal[
     """The block after X -> s R X + t.
 
     by        scale, rotation and translation; lengths stay in the block's `length_unit`
-    observed  "follow": what was observed and given is told in the new frame, with its standard deviations, so that an
-              adjustment gives the same as before, transformed.  "stay": approximate orientations and coordinates move
-              alone, as where a block is brought to what its control says
+    observed  "follow": observed and given values are transformed to the new frame, with their standard deviations; an
+              adjustment then gives the same result, transformed.  "stay": only approximate orientations and
+              coordinates move, e.g. for a block that is transformed to its control
     raises    InputError for the first thing that cannot follow: what is about the vertical after a tilt, standard
               deviations of coordinates that a rotation would correlate, a geodetic place, a satellite scene
     """

@@ -37,7 +37,7 @@ def begin(
     raises    InputError where there is no photograph, or something else stands at `out`
 
     The photographs have their cameras, as `orient` finds them, and no orientation: marks orient them (`rb.mark`).  A
-    project that stands there keeps what was measured; photographs that are new are added.  Where `orient` has a result
+    project that exists at `out` keeps its measurements; new photographs are added.  Where `orient` has a result
     in it, that is what is measured in, and nothing is changed.
     """
     first = Path(photos) if isinstance(photos, str | Path) else Path(next(iter(photos)))

@@ -70,7 +70,7 @@ class CalibrationCompareSettings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CalibrationAddSettings:
-    """What calibration is kept, and by what it is found again."""
+    """Settings of a calibration to store, with the entries that identify it."""
 
     source: Path
     """file of any format, or a result folder"""
@@ -212,11 +212,11 @@ def compare_calibrations(first: str | Path, second: str | Path, **settings: Any)
 
 
 def keep_calibration(source: str | Path, **settings: Any) -> KeptCalibration:
-    """Keep a calibration in the camera library.
+    """Store a calibration in the camera library.
 
     source    file of any format, or the result folder of an adjustment (with covariance)
     settings  as of the command line, by the names of `CalibrationAddSettings`: photo="images/DSC_0001.JPG"
-    raises    InputError for what cannot be read, and where nothing says by what it is found again
+    raises    InputError for an unreadable source, and for a calibration without identifying entries
     """
     return run_add(made(CalibrationAddSettings, {"source": path_of("source", source), **settings}))
 

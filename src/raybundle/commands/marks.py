@@ -169,11 +169,12 @@ def _beyond(folder: Path, state: State, quantity: str = "", limit: float = float
 
 
 def find_fiducials(folder: str | Path, image: str, *, operator: str = "") -> Mapping[str, str]:
-    """Measure the fiducial marks of a scan that are not measured yet, and say of those not found why.
+    """Measure the remaining fiducial marks of a scan; returns reasons for those not found.
 
     image   id or file of a scan in which three marks, not in one line, are measured (`mark(folder, "fiducial", ...)`)
-    raises  InputError where these are too few, or its photograph is not there
-    Each mark that is found is an action, brought to what the picture shows at the place that the others give.
+    raises  InputError if fewer marks are measured, or its photograph is missing
+
+    Each detected mark is an action. The other marks predict its place; the picture gives its position.
     """
     from raybundle.io.photos.photo import read_grey, read_photo  # noqa: PLC0415
     from raybundle.measuring.fiducials import find_fiducials as found_in  # noqa: PLC0415
@@ -196,7 +197,7 @@ def find_fiducials(folder: str | Path, image: str, *, operator: str = "") -> Map
 
 
 def marks(folder: str | Path) -> State:
-    """What was measured by hand in a project, result or block folder."""
+    """Manual measurements in a project, result or block folder."""
     return state_of(journal_path(_standing(folder)))
 
 
@@ -217,11 +218,11 @@ def _standing(folder: str | Path) -> Path:
 
 
 def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) -> tuple[Adjustment, Mapping[str, str]]:
-    """Adjust the block of a folder with what was measured and decided by hand; also what was left out, and why.
+    """Adjust the block of a folder with its manual measurements; also returns omitted ones with reasons.
 
     given   settings of AdjustmentOptions; parameters that `free` and `hold` name go before those of the journal
-    raises  NoOrientation that says what the photographs lack where none is oriented
-    Photographs without orientation are oriented from their marks, as far as these allow.
+    raises  NoOrientation if no photograph is oriented, with the missing marks
+    Photographs without orientation are oriented from their marks if possible.
     """
     options = with_decisions(made(AdjustmentOptions, given), marks(folder))
     found = merged(folder)
@@ -239,7 +240,7 @@ class Exported:
 
 
 def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> Exported:
-    """Write what was measured: NAME.csv as orient reads it, NAME.txt as gcp_list (with `crs`), else a block."""
+    """Export the manual measurements: NAME.csv for orient, NAME.txt as gcp_list (with `crs`), else a block."""
     out, state = Path(out), marks(folder)
     block = read_block(block_folder(_standing(folder)))
     if out.suffix.lower() == ".csv":

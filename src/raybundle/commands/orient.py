@@ -206,7 +206,7 @@ def orient(
     raises    InputError, NoOrientation; nothing that is finished is lost
 
     Limits: without control or scale bars the position, orientation and scale of the result are
-    arbitrary; and a set of photographs whose parts look alike can be oriented wrongly with small residuals.
+    arbitrary; and photographs of an object with similar parts can be oriented wrongly with small residuals.
     """
     return run_orient(asked(OrientSettings, photos, out, settings), progress)
 

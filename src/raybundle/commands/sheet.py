@@ -25,7 +25,7 @@ PaperName = Literal["A4", "A3", "A2", "A1", "A0"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DrawingSheetSettings(PlaneSettings):
-    """What is drawn, how large, and what its title block says."""
+    """Contents, scale and title block of a sheet."""
 
     sources: tuple[Path, ...]
     """pictures to scale, and a result folder or project with points and lines"""
@@ -67,7 +67,7 @@ class DrawingSheetSettings(PlaneSettings):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DrawingSheet:
-    """What was drawn."""
+    """A drawn sheet."""
 
     file: Path
     scale: int

@@ -33,7 +33,7 @@ class SpreadsheetSettings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Spreadsheet:
-    """What was written."""
+    """A written workbook."""
 
     file: Path
     sheets: tuple[str, ...]

@@ -130,7 +130,7 @@ class MeasuredSurface:
 def surface(
     source: str | Path, out: str | Path | None = None, *, progress: Progress = silent, **settings: Any
 ) -> MeasuredSurface:
-    """Measure dense points of what the photographs of a result show; OUT/points.ply holds them.
+    """Measure dense surface points in the photographs of a result; OUT/points.ply holds them.
 
     source    result folder or project of `orient`
     out       new folder; a run that was stopped goes on there

@@ -61,9 +61,10 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
 
     Points that nobody named are common where their image points agree (`common_points`).  Where no points are common,
     the similarity is that of the projection centres.
-    Differences are second minus first.  Where the observations of one are part of the other's, they are held against
-    the root of the difference of both variances, else of the sum, as of independent results; where they share image
-    observations, that is too large, and the head of the page says so (`report.shared`).
+    Differences are second minus first.  If the observations of one result are part of the other's, a difference is
+    compared with the root of the difference of both variances; else with that of their sum, as for independent
+    results.  If the results share image observations, this sum is too large; the head of the page has a warning
+    (`report.shared`).
     """
     if Path(path).exists() and not is_comparison(Path(path)):
         raise InputError("comparison.path_taken", file=path)

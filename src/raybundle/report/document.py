@@ -126,7 +126,7 @@ def write_report(
                      folder exists; an older file is overwritten
     photographs      what is known of the photographs that the adjustment comes from; None: those sections are left out
     qualities        verdicts on calibrated cameras; they come first then
-    delivery         who it is for, in which system, whether it is as good as was asked for; None: nobody said
+    delivery         client, coordinate system, and compliance with the required accuracy; None: not given
     all_coordinates  whether the appendix holds every object point, and not the first of many alone
     language         of the report, as "de"; InputError for one that there is not
 

@@ -80,8 +80,8 @@ def write_network_page(
     language    of the page, as "de"; InputError for one that there is not
     cloud       dense points of the surface, to be coloured by photograph or by standard deviation
 
-    Points beyond what a page of 10 MB can hold are thinned by a grid, the worst kept, images and ellipsoids evenly, and
-    the page says so.  Limits: an ellipsoid describes random errors in the datum of the result; one that
+    For a page of at most 10 MB, points are thinned by a grid that keeps the worst, and images and ellipsoids evenly.
+    The page reports this.  Limits: an ellipsoid describes random errors in the datum of the result; one that
     is enlarged is no distance.
     """
     view = with_near_viewpoints(view_of(adjustment))

@@ -24,8 +24,9 @@ def plot_network(result: Adjustment, *, figure: Figure | SubFigure | None = None
     raises   InputError where matplotlib is not installed, for anything but an adjustment, and if no object point has
              coordinates
 
-    Ellipses are of one standard deviation (a point lies within its own with 39 %), of 250 points at most, and enlarged
-    as the title says.  Scenes of satellites stand near their ground: at their true height nothing else were to be seen.
+    Ellipses are of one standard deviation (a point lies within its own with 39 %), of 250 points at most, and enlarged;
+    the title gives the factor.  Scenes of satellites stand near their ground: at their true height nothing else were to
+    be seen.
     """
     _check()
     from raybundle.report.plots.network import draw  # noqa: PLC0415
@@ -45,7 +46,7 @@ def plot_residuals(
              image point took part
 
     Residuals are adjusted minus observed, in the pixel frame (x right, y down).  A histogram that follows the normal
-    curve does not say that residuals are independent: their means over the format tell of what they have in common.
+    curve does not prove independent residuals: their means over the format show common errors.
     """
     _check()
     from raybundle.report.plots.residuals import draw  # noqa: PLC0415
@@ -70,7 +71,7 @@ def plot_interior(
              one without distortion and uncertainty, as a satellite's
 
     Bands are of one standard deviation, and may be thinner than the line.  Beyond the radius that observations reach
-    (shaded) curves are extrapolated, and neither they nor the bands tell how well.
+    (shaded) curves and bands are extrapolated, with unknown accuracy.
     """
     _check()
     from raybundle.report.plots.interior import draw  # noqa: PLC0415
@@ -81,7 +82,7 @@ def plot_interior(
 def plot_reliability(
     result: Adjustment, *, camera: str | None = None, figure: Figure | SubFigure | None = None
 ) -> Figure:
-    """Redundancy numbers of the image points over the format and distributed, and smallest detectable blunders.
+    """Redundancy numbers of the image points over the format and distributed, and minimal detectable biases.
 
     camera   its id; None: all, the first six of many
     figure   into which is drawn, or a part of one; None: a new one
@@ -89,8 +90,8 @@ def plot_reliability(
     raises   InputError where matplotlib is not installed, for anything but an adjustment, an unknown camera, and for an
              adjustment without statistics
 
-    Smallest detectable blunders are those of one blunder alone (level 0.1 %, power 80 %); of coordinates with a
-    redundancy number below 0.01, where practically none is found, there are none.
+    Minimal detectable biases hold for a single blunder (level 0.1 %, power 80 %).  Coordinates with a redundancy
+    number below 0.01 have none, since practically no blunder is detected there.
     """
     _check()
     from raybundle.report.plots.reliability import draw  # noqa: PLC0415

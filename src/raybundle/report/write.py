@@ -60,7 +60,7 @@ def write_result(
     qualities    verdicts on calibrated cameras; calibration.toml, as orient takes it, is written beside them
     wanted       accuracy that is asked for at check points
     record       title, client and the like
-    outcomes     what became of what else was asked for
+    outcomes     outcomes of further requests
     findings     what else was found with the points, for the report: a best fit, a length test
     more         writes further files of the result into the folder
     tables       "csv" or "parquet" (with pyarrow); "auto": CSV, Parquet for tables that no spreadsheet holds

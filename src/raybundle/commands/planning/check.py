@@ -48,7 +48,7 @@ class PlanCheckSettings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CheckedFlight:
-    """A plan, what came of it, and the files that tell."""
+    """Comparison of a plan with its photographs, and its files."""
 
     mission: Mission
     check: FlightCheck

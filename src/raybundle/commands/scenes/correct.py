@@ -107,7 +107,7 @@ def rpc_correct(scene: Any, points: str | Path, *, rpc: Any = None, **settings: 
     scene     scene file with an RPC; a picture with one in its tag or beside it; an opened dataset of rasterio; a
               DataArray that rioxarray opened
     points    CSV, GeoJSON, GeoPackage or gcp_list.txt with ground and image points (see the how-to page)
-    rpc       what tells the RPC in place of the scene: a path, an `Rpc`, or a `rasterio.rpc.RPC`
+    rpc       RPC instead of that of the scene: a path, an `Rpc`, or a `rasterio.rpc.RPC`
     settings  as of the command line, by the names of `RpcCorrectSettings`: bias="shift", out="corrected.tif"
     returns   `corrected` is the RPC with the correction and its ERR_BIAS and ERR_RAND; `corrected.to_rasterio()` the
               same for rasterio

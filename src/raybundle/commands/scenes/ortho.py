@@ -127,11 +127,11 @@ def rpc_ortho(
               opened
     dem       raster of heights: a file, a dataset of rasterio, a DataArray of rioxarray
     out       GeoTIFF to write; None: `values` (bands, height, width) are returned, beside `transform` and `crs`
-    rpc       what tells the RPC in place of the scene: a path, an `Rpc`, or a `rasterio.rpc.RPC`
+    rpc       RPC instead of that of the scene: a path, an `Rpc`, or a `rasterio.rpc.RPC`
     settings  as of the command line, by the names of `RpcOrthoSettings`: crs="EPSG:32654", pixel=0.5
     raises    InputError for what cannot be read, and where scene and heights have nothing in common
 
-    What it does not do: find out what hides what.
+    Limits: occlusions are not handled.
     """
     opened = is_object(scene)
     path = path_of_object(scene) if opened else path_of("scene", scene)

@@ -311,7 +311,8 @@ def write_block(block: Block, path: str | Path, *, tables: TableFormat = "auto")
     path    a new folder, or an empty one; a block that stands there is never overwritten
     tables  "csv" or "parquet" (with pyarrow); "auto": CSV, Parquet for tables of more rows than a spreadsheet holds
             where pyarrow is installed
-    raises  InputError where something stands at `path` already, an id is empty or there twice, or pyarrow is not there
+    raises  InputError if `path` is not empty, an id is empty or duplicate, or pyarrow is missing
+
     Numbers are written so that they read back equal; angles of the exterior orientation to 1e-12 degrees.
     """
     folder = Path(path)

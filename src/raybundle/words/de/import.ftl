@@ -19,9 +19,9 @@ import-sigma_assumed = Standardabweichung der Bildbeobachtungen: nicht im Format
 import-sensors_without_pose = { $n } { $n ->
      [one] Bild hat einen Sensor
      *[other] Bilder haben Sensoren
-    } ohne Lage im Rig; die Orientierungen der Bilder werden gelesen.
+    } ohne Orientierung im Rig; die äußeren Orientierungen der Bilder werden gelesen.
 
-import-rig_poses_differ = Die Orientierungen von { $n } von { $total } Bildern unterscheiden sich zwischen Bildern und Rigs; die der Rigs werden gelesen.
+import-rig_poses_differ = Die Orientierungen von { $n } von { $total } Bildern unterscheiden sich zwischen Bildern und Rigs; die der Rigs werden verwendet.
     .why = Die größten Unterschiede sind { $apart } in der Position (Bild { $image }) und { $angle_deg }°.
 
 import-points_without_object = { $n } von { $total } Bildpunkten gehören zu keinem Objektpunkt und sind weggelassen.

@@ -110,7 +110,7 @@ join-cameras_renamed = Kameras von { $name } gelten als andere Kameras: { LIST($
        *[other] heißen
      } jetzt { LIST($renamed, most: 9) }.
 
-join-other_frame = { $name } ist in den Rahmen von { $base } transformiert, dessen Ursprung { NUM($away_m, decimals: 3) } m entfernt ist.
+join-other_frame = { $name } ist in den Rahmen von { $base } transformiert. Die Ursprünge sind { NUM($away_m, decimals: 3) } m voneinander entfernt.
     .why = Sein eigener Rahmen ist { $kind ->
         [projected] { $system }
         [geocentric] geozentrisch
@@ -128,7 +128,7 @@ join-vertical_of_tables = Die Lotrichtungen der Systeme weichen um { NUM($tilt_d
     .do = Beide Blöcke in Systemen mit demselben Ursprung angeben.
 
 join-frames_differ = { $block } ({ $unit }) und { $other } ({ $other_unit }) sind in Systemen, die sich nicht ineinander überführen lassen.
-    .do = Beide in ein Koordinatensystem in Metern überführen (convert in einen Block, { OPTION("crs") }) oder [frame] in der block.toml eines Blocks ohne bekannte Lage löschen.
+    .do = Beide in ein Koordinatensystem in Metern überführen (convert in einen Block, { OPTION("crs") }). Oder bei einem Block unbekannter Lage [frame] in der block.toml löschen.
 
 join-frame_projected = { $block } ist in Koordinaten von { $system }.
 

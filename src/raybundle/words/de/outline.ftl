@@ -55,7 +55,7 @@ outline-heights_in_no_map = Die Datei ist in { $system }; diese Höhen liegen au
 
 outline-hole_outside = Loch { $hole } des Umrisses verlässt den Rand bei { NUM($x, digits: 8) }, { NUM($y, digits: 8) }.
     .why = Die umschlossene Fläche ist mehrdeutig.
-    .do = Eine Fläche angeben, deren Löcher innerhalb des Randes liegen.
+    .do = Eine Fläche angeben, bei der alle Löcher innerhalb des Randes liegen.
 
 outline-holes_overlap = Die Löcher { $other } und { $hole } des Umrisses überlappen sich bei { NUM($x, digits: 8) }, { NUM($y, digits: 8) }.
     .why = Die umschlossene Fläche ist mehrdeutig.

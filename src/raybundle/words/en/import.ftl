@@ -32,14 +32,14 @@ import-sigma_assumed = Standard deviation of the image observations: not in the 
 import-sensors_without_pose = { $n } { $n ->
      [one] image has a sensor
      *[other] images have sensors
-    } without a pose in the rig; the poses of the images are read.
+    } without orientation in the rig; the exterior orientations of the images are read.
 
 # $n = 6
 # $total = 6
 # $apart = 0.12
 # $image = "a.jpg"
 # $angle_deg = 0.5
-import-rig_poses_differ = Poses of { $n } of { $total } images differ between images and rigs; those of the rigs are read.
+import-rig_poses_differ = Exterior orientations of { $n } of { $total } images differ between images and rigs; the rigs are used.
     .why = The largest differences are { $apart } in position (image { $image }) and { $angle_deg }°.
 
 # $n = 12

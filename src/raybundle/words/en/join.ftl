@@ -219,7 +219,7 @@ join-cameras_renamed = Cameras of { $name } are treated as different cameras: { 
 # $known = true
 # $system = "ETRS89 / UTM 33N"
 # $origin = [500000.0, 5300000.0, 400.0]
-join-other_frame = { $name } is transformed to the frame of { $base }, whose origin is { NUM($away_m, decimals: 3) } m away.
+join-other_frame = { $name } is transformed to the frame of { $base }. The origins are { NUM($away_m, decimals: 3) } m apart.
     .why = Its own frame is { $kind ->
         [projected] { $system }
         [geocentric] geocentric
@@ -247,7 +247,7 @@ join-vertical_of_tables = The frames differ in their verticals by { NUM($tilt_de
 # $unit = "m"
 # $other_unit = "mm"
 join-frames_differ = { $block } ({ $unit }) and { $other } ({ $other_unit }) are in frames that cannot be transformed into each other.
-    .do = Transform both into one coordinate system in metres (convert to a block, { OPTION("crs") }), or delete [frame] in block.toml of a block whose place is unknown.
+    .do = Transform both into one coordinate system in metres (convert to a block, { OPTION("crs") }). Or, for a block of unknown place, delete [frame] in block.toml.
 
 # $block = "april"
 # $system = "EPSG:25832"

@@ -85,7 +85,7 @@ outline-heights_in_no_map = The file is in { $system }; these heights are on a p
 # $hole = 1
 outline-hole_outside = Hole { $hole } of the outline leaves its edge near { NUM($x, digits: 8) }, { NUM($y, digits: 8) }.
     .why = The enclosed area is ambiguous.
-    .do = Give an area whose holes are within its edge.
+    .do = Give an area with all holes within its edge.
 
 # $x = 12.5
 # $y = 3.0

@@ -6,9 +6,9 @@ import-repeated_observations = { $n } observation(s) répétant un point dans la
 
 import-sigma_assumed = Écart-type des observations image : absent du format ; { $sigma_px } px supposé.
 
-import-sensors_without_pose = { $n } image(s) ont un capteur sans pose dans le montage ; les poses des images sont lues.
+import-sensors_without_pose = { $n } image(s) ont un capteur sans orientation dans le montage ; les orientations externes des images sont lues.
 
-import-rig_poses_differ = Les poses de { $n } images sur { $total } diffèrent entre images et montages ; celles des montages sont lues.
+import-rig_poses_differ = Les orientations externes de { $n } images sur { $total } diffèrent entre images et montages ; celles des montages sont utilisées.
 
 import-points_without_object = { $n } points image sur { $total } n'appartiennent à aucun point objet et sont écartés.
 

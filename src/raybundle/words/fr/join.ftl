@@ -55,7 +55,7 @@ join-images_renamed = { $n } image(s) de { $name } ont un nouveau nom, comme { $
 
 join-cameras_renamed = Les caméras de { $name } sont traitées comme d'autres caméras : { LIST($ids, most: 9) } devient { LIST($renamed, most: 9) }.
 
-join-other_frame = { $name } est transformé dans le repère de { $base }, dont l'origine est à { NUM($away_m, decimals: 3) } m.
+join-other_frame = { $name } est transformé dans le repère de { $base }. Les origines sont distantes de { NUM($away_m, decimals: 3) } m.
 
 join-point_incomplete = Il manque une coordonnée au point { $point } de { $block } ; il ne peut pas être transformé.
 
