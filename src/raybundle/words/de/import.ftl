@@ -19,7 +19,7 @@ import-sigma_assumed = Standardabweichung der Bildbeobachtungen: nicht im Format
 import-sensors_without_pose = { $n } { $n ->
      [one] Bild hat einen Sensor
      *[other] Bilder haben Sensoren
-    } ohne Orientierung im Rig; die äußeren Orientierungen der Bilder werden gelesen.
+    } ohne Orientierung im Rig; die Orientierungen der Bilder werden verwendet.
 
 import-rig_poses_differ = Die Orientierungen von { $n } von { $total } Bildern unterscheiden sich zwischen Bildern und Rigs; die der Rigs werden verwendet.
     .why = Die größten Unterschiede sind { $apart } in der Position (Bild { $image }) und { $angle_deg }°.

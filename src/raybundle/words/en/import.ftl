@@ -32,7 +32,7 @@ import-sigma_assumed = Standard deviation of the image observations: not in the 
 import-sensors_without_pose = { $n } { $n ->
      [one] image has a sensor
      *[other] images have sensors
-    } without orientation in the rig; the exterior orientations of the images are read.
+    } without orientation in the rig; image orientations are used.
 
 # $n = 6
 # $total = 6

@@ -6,7 +6,7 @@ import-repeated_observations = { $n } observation(s) répétant un point dans la
 
 import-sigma_assumed = Écart-type des observations image : absent du format ; { $sigma_px } px supposé.
 
-import-sensors_without_pose = { $n } image(s) ont un capteur sans orientation dans le montage ; les orientations externes des images sont lues.
+import-sensors_without_pose = { $n } image(s) ont un capteur sans orientation dans le montage ; les orientations des images sont utilisées.
 
 import-rig_poses_differ = Les orientations externes de { $n } images sur { $total } diffèrent entre images et montages ; celles des montages sont utilisées.
 
