@@ -130,7 +130,7 @@ def shared_options(*, files: bool) -> list[click.Option]:
     """New options for a command; `files`: whether it writes a file that somebody may want to replace."""
     quiet = click.Option(
         ["--quiet"], is_flag=True, expose_value=False, callback=_kept(QUIET),
-        help="Print only errors, faults and warnings. Files and the exit status hold the rest.",
+        help="Print only errors, faults, warnings and omissions. Files and the exit status hold the rest.",
     )  # fmt: skip
     verbose = click.Option(
         ["--verbose"], is_flag=True, expose_value=False, callback=_kept(VERBOSE),
