@@ -53,8 +53,8 @@ def suspect_notices(result: Adjustment, g: ObservationGroup, limit: float) -> li
         beside = [g.ids[j] for j in rows.tolist() if k in explained.get(j, ()) and j not in by]
         off = factor * float(g.w[k] * g.mdb[k] / DELTA0)
         given, digits = factor * float(g.given[k]), decimals_for(abs(off), MOST_DECIMALS)
-        each = [message("suspect.others", names=[g.ids[j] for j in by])] if by else []
-        each += [message("suspect.beside", names=beside)] if beside else []
+        each = [message("suspect.others", name=g.ids[k], names=[g.ids[j] for j in by])] if by else []
+        each += [message("suspect.beside", name=g.ids[k], names=beside)] if beside else []
         values: dict[str, Value] = {
             "kind": observation_kinds[g.kind].key, "name": g.ids[k], "component": g.component[k],
             "given": round(given, digits), "off": off, "sigma": factor * float(g.sigma[k]), "unit": unit.strip(),

@@ -15,16 +15,22 @@ adjustment-option_choice = Die Option { $name } ist { $given }.
     .do = Einen Wert von { LIST($known, most: 12) } verwenden.
 
 adjustment-option_not_bool = Die Option { $name } ist { $given }; sie muss True oder False sein.
+    .do = { $name }=True oder { $name }=False angeben.
 
 adjustment-option_not_names = Die Option { $name } ist { $given }; sie muss ein Tupel von { $pairs ->
         [yes] Namenspaaren
        *[no] Namen
      } sein.
+    .do = Zum Beispiel { $name }={ $pairs ->
+            [yes] (("d5100", "c"),)
+            *[no] ("P1", "P2")
+        } angeben.
 
 adjustment-option_range = Die Option { $name } ist { $given }; sie muss eine { $whole ->
         [yes] ganze Zahl
        *[no] Zahl
      } von { $low } bis { $high } sein.
+    .do = Für { $name } eine Zahl in diesen Grenzen angeben.
 
 adjustment-no_statistics = Dieses Ergebnis hat keine Normalgleichungen.
     .why = Es wurde ohne Statistik ausgeglichen oder ist eine Kopie eines Ergebnisses.

@@ -8,7 +8,7 @@ attitudes_contradict = Die Lagewinkel { $source ->
      *[no] Ihre Konvention ({ $reading }), die Aufnahmezeiten und die Zuordnung der Zeilen prüfen.
     }
 
-attitudes_contradict-mounting = Der Einbau weicht um { NUM($off_deg, decimals: 0) }° von einer ganzen Zahl von Vierteldrehungen ab
+attitudes_contradict-mounting = Der Einbau weicht um { NUM($off_deg, decimals: 0) }° von einer ganzen Zahl von Vierteldrehungen ab.
 
 attitudes_contradict-reading = { $reading ->
      [opk] Omega, phi, kappa

@@ -18,3 +18,5 @@ behind_camera-matches = { $n } falsche { $n ->
         [one] Zuordnung
        *[other] Zuordnungen
      } hinter der Kamera nehmen nicht teil: { $pairs }.
+    .why = Das Ergebnis enthält diese Zuordnungen nicht.
+    .do = Bei vielen falschen Zuordnungen die Aufnahmen auf sich wiederholende Strukturen prüfen.

@@ -17,21 +17,27 @@ bias-not_determined = { $n } { $n ->
      } die Korrektur { $model } nicht.
     .do = Punkte ergänzen oder eine andere Korrektur wählen.
 
-bias-points_excluded = { $n } von { $total } Punkten ausgeschlossen
+bias-points_excluded = { $n } von { $total } Punkten { $n ->
+        [one] ist
+        *[other] sind
+    } ausgeschlossen.
 
-bias-improvement = { $model }: { $test ->
+bias-improvement = Der Bias { $model } verbessert die Anpassung signifikant: { $test ->
         [F] F
-       *[other] Chi-Quadrat
-     } { $value } übersteigt { $limit }.
+        *[other] Chi-Quadrat
+    } { $value } übersteigt { $limit }.
     .why = { $few ->
         [yes] Es gibt zu wenige Punkte, um einen auszulassen.
        *[no] Ausgelassene Punkte werden auf { $left_out_px } px vorhergesagt (vorher: { $before_px } px).
      }
+    .do = Den Bias { $model } verwenden.
 
-bias-rpc_contradicted = none: { $larger ->
+bias-rpc_contradicted = Kein Bias ist zu empfehlen: { $larger ->
         [yes] Kein größeres Modell passt signifikant besser
-       *[no] Kein größeres Modell ist möglich
-     }, aber die Punkte widersprechen den RPC.
-    .why = Ihre Residuen sind { $misfit }-mal so groß wie ihr Sigma von { $sigma_px } px.
+        *[no] Kein größeres Modell ist möglich
+    }, aber die Punkte widersprechen den RPC.
+    .why = Die Residuen sind { $misfit }-mal so groß wie das Sigma von { $sigma_px } px; Positionen aus diesen RPC sind ebenso falsch.
+    .do = Punkte, Koordinatensystem und Höhen prüfen oder Punkte für ein größeres Modell ergänzen.
 
-bias-rpc_confirmed = none: Die RPC stimmen mit den Punkten im Rahmen ihres Sigmas von { $sigma_px } px überein.
+bias-rpc_confirmed = Kein Bias ist nötig: Die RPC stimmen mit den Punkten im Rahmen des Sigmas von { $sigma_px } px überein.
+    .do = Die RPC ohne Verbesserung verwenden.

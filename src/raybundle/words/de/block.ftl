@@ -2,6 +2,7 @@ block-no_oriented_image = Block { $block } hat kein orientiertes Bild.
     .do = Ihn zuerst orientieren oder ausgleichen.
 
 block-nothing_to_write = Block { $block } hat weder Punkte noch Aufnahmen; es gibt nichts zu schreiben.
+    .do = Einen Block mit Punkten oder Aufnahmen angeben.
 
 block-is_a_file = Das ist eine Datei und nicht der Ordner eines Blocks.
     .do = Einen Ordner mit block.toml, images.csv und observations.csv angeben.
@@ -25,15 +26,20 @@ block-no_camera = Der Block hat keine Kamera.
     .do = Für jede Kamera eine Tabelle [cameras.ID] ergänzen.
 
 block-no_scene = Block { $block } hat keine Satellitenszene; RPC werden nur für Szenen geschrieben.
+    .do = Ein anderes Format wählen oder einen Block mit Satellitenszenen angeben.
 
 block-not_numbers = Block { $block }: { $name } enthält { $type }; nötig sind Zahlen.
+    .do = { $name } in ein Feld von Zahlen umwandeln, mit nan für unbekannte Werte.
 
 block-not_whole_numbers = Block { $block }: { $name } enthält { $type }; Positionen müssen ganze Zahlen sein.
+    .do = { $name } in ein Feld ganzer Zahlen umwandeln.
 
 block-position_out_of_range = Block { $block }: { $name }[{ $row }] ist { $position }; Positionen gehen von 0 bis { $last }.
+    .do = Diese Position berichtigen oder die fehlende Zeile in der Zieltabelle ergänzen.
 
 block-shape = Block { $block }: { $name } muss ein Feld der Form ({ $shape }) sein.
     .why = Der Typ ist { $type }, die Form ({ $found }).
+    .do = Ein Feld dieser Form angeben, mit einer Zeile je Zeile der Tabelle.
 
 block-number_too_large = { $kind ->
         [image] Bild { $image }
@@ -52,7 +58,7 @@ block-parts_without_datum = Der Block hat { $parts } Teile ohne gemeinsame Verkn
      } kein Datum.
     .do = Punkte messen, die die Teile verbinden, jedem Teil Passpunkte geben oder die Teile einzeln ausgleichen.
 
-block-open_part = Bilder { LIST($images, most: 10) }: nicht bestimmt: { datum-part }
+block-open_part = Nicht bestimmt für die Bilder { LIST($images, most: 10) }: { datum-part }.
 
 block-scale_free = Der Maßstab des Blocks ist nicht bestimmt: Keine Länge legt ihn fest.
     .do = Der Ausgleichung eine Maßstabsstrecke, zwei Passpunkte oder beobachtete Positionen geben{ $optional ->

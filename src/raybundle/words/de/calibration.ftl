@@ -83,7 +83,8 @@ calibration-formats_differ = Kalibrierungen von { $first_px } px und { $second_p
     .do = Eine auf das Format der anderen skalieren.
 
 calibration-cropped_format = { $width_px } × { $height_px } px ist keine Verkleinerung von { $camera_width_px } × { $camera_height_px } px.
-    .why = Das Format wurde beschnitten.
+    .why = Das Format wurde beschnitten; der Bildhauptpunkt der Kalibrierung gilt dafür nicht.
+    .do = Aufnahmen des vollen Formats verwenden oder mit Aufnahmen des beschnittenen Formats kalibrieren.
 
 calibration-used = Kalibriert: { $used } von { $of } Aufnahmen, { $points } { $natural ->
         [yes] Objektpunkte

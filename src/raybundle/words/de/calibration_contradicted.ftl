@@ -13,12 +13,14 @@ calibration_contradicted-harmless = Kamera { $camera }: Die Aufnahmen widersprec
     .why = Sie verschiebt Bildpunkte um bis zu { NUM($effect_px, digits: 2) } px (Sigma { NUM($sigma_px, digits: 2) } px), Projektionszentren aber nicht signifikant (F { NUM($centres, digits: 3) }, Grenze { NUM($centres_limit, digits: 3) }; { $n } Parameter, { $level_percent } %); die Kalibrierung kann die bessere sein.
     .do = Kontrollpunkte oder Längen vergleichen.
 
-calibration_contradicted-given = { $symbol }: angegeben { NUM($given, digits: 9) } { $unit }, gefunden { NUM($found, digits: 9) } { $unit } (|w| { NUM($w, decimals: 1) }, Grenze { NUM($limit, decimals: 1) }{ $alone ->
+calibration_contradicted-given = Parameter { $symbol }: angegeben { NUM($given, digits: 9) } { $unit }, gefunden { NUM($found, digits: 9) } { $unit } (|w| { NUM($w, decimals: 1) }, Grenze { NUM($limit, decimals: 1) }{ $alone ->
         [yes] { "" }
-       *[no] ; nur alle Parameter zusammen überschreiten ihre Grenze
-     })
+        *[no] ; nur alle Parameter zusammen überschreiten ihre Grenze
+    }).
+    .do = Den angegebenen Wert mit dem Kalibrierschein vergleichen.
 
-calibration_contradicted-moved = { $symbol }: festgehalten { NUM($given, digits: 9) } { $unit }, gefunden { NUM($found, digits: 9) } ± { NUM($sigma, digits: 2) } { $unit } ({ NUM($effect_px, digits: 2) } px; |w| { NUM($w, decimals: 1) }, Grenze { NUM($limit, decimals: 1) }{ $alone ->
+calibration_contradicted-moved = Parameter { $symbol }: festgehalten { NUM($given, digits: 9) } { $unit }, gefunden { NUM($found, digits: 9) } ± { NUM($sigma, digits: 2) } { $unit } ({ NUM($effect_px, digits: 2) } px; |w| { NUM($w, decimals: 1) }, Grenze { NUM($limit, decimals: 1) }{ $alone ->
         [yes] { "" }
-       *[no] ; nur alle Parameter zusammen überschreiten ihre Grenze
-     })
+        *[no] ; nur alle Parameter zusammen überschreiten ihre Grenze
+    }).
+    .do = Den festgehaltenen Wert mit dem Kalibrierschein vergleichen.

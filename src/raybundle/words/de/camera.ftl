@@ -1,5 +1,6 @@
-camera-panorama_not_supported = Kamera { $camera }: Dieses Format hat kein Modell für Rotationspanoramen.
-    .do = Nur die Flächenbilder ausgeben.
+camera-panorama_not_supported = Kamera { $camera } ist eine Panoramakamera; dieser Schritt oder dieses Format kann sie nicht verwenden.
+    .why = Die Kamera wird nicht selbsttätig weggelassen; es gibt kein Ergebnis.
+    .do = Die Bilder dieser Kamera aus dem Block entfernen, dann den Befehl erneut ausführen.
 
 camera-no_lens = Kamera { $camera }: c = { $c_mm } mm und A = { $A } sind keine gültige innere Orientierung.
     .do = c über 0 und A nahe 0 angeben.

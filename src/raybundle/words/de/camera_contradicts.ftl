@@ -2,9 +2,9 @@ camera_contradicts = Kamera { $camera }: Die gefundene innere Orientierung ist f
     .why = Orientierungen und ihre Standardabweichungen sind nicht verlässlich (Chi-Quadrat { NUM($squares, decimals: 0) } aus { $n }, Grenze { NUM($limit, decimals: 1) } bei { $level_percent } %).
     .do = { OPTION("calibration") } angeben, auch für beschnittene Aufnahmen oder ein ungewöhnliches Objektiv, oder konvergente und verkantete Aufnahmen machen.
 
-camera_contradicts-value = { $symbol }: { NUM($found_px, decimals: 0) } px gefunden, { NUM($known_px, decimals: 0) } ± { NUM($known_sigma_px, decimals: 0) } px bekannt
+camera_contradicts-value = Parameter { $symbol }: { NUM($found_px, decimals: 0) } px gefunden, { NUM($known_px, decimals: 0) } ± { NUM($known_sigma_px, decimals: 0) } px bekannt.
 
-camera_contradicts-factor = { $symbol }: { NUM($found_px, decimals: 0) } px gefunden, { NUM($known_px, decimals: 0) } px bekannt bis auf den Faktor { $factor }
+camera_contradicts-factor = Parameter { $symbol }: { NUM($found_px, decimals: 0) } px gefunden, { NUM($known_px, decimals: 0) } px bekannt bis auf den Faktor { $factor }.
 
 camera_contradicts-millimetres = Kamera { $camera }: Ihre Bildpunkte sind wohl in mm, nicht in Pixeln.
     .why = Sie erstrecken sich über { $x_px } x { $y_px }, wie das Format in mm; es hat { $width_px } x { $height_px } px.
@@ -13,4 +13,4 @@ camera_contradicts-millimetres = Kamera { $camera }: Ihre Bildpunkte sind wohl i
 camera_contradicts-pixels = Die Pixel haben nicht die angegebene Form: sigma0 ist { $sigma0 } mit anderer Pixelhöhe, { $sigma0_given } wie angegeben.
     .do = pixel_mm prüfen, und ob Bilder umgerechnet wurden. Höhen im Verhältnis zu den angegebenen:
 
-camera_contradicts-pixel_height = Kamera { $camera }: { NUM($factor, digits: 5) }
+camera_contradicts-pixel_height = Kamera { $camera }: Die Pixelhöhe ist das { NUM($factor, digits: 5) }-Fache der angegebenen.

@@ -13,8 +13,8 @@ colmap-camera_line = Eine Kamera braucht Nummer, Modell, Breite, Höhe und Param
 colmap-image_line = Ein Bild braucht Nummer, 4 + 3 Zahlen, Kamera und Name.
     .do = Diese Zeile vervollständigen.
 
-colmap-image_points_line = Die { $n } Wörter dieser Zeile sind keine Tripel aus x, y und Punkt.
-    .do = Die Zeile berichtigen.
+colmap-image_points_line = Die Zeile der Bildpunkte hat { $n } Zahlen; jeder Punkt braucht drei: x, y und Punktnummer.
+    .do = Diese Zeile berichtigen oder das Modell erneut aus COLMAP ausgeben.
 
 colmap-point_line = Ein Punkt braucht Nummer, 3 Koordinaten, 3 Farben und einen Fehler.
     .do = Diese Zeile vervollständigen.

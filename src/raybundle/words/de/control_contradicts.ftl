@@ -64,7 +64,7 @@ control_contradicts-centres = Passpunkte und beobachtete Projektionszentren wide
     }.
     .do = Höhenbezug, Koordinatensystem, Achsen und Antennenversatz prüfen oder eines von beiden weglassen. Unterschiede:
 
-control_contradicts-axis = { $axis }: Zentren minus Passpunkte { $apart } (± { NUM($sigma, digits: 2) })
+control_contradicts-axis = Koordinate { $axis }: Projektionszentren minus Passpunkte sind { $apart } (± { NUM($sigma, digits: 2) }).
 
 control_contradicts-one_of_few = Einer der Passpunkte { $names } ist falsch; welcher, ist nicht eindeutig.
     .why = Ohne Passpunkte ist sigma0 { $alone } (Grenze { $limit }); { $solved ->

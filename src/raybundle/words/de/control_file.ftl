@@ -5,10 +5,15 @@ control_file-not_measured = { $n } { $n ->
         [one] Passpunkt wurde
        *[other] Passpunkte wurden
      } nicht gemessen: { LIST($ids, most: 10) }.
+    .why = Das Ergebnis hat keine Koordinaten dieser Punkte, und sie stützen es nicht.
+    .do = Diese Punkte in mindestens zwei Aufnahmen messen oder aus der Datei löschen.
 
-control_file-tolerance = Die Spalte tolerance in { $name } wird nicht verwendet: Sie gehört zu Sollkoordinaten.
+control_file-tolerance = Die Spalte tolerance in { $name } wird nicht verwendet: Toleranzen gehören zu Sollkoordinaten.
+    .why = Das Gewicht der Passpunkte folgt allein aus ihren Standardabweichungen.
+    .do = Standardabweichungen in den Spalten sX, sY, sZ angeben.
 
-control_file-tolerance_unused = Die Spalte tolerance der Passpunkte wird nicht verwendet: Sie gehört zu Sollkoordinaten.
+control_file-tolerance_unused = Die Spalte tolerance der Passpunkte wird nicht verwendet: Toleranzen gehören zu Sollkoordinaten.
+    .do = Standardabweichungen in den Spalten sX, sY, sZ angeben.
 
 control_file-words_behind_names = { $name }: Wörter nach dem Namen des Punktes sind in { $n } { $n ->
      [one] Zeile

@@ -15,6 +15,6 @@ control_identical-alike = { $pairs } { $pairs ->
     .why = Die Standardabweichungen trennen diese Punkte nicht.
     .do = Einem einzigen Punkt einen einzigen Namen geben oder die Standardabweichungen berichtigen.
 
-control_identical-pair = { $first } und { $second }
+control_identical-pair = Ein Paar sind { $first } und { $second }.
 
-control_identical-pair_apart = { $first } und { $second }: { NUM($apart_px, decimals: 0) } px Abstand im Bild { $image }
+control_identical-pair_apart = Ein Paar sind { $first } und { $second }: { NUM($apart_px, decimals: 0) } px Abstand im Bild { $image }.

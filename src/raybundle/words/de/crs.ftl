@@ -40,6 +40,7 @@ crs-geoid_missing = { $heights } braucht ein Geoid, das nicht installiert ist.
      }.
 
 crs-coordinate_shape = Nötig sind Koordinaten der Form (n, 3), nicht ({ $shape }).
+    .do = Ein Feld mit drei Spalten angeben: X, Y und Z.
 
 crs-not_transformed = Punkt { $number } bei { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } liegt außerhalb von { $system }.
     .do = Koordinatensystem und Reihenfolge der Koordinaten prüfen (Ostwert oder Länge zuerst).

@@ -8,6 +8,7 @@ datum-points_in_line = Die Objektpunkte können das Datum nicht festlegen: Sie l
     .do = Punkte neben dieser Geraden messen.
 
 datum-fixed = Die Beobachtungen legen das Datum dieses Blocks fest; ein anderes ist nicht wählbar.
+    .do = Die Standardabweichungen des Ergebnisses verwenden oder den Block ohne Passpunkte und Maßstab ausgleichen.
 
 datum-part = { $part ->
         [position_x] Lage in X

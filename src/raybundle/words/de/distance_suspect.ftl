@@ -21,7 +21,7 @@ distance_suspect-left_out = { $bars } { $bars ->
      *[other] Länge, Einheit (wahrscheinlich { $likely }) und Endpunkte prüfen
     }.
 
-distance_suspect-bar = { $name }: { NUM($given, digits: 6) } { $unit } angegeben, { NUM($shown, digits: 6) } { $unit } im Block
+distance_suspect-bar = Maßstabsstrecke { $name }: { NUM($given, digits: 6) } { $unit } angegeben, { NUM($shown, digits: 6) } { $unit } im Block.
 
 distance_suspect-beside_control = Maßstabsstrecke { $start } - { $end } widerspricht den Passpunkten, weggelassen: Faktor { NUM($ratio, digits: 4) } (Grenze { $limit }).
     .why = Angegeben sind { NUM($given_m, digits: 6) } m; im System der Passpunkte sind es { NUM($measured_m, digits: 4) } m.

@@ -28,9 +28,9 @@ drawing-does_not_fit = Das Objekt mit { $width_m } x { $height_m } m passt { $sc
 }
     .do = Eine dieser Möglichkeiten wählen:
 
-drawing-fitting_scale = Ein kleinerer Maßstab: { OPTION("scale", $scale) }.
+drawing-fitting_scale = Ein kleinerer Maßstab passt: { OPTION("scale", $scale) }.
 
-drawing-fitting_paper = Ein größeres Papier: { OPTION("paper", $paper) }.
+drawing-fitting_paper = Ein größeres Papier passt: { OPTION("paper", $paper) }.
 
 drawing-joined_sheets = Mehrere Blätter, die aneinandergelegt werden: { OPTION("several", "True") }.
 

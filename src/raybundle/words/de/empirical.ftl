@@ -25,9 +25,12 @@ empirical-none_fitted = Kein empirisches Modell lässt sich anpassen.
 empirical-excluded_needs_model = { OPTION("without") } braucht ein bestimmtes Modell.
     .do = { OPTION("model", "dlt-brown") } angeben.
 
-empirical-no_redundancy = { $model }: keine Redundanz; die Anpassung lässt sich nicht beurteilen.
+empirical-no_redundancy = { $model } hat keine Redundanz; die Anpassung lässt sich nicht beurteilen.
+    .why = Ein grober Fehler in einem Punkt verfälscht das Modell, ohne ein Residuum zu erzeugen.
+    .do = Punkte ergänzen oder ein Modell mit weniger Parametern verwenden.
 
 empirical-adequate = { $model }: Residuen von { $x_px }; { $y_px } px (rms) passen zu einem Sigma von { $sigma_px } px.
+    .do = Das Modell nur im Gebiet und im Höhenbereich dieser Punkte verwenden.
 
 empirical-not_adequate = { $model } ist für diese Szene nicht geeignet: Residuen von { $x_px }; { $y_px } px (rms).
     .why = Sie sind { $ratio }-mal so groß, wie ein Sigma von { $sigma_px } px erklärt (Grenze { $limit }).
@@ -38,3 +41,4 @@ empirical-none_adequate = Kein Modell ist geeignet; am nächsten ist { $model }:
     .do = Nach groben Fehlern suchen oder ein physikalisches Modell verwenden.
 
 empirical-advised = { $model } ist mit { $n } Parametern geeignet: { $left_out_px } px (rms) an ausgelassenen Koordinaten.
+    .do = Dieses Modell nur im Gebiet und im Höhenbereich der Punkte verwenden.

@@ -1,1 +1,2 @@
 error-other = Ursache: { $detail }
+    .do = Diese Ursache beheben, dann den Befehl erneut ausführen.

@@ -26,3 +26,4 @@ export-formats_failed = Formate, die sich nicht schreiben lassen: { $n }; geschr
         [0] keines
        *[other] { LIST($places, most: 20) }
      }.
+    .do = Die folgenden Ursachen beheben, dann erneut in diese Formate umwandeln.

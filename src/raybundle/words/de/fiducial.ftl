@@ -18,3 +18,4 @@ fiducial-no_film = Diese Aufnahmen sind keine Scans von Film: Keine Rahmenmarke 
     .do = Das Projekt mit einem Kalibrierschein beginnen: { OPTION("film", "CERTIFICATE") }.
 
 fiducial-no_scans = Die Aufnahmen sind keine Scans von Film und haben keine Rahmenmarken.
+    .do = Bei Scans von Film das Projekt mit einem Kalibrierschein beginnen: { OPTION("film", "CERTIFICATE") }.

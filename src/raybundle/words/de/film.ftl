@@ -24,14 +24,20 @@ film-no_marks = Bild { $image } hat Punkte, aber keine Marken.
     .do = Seine Rahmenmarken messen.
 
 film-marks_implausible = Bild { $image }: Kein Film hat die Verformung, die diese Marken zeigen.
+    .why = Die Transformation würde alle Bildpunkte verfälschen; dieser Scan wird nicht transformiert.
+    .do = Die Marken wie unten beschrieben berichtigen, dann die Scans erneut transformieren.
 
 film-no_transformation = Bild { $image }: Keine Transformation { $model } passt zu den Marken.
+    .do = Die Marken wie unten beschrieben berichtigen, dann die Scans erneut transformieren.
 
-film-residuals = Die Residuen der Marken erreichen { $worst_mm } mm (Grenze { $limit_mm } mm).
+film-residuals = Residuen der Rahmenmarken erreichen { $worst_mm } mm nach der Transformation (Grenze { $limit_mm } mm).
+    .do = Namen, gemessene und kalibrierte Positionen der Marken vergleichen.
 
-film-stretch = Der Film wäre entlang einer Achse { $ratio }-mal so stark gedehnt wie entlang der anderen (Grenze { $limit }).
+film-stretch = Die Marken würden den Film entlang einer Achse { $ratio }-mal so stark dehnen wie entlang der anderen (Grenze { $limit }).
+    .do = Namen, gemessene und kalibrierte Positionen der Marken vergleichen.
 
-film-shear = Die Achsen des Films wichen um { $shear_deg }° vom rechten Winkel ab (Grenze { $limit_deg }°).
+film-shear = Die Marken würden den Film scheren: Die Achsen weichen um { $shear_deg }° vom rechten Winkel ab (Grenze { $limit_deg }°).
+    .do = Namen, gemessene und kalibrierte Positionen der Marken vergleichen.
 
 film-marks_exchanged = Die Namen zweier Marken sind wahrscheinlich vertauscht: { $pairs }.
     .do = Diese Namen tauschen.
@@ -46,5 +52,7 @@ film-camera_missing = Filmscans brauchen eine kalibrierte Kamera.
     .do = Ihr Kalibrierprotokoll angeben: { OPTION("calibration", "CAMERA") }.
 
 film-scans_not_transformed = Scans, die sich nicht transformieren lassen: { $n }. Nichts wird geschrieben.
+    .do = Die Marken dieser Scans wie unten beschrieben berichtigen oder ihre Zeilen löschen.
 
 film-one_camera = Angegebene Kameras: { $n }; Scans von Film benötigen genau eine, die Kamera des Films.
+    .do = Eine Kamera angeben: { OPTION("calibration", "CAMERA") }.

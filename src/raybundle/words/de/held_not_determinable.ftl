@@ -3,9 +3,10 @@ held_not_determinable-cameras = Die Punkte bestimmen die innere Orientierung von
     .do = Mehr Punkte messen.
 
 held_not_determinable = Kamera { $camera }: { $symbol } ist nicht bestimmbar und auf dem bekannten Wert { NUM($at, digits: 4) } { $unit } festgehalten.
-    .why = Das Ergebnis gilt für diesen Wert.
+    .why = Das Ergebnis gilt für diesen Wert; ein Fehler des Wertes verfälscht Koordinaten ohne größere Residuen.
+    .do = Konvergente und verkantete Aufnahmen ergänzen oder eine Kalibrierung angeben.
 
-held_not_determinable-sigma = Die Standardabweichung wäre { NUM($sigma, digits: 2) } { $unit }, im Bild { NUM($effect_px, decimals: 0) } px.
+held_not_determinable-sigma = Die Standardabweichung dieses Parameters wäre { NUM($sigma, digits: 2) } { $unit }, im Bild { NUM($effect_px, decimals: 0) } px.
 
 held_not_determinable-known_before = { $n } { $n ->
         [one] Kameraparameter ist
@@ -17,7 +18,7 @@ held_not_determinable-known_before = { $n } { $n ->
     .why = Orientierungen und Koordinaten hängen von diesen Annahmen ab.
     .do = Eine Kalibrierung angeben.
 
-held_not_determinable-parameters = Kamera { $camera }: { LIST($symbols, most: 10) }
+held_not_determinable-parameters = Kamera { $camera }: Festgehalten sind { LIST($symbols, most: 10) }.
 
 held_not_determinable-value = Kamera { $camera }, { $symbol }: bekannt { NUM($known_px, decimals: 0) } ± { NUM($known_sigma_px, decimals: 0) } px, gefunden { NUM($found_px, decimals: 0) } ± { NUM($sigma_px, decimals: 0) } px
 

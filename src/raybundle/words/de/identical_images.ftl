@@ -3,6 +3,7 @@ identical_images-copies = { $n } { $n ->
      *[other] Aufnahmen sind Kopien anderer oder haben keine Basis zu ihnen; weggelassen:
     } { LIST($names, most: 3) }.
     .why = Eine Kopie wiederholt das Rauschen ihres Originals; Standardabweichungen würden zu klein.
+    .do = Eine Aufnahme, die keine Kopie ist, von einem anderen Standpunkt wiederholen.
 
 identical_images = { $pairs } { $pairs ->
         [one] Bildpaar hat

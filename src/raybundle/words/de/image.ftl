@@ -43,10 +43,10 @@ image-too_few_points = { $n } { $n ->
     .why = Eine äußere Orientierung braucht mindestens drei.
     .do = Dort mehr Punkte messen oder die Bilder weglassen.
 
-image-points_and_unknowns = { $images }: { $n } { $n ->
+image-points_and_unknowns = Bilder { $images }: { $n } { $n ->
         [one] Bildpunkt
-       *[other] Bildpunkte
-     } für { $unknowns } Unbekannte
+        *[other] Bildpunkte
+    } für { $unknowns } Unbekannte.
 
 image-not_oriented = Bild { $image } hat keine äußere Orientierung.
     .do = Es zuerst orientieren.

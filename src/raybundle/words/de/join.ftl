@@ -1,4 +1,5 @@
 join-one_block = Zum Verbinden sind mindestens zwei Blöcke nötig.
+    .do = Zwei oder mehr Projekte oder Blöcke angeben.
 
 join-too_few_common = { $name } und { $base } haben { $n } { $n ->
         [one] gemeinsamen Punkt
@@ -33,7 +34,7 @@ join-scale_of = Maßstab von { $name }: { $kind ->
         }
      }.
 
-join-scale_bar = { $start } - { $end }: { NUM($length, digits: 10) } { $unit }
+join-scale_bar = Maßstabsstrecke { $start } - { $end }: { NUM($length, digits: 10) } { $unit }.
 
 join-same_measurement = Alle Aufnahmen von { $name } ({ $n }) haben in { $first } und in { $second } dieselben Bildpunkte.
     .why = Sie würden doppelt zählen: { LIST($names, most: 3) }.
@@ -88,6 +89,8 @@ join-camera_differs = Kamera { $camera } unterscheidet sich signifikant zwischen
     .do = Prüfen, ob Fokus oder Zoom geändert wurden.
 
 join-dots_renumbered = Punkte ohne Code sind neu nummeriert: { $n } sind nach der Lage gemeinsam, { $others } von { $names } haben neue Nummern.
+    .why = Die Nummern solcher Punkte sind je Block verschieden; die Messungen ändern sich nicht.
+    .do = In Tabellen für den gemeinsamen Block die neuen Nummern verwenden.
 
 join-points_beyond_sigma = Nicht bewegte gemeinsame Punkte von { $name } weichen stärker ab, als ihre Standardabweichungen erklären (F { $F }).
     .why = Diese sind zu klein, oder viele Punkte haben sich ein wenig bewegt.
@@ -96,6 +99,8 @@ join-frame_of = Der Rahmen ist der von { $name } mit { $control ->
         [yes] Passpunkten oder Positionen
        *[no] einem Maßstab
      }.
+    .why = Alle Koordinaten des gemeinsamen Blocks sind in diesem Rahmen.
+    .do = Für einen anderen Rahmen das Ergebnis transformieren: raybundle datum.
 
 join-images_renamed = { $n } { $n ->
         [one] Bild
@@ -104,14 +109,18 @@ join-images_renamed = { $n } { $n ->
         [one] hat einen neuen Namen
        *[other] haben neue Namen
      } wie { $example }: Die alten gibt es in einem anderen Block.
+    .why = Namen sind in einem Block eindeutig; die Messungen ändern sich nicht.
+    .do = In Tabellen und Optionen für den gemeinsamen Block die neuen Namen verwenden.
 
 join-cameras_renamed = Kameras von { $name } gelten als andere Kameras: { LIST($ids, most: 9) } { $n ->
         [one] heißt
        *[other] heißen
      } jetzt { LIST($renamed, most: 9) }.
+    .why = Im gemeinsamen Block hat jede Kamera ihre eigene innere Orientierung.
+    .do = Wenn es dieselbe Kamera ist, { OPTION("same_camera", "True") } verwenden.
 
-join-other_frame = { $name } ist in den Rahmen von { $base } transformiert. Die Ursprünge sind { NUM($away_m, decimals: 3) } m voneinander entfernt.
-    .why = Sein eigener Rahmen ist { $kind ->
+join-other_frame = { $name } ist in den Rahmen von { $base } transformiert, dessen Ursprung { NUM($away_m, decimals: 3) } m entfernt ist.
+    .why = Der ursprüngliche Rahmen ist { $kind ->
         [projected] { $system }
         [geocentric] geozentrisch
        *[local] lokal{ $known ->
@@ -119,6 +128,7 @@ join-other_frame = { $name } ist in den Rahmen von { $base } transformiert. Die 
            *[no] { " " }(Länge, Breite, Höhe)
         }, Ursprung { $origin }
      }.
+    .do = Für einen anderen Rahmen das Ergebnis transformieren: raybundle datum.
 
 join-point_incomplete = Punkt { $point } von { $block } fehlt eine Koordinate; er lässt sich nicht in das andere System überführen.
     .do = Den Block zuerst ausgleichen.

@@ -3,8 +3,10 @@ joint-no_covariances = Die Ausgleichung hat keine Kovarianzen.
     .do = Erneut mit Statistik ausgleichen.
 
 joint-image_not_used = Bild { $image } ist nicht in der Ausgleichung.
+    .do = Ein beteiligtes Bild wählen oder in diesem Bild mehr Punkte messen und neu ausgleichen.
 
 joint-point_not_used = Punkt { $point } ist nicht in der Ausgleichung.
+    .do = Einen beteiligten Punkt wählen oder diesen Punkt in mehr Bildern messen und neu ausgleichen.
 
 joint-no_named_points = { $name }: Kein ausgeglichener Punkt hat einen eigenen Namen.
     .do = Zielmarken messen oder Punkte markieren.

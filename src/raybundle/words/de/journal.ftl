@@ -1,6 +1,8 @@
 journal-nothing_to_undo = Es gibt nichts rückgängig zu machen.
+    .do = Die Messung selbst berichtigen oder löschen.
 
 journal-nothing_to_redo = Es gibt nichts wiederherzustellen: Die letzte Aktion wurde nicht rückgängig gemacht.
+    .do = Die Aktion von Hand wiederholen.
 
 journal-no_place = In diesem Ordner lässt sich nichts messen.
     .do = Einen Projekt-, Ergebnis- oder Blockordner angeben.

@@ -1,4 +1,5 @@
 length_test-no_length = Eine Längenprüfung braucht mindestens eine bekannte Länge.
+    .do = Eine kalibrierte Länge zwischen zwei gemessenen Punkten angeben.
 
 length_test-no_scale = { $name }: Keine Beobachtung bestimmt den Maßstab; Längen haben keine Einheit.
     .do = Eine Maßstabsstrecke angeben.

@@ -8,3 +8,5 @@ mask_refused = Die { $n ->
         [one] die Aufnahme wird
        *[other] die Aufnahmen werden
     } ganz verwendet.
+    .why = Merkmale im Hintergrund können in diesen Aufnahmen falsche Punkte ergeben.
+    .do = Die Masken wie unten beschrieben berichtigen, dann den Befehl erneut ausführen.

@@ -2,8 +2,10 @@ mesh-no_triangles = Die Vermaschung { $name } hat keine Dreiecke.
     .do = Aus der Punktwolke eine Vermaschung erzeugen oder eine andere Datei angeben.
 
 mesh-vertex_not_finite = Vermaschung { $name }: Eckpunkt { $vertex } hat eine Koordinate, die keine endliche Zahl ist.
+    .do = Die Koordinate berichtigen oder den Eckpunkt mit seinen Dreiecken löschen.
 
 mesh-unknown_vertex = Vermaschung { $name }: Ein Dreieck verweist auf Eckpunkt { $vertex }, es gibt aber nur { $n }.
+    .do = Das Dreieck berichtigen oder die fehlenden Eckpunkte ergänzen.
 
 mesh-no_area = Vermaschung { $name }: Die Dreiecke haben keine Fläche.
     .do = Einheit und Eckpunkte der Vermaschung prüfen.

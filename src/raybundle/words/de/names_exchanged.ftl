@@ -4,4 +4,4 @@ names_exchanged = { $pairs } { $pairs ->
      } mit vertauschten Namen: { $ids }.
     .do = In diesen Bildern die Namen vertauschen.
 
-names_exchanged-pair = { $first } und { $second } im Bild { $image }
+names_exchanged-pair = Die Namen { $first } und { $second } sind im Bild { $image } wohl vertauscht.

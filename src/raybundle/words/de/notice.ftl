@@ -1,4 +1,4 @@
 notice-also = Dasselbe gilt für { $n } { $n ->
-    [one] weiteren
-   *[other] weitere
- }: { LIST($names, most: 10) }.
+        [one] weiteres Objekt
+        *[other] weitere Objekte
+    }: { LIST($names, most: 10) }.

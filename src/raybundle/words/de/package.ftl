@@ -29,6 +29,7 @@ package-rioxarray_missing = Die Karte als DataArray zu lesen braucht das Paket r
     .do = Ausführen: pip install rioxarray
 
 package-several_missing = { $n } Pakete fehlen:
+    .do = Die unten genannten Pakete installieren.
 
 package-typst_missing = Ein Bericht als PDF benötigt das Paket typst.
     .do = Ausführen: pip install 'raybundle[pdf]'

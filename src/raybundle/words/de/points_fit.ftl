@@ -1,4 +1,4 @@
-points_fit-apart = { $point }: { $apart_mm } mm Abstand.
+points_fit-apart = Punkt { $point }: { $apart_mm } mm Abstand.
 
 points_fit-names_exchanged = Mit vertauschten Namen { $first } und { $second } passen beide.
 

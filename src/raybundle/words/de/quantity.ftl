@@ -5,6 +5,7 @@ quantity-in_line = Die Punkte liegen auf einer Geraden.
     .do = Andere Punkte wählen.
 
 quantity-not_defined = Die Größe { $quantity } ist durch die Punkte { $names } nicht bestimmt.
+    .do = Andere Punkte für diese Größe wählen.
 
 quantity-point_count = { $quantity }: { $n } Punkte sind angegeben; { $most ->
         [0] nötig sind mindestens { $least }

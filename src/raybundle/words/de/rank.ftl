@@ -1,5 +1,6 @@
 rank-not_determined = Die Beobachtungen bestimmen nicht alle Unbekannten.
     .why = Standardabweichungen lassen sich nicht angeben.
+    .do = Beobachtungen oder Passpunkte ergänzen oder die unbestimmten Parameter festhalten.
 
 rank-no_observation = { $n } { $n ->
         [one] Unbekannte hat
@@ -13,7 +14,7 @@ rank-parallel_rays = Die Strahlen zu { $n } { $n ->
      } sind parallel oder fallen zusammen: { LIST($points, most: 10) }.
     .do = Sie von einem weiteren Standpunkt messen.
 
-rank-undetermined_together = Gemeinsam unbestimmt:
+rank-undetermined_together = Die Beobachtungen bestimmen diese Unbekannten gemeinsam nicht:
     .do = { $parameter ->
         [scale] c festhalten (in `estimate` weglassen) oder konvergente Bilder oder Punkte in verschiedenen Tiefen ergänzen.
         [principal_point] Den Bildhauptpunkt festhalten oder um 90° verkantete Bilder ergänzen.
@@ -26,9 +27,9 @@ rank-undetermined_together = Gemeinsam unbestimmt:
        *[other] Den Parameter festhalten.
      }
 
-rank-share = { $kind ->
-        [parameter] { $symbol } der Kamera { $name } { $image }
-        [image] Äußere Orientierung des Bildes { $name }
+rank-share = Anteil { PERCENT($share) } %: { $kind ->
+        [parameter] Parameter { $symbol } der Kamera { $name } { $image }
+        [image] äußere Orientierung des Bildes { $name }
         [point] Punkt { $name }
-       *[other] { $name }
-     } ({ PERCENT($share) } %)
+        *[other] { $name }
+    }

@@ -2,6 +2,8 @@ relative_control = Positionen von { $photographs } Aufnahmen auf { $lines } Flug
         [yes] {" "}(mit Drift)
        *[no] {""}
     }.
+    .why = Ein konstanter Fehler der Positionen eines Streifens verformt den Block dann nicht.
+    .do = Für die absolute Lage mindestens drei Passpunkte angeben.
 
 relative_control-excluded = { $n } { $n ->
         [one] Aufnahme

@@ -7,18 +7,19 @@ residual_structure = Residuen benachbarter Bildpunkte sind korreliert ({ NUM($co
 
 residual_structure-shared = Bildpunkte haben gemeinsame, langsam veränderliche Fehler; Standardabweichungen sind bis zu { NUM($largest, digits: 2) }-mal zu klein.
     .why = Die Standardabweichungen setzen unabhängige Fehler voraus.
+    .do = Mit { OPTION("noise", "fields") } ausgleichen.
 
-residual_structure-fields = Glatte, von Bild zu Bild verschiedene Fehler: { NUM($tau_px, digits: 2) } px
+residual_structure-fields = Glatte, von Bild zu Bild verschiedene Fehler betragen { NUM($tau_px, digits: 2) } px.
 
-residual_structure-focus = Veränderliche Fokussierung: { NUM($focus_px, digits: 2) } px
+residual_structure-focus = Fehler durch veränderliche Fokussierung betragen { NUM($focus_px, digits: 2) } px.
 
-residual_structure-neighbours = Gemeinsame Fehler benachbarter Punkte: das { NUM($phi, digits: 2) }-Fache der Varianz
+residual_structure-neighbours = Gemeinsame Fehler benachbarter Punkte betragen das { NUM($phi, digits: 2) }-Fache der Varianz.
 
-residual_structure-times = { $object ->
-        [interior] Innere Orientierung
-       *[points] Objektpunkte
-     }: Standardabweichungen { NUM($factor, digits: 2) }-mal zu klein (Median)
+residual_structure-times = Standardabweichungen { $object ->
+        [interior] der inneren Orientierung
+        *[points] der Objektpunkte
+    } sind { NUM($factor, digits: 2) }-mal zu klein (Median).
 
-residual_structure-sample = Geschätzt aus einem Teil von { $images } Bildern, der für sich ausgeglichen wurde.
+residual_structure-sample = Diese Werte sind aus einem Teil des Blocks geschätzt: { $images } für sich ausgeglichene Bilder.
 
 residual_structure-with_fields = Mit Rauschfeldern ({ OPTION("noise", "fields") }, wie bei `orient`) enthalten die Standardabweichungen diese Fehler.

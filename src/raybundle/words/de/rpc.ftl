@@ -56,6 +56,8 @@ rpc-inaccurate_fit = Das beste RPC weicht um { $misfit_px } px von diesem Modell
     .do = Das strenge Modell oder einen Teil des Bildes verwenden.
 
 rpc-scene_localisation = Szene { $scene }: Ein Bildpunkt hat keinen Geländepunkt.
+    .why = Die RPC gelten an diesem Bildpunkt oder in dieser Höhe nicht.
+    .do = Bildkoordinaten und Höhe prüfen oder die RPC neu beschaffen.
 
 rpc-corrected = RPC { $kind ->
         [none] nicht korrigiert

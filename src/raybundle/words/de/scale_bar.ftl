@@ -26,7 +26,7 @@ scale_bar-contradict = Maßstabsstrecken widersprechen sich um den Faktor { $fac
        *[no] Längen in Metern angeben und die Namen der Enden prüfen
      }.
 
-scale_bar-given_and_measured = { $bar }: angegeben { NUM($given_m, digits: 6) } m, nach { $pair ->
+scale_bar-given_and_measured = Maßstabsstrecke { $bar }: angegeben { NUM($given_m, digits: 6) } m, nach { $pair ->
         [yes] { $others }
-       *[no] den übrigen
-     } { NUM($measured_m, digits: 6) } m
+        *[no] den übrigen Strecken
+    } { NUM($measured_m, digits: 6) } m.

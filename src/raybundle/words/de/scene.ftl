@@ -20,6 +20,7 @@ scene-companion_gone = Kamera { $camera }: { $scene } verweist auf diese Datei, 
     .do = Die Datei wiederherstellen.
 
 scene-length_unit = Satellitenszenen brauchen length_unit = "m", nicht "{ $unit }".
+    .do = In block.toml length_unit = "m" setzen und alle Längen und Koordinaten in Metern angeben.
 
 scene-file_elsewhere = { $name } ist nicht der Name einer Datei im Ordner dieser Datei.
     .do = Die Datei in diesen Ordner kopieren und nur ihren Namen angeben.
@@ -109,8 +110,9 @@ scene-none_corrected = Keine von { $n } { $n ->
         [one] Szene
        *[other] Szenen
      } lässt sich verbessern:
+    .do = Szenen oder Passpunkte wie unten beschrieben berichtigen.
 
-scene-not_corrected = Szene { $scene }:
+scene-not_corrected = Szene { $scene } ist nicht verbessert:
 
 scene-name_twice = Zwei Szenen heißen { $name }.
     .do = Eine umbenennen.
@@ -204,6 +206,7 @@ scene-pair_scattered = { $n } gemeinsame Punkte streuen um { NUM($spread_px, dec
 scene-pair_height = Die Strahlen von { $n } gemeinsamen Punkten schneiden sich bei { NUM($height_m, decimals: 0) } m; die RPC gelten für { NUM($low_m, decimals: 0) } bis { NUM($high_m, decimals: 0) } m.
     .do = Prüfen, ob jedes Bild seine eigene RPC- oder XML-Datei hat und ob es beschnitten, skaliert oder gedreht wurde.
 
-scene-contradicts_other = Ihre Geometrie ({ $model }) widerspricht der Szene { $other }, die zu anderen Szenen passt.
+scene-contradicts_other = Die Geometrie dieser Szene ({ $model }) widerspricht der Szene { $other }, die zu anderen Szenen passt.
 
 scene-pair_contradicts = Die Szenen { $first } und { $second } widersprechen sich; welche falsch ist, ist mehrdeutig.
+    .do = Eine dritte Szene desselben Gebiets ergänzen oder Passpunkte angeben: { OPTION("control") }.

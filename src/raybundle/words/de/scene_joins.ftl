@@ -3,4 +3,7 @@ scene_joins = Verknüpfungspunkte von Aufnahmen wurden in { $scenes } { $scenes 
        *[other] Szenen
     } gefunden.
 
-scene_joins-scene = { $scene }: { $n } Punkte.
+scene_joins-scene = Szene { $scene } enthält { $n } { $n ->
+        [one] Verknüpfungspunkt
+        *[other] Verknüpfungspunkte
+    } von Aufnahmen.

@@ -1,5 +1,7 @@
 scene_prior-rpc = Die RPC von { $ids } haben keine Genauigkeit (ERR_BIAS); angenommen sind { $sigma_m } m am Boden.
     .why = Ohne Passpunkte ist das Ergebnis nur so gut wie diese Annahme.
+    .do = Passpunkte angeben: { OPTION("control") }.
 
 scene_prior-orbit = { $ids } hat keine RPC; die Lage aus der Orbitdatei gilt als auf { $sigma_rad } rad gut.
     .why = Ohne Passpunkte ist das Ergebnis nur so gut wie diese Annahme.
+    .do = Passpunkte angeben: { OPTION("control") }.

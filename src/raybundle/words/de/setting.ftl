@@ -5,6 +5,10 @@ setting-wrong_kind = { $name } = { $given } ist nicht möglich: { $flag ->
         [yes] true oder false ist nötig
        *[no] ein Wert ist nötig
     }.
+    .do = { $flag ->
+            [yes] Für { $name } true oder false angeben
+            *[no] Für { $name } einen Wert angeben
+        }.
 
 setting-several_values = { $name } = { $given } ist kein einzelner Wert.
     .do = Mehrere Namen in einen Text schreiben, durch Kommas getrennt.
@@ -40,15 +44,22 @@ setting-too_small = { $name } = { $given } ist zu klein; gefordert ist { $above 
         [yes] mehr als
         *[no] mindestens
     } { $least }.
+    .do = { $above ->
+            [yes] Einen Wert über { $least } angeben
+            *[no] Mindestens { $least } angeben
+        }.
 
 setting-too_large = { $name } = { $given } ist zu groß; die Grenze ist { $most }.
+    .do = Höchstens { $most } angeben.
 
 setting-not_one_of = { $name } = { $given } ist kein möglicher Wert.
     .do = Einen von { LIST($known, most: 60) } angeben.
 
 setting-value_count = { $name } = { $given }: { $n } Werte sind nötig.
+    .do = { $name } mit { $n } Werten angeben.
 
 setting-wrong_type = { $name } = { $given } ist nicht vom Typ { $type }.
+    .do = { $name } als { $type } angeben.
 
 setting-no_whole_number = { $name } = { $given } ist keine ganze Zahl.
     .do = Eine ganze Zahl angeben.

@@ -8,8 +8,13 @@ studio-not_started = Das Studio von { $folder } endete mit Status { $status }{ $
         [0] { " " }ohne Ausgabe
        *[other] : { $detail }
      }
+    .do = Auf der Kommandozeile raybundle studio { $folder } ausführen und den gezeigten Fehler beheben.
 
 studio-no_figure = Es gibt keine Abbildung { $number }; es sind { $n }, ab 0 gezählt.
+    .do = { $n ->
+            [0] Den Block erst ausgleichen
+            *[other] Eine Zahl unter { $n } angeben
+        }.
 
 studio-no_adjustment = Es gibt noch keine Ausgleichung.
     .do = Zuerst ausgleichen oder das Ende der laufenden Ausgleichung abwarten.
@@ -30,6 +35,10 @@ studio-adjustment_not_stored = Ausgleichung { $number } ist nicht gespeichert; {
         [0] keine ist gespeichert
        *[other] gespeichert: { LIST($stored, most: 20) }
     }.
+    .do = { $n ->
+            [0] Den Block erst ausgleichen
+            *[other] Eine der gespeicherten Ausgleichungen wählen
+        }.
 
 studio-adjustment_without_page = Ausgleichung { $number } hat keine { $name }.
     .do = Neu ausgleichen; dabei wird die Seite geschrieben.
@@ -38,5 +47,7 @@ studio-photograph_file_unknown = Die Datei dieser Aufnahme ist nicht bekannt.
     .do = Das Studio mit dem Ordner der Aufnahmen starten: { OPTION("photos") }.
 
 studio-no_level = Es gibt keine Stufe { $level }; es sind { $n }, ab 0 gezählt.
+    .do = Eine Stufe unter { $n } angeben.
 
 studio-tile_outside = Kachel { $across }, { $down } der Stufe { $level } liegt außerhalb der Aufnahme.
+    .do = Die Seite neu laden; in einem Programm eine Kachel innerhalb der Aufnahme angeben.

@@ -67,14 +67,17 @@ surface-nothing_measured = { $region ->
     .do = Texturierte Oberflächen mit 60 % Überdeckung oder mehr aufnehmen.
 
 surface-region_invalid = { OPTION("region", $given) } ist kein gültiges Gebiet.
+    .do = Die Ecken der Reihe nach angeben, ohne sich kreuzende Kanten.
 
 surface-no_depth_map = Es ließ sich keine Tiefenkarte berechnen.
+    .do = Die folgende Ursache beheben, dann surface erneut ausführen.
 
 surface-other_photographs = { $region ->
         [yes] Im Gebiet wurde nichts gemessen
        *[no] Es wurde nichts gemessen
     }: Aufnahmen weichen von den orientierten ab.
     .why = { PERCENT($share) } % von { $pixels } Pixeln haben eine Tiefe, von anderen Aufnahmen nicht bestätigt.
+    .do = Die orientierten Aufnahmen angeben: { OPTION("photos", "FOLDER") }, oder die vorhandenen neu orientieren.
 
 surface-photographs_replaced = { $n } { $n ->
         [one] Aufnahme ist nicht die Datei, die orientiert wurde
@@ -84,8 +87,8 @@ surface-photographs_replaced = { $n } { $n ->
     .do = Die ursprünglichen Dateien wiederherstellen.
 
 surface-photographs_exchanged = { $n } { $n ->
-        [one] Aufnahme hat
-        *[other] Aufnahmen haben
-    } den Inhalt einer anderen: { $names }.
-    .why = Tiefen sind falsch.
-    .do = Die ursprünglichen Namen wiederherstellen.
+        [one] Aufnahme enthält
+        *[other] Aufnahmen enthalten
+    } das Bild einer anderen (Datei: Bild): { $names }.
+    .why = Diese Aufnahmen werden mit falscher Orientierung verwendet; Tiefen sind falsch.
+    .do = Den Dateien ihre ursprünglichen Namen geben, dann surface erneut ausführen.

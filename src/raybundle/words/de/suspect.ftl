@@ -2,6 +2,7 @@ suspect-value = { $name } { $component } ({ observations-kind }) widerspricht de
     .why = Angegeben: { NUM($given, digits: 12) } { $unit }, nach den übrigen { NUM($shown, digits: 12) } { $unit } (Sigma { $sigma } { $unit }, |w| { NUM($w, decimals: 1) }, Grenze { NUM($limit, decimals: 1) }).
     .do = Diesen Wert prüfen.
 
-suspect-others = Stattdessen kann { LIST($names, most: 10) } falsch sein; die Beobachtungen können das nicht trennen.
+suspect-others = Statt { $name } kann { LIST($names, most: 10) } falsch sein; die Beobachtungen können diese Werte nicht trennen.
 
-suspect-beside = Nur neben ihr verwirft der Test auch { LIST($names, most: 10) }.
+suspect-beside = Wenn { $name } berichtigt ist, verwirft der Test { LIST($names, most: 10) } nicht mehr.
+    .do = Zuerst { $name } berichtigen, dann neu ausgleichen.

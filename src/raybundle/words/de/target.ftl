@@ -51,7 +51,7 @@ target-family_twice = Zielmarkenfamilien zweimal angegeben: { $names }.
 target-family_ambiguous = Die Zielmarken in { $photographs } Aufnahmen passen zu mehreren Familien; Codes und Ringbreiten entscheiden nicht.
     .do = Die gedruckte Familie nennen: { OPTION("target", $best) }.
 
-target-family_points = { $family }: { $n } Punkte.
+target-family_points = Zielmarkenfamilie { $family }: { $n } Punkte erkannt.
 
 target-board_ambiguous = { $board ->
         [raster] Ein Punktraster

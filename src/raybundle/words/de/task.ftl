@@ -1,4 +1,5 @@
 task-cycle = { $n } Aufgaben hängen voneinander ab: { $names }.
+    .do = Bei eigenen Aufgaben eine Abhängigkeit entfernen, sonst diesen Fehler den Entwicklern melden.
 
 task-shards_waiting = { $n } { $n ->
         [one] Aufgabe wartet

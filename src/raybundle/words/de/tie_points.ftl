@@ -4,9 +4,9 @@ tie_points-too_few_rays = { $n } { $n ->
      } weniger als zwei Strahlen.
     .do = Diese Punkte aus points.csv und observations.csv entfernen oder in mehr Bildern messen.
 
-tie_points-no_ray = Kein Strahl: { LIST($points, most: 10) }
+tie_points-no_ray = Punkte ohne Strahl: { LIST($points, most: 10) }.
 
-tie_points-single_ray = Ein einziger Strahl: { LIST($points, most: 10) }
+tie_points-single_ray = Punkte mit einem einzigen Strahl: { LIST($points, most: 10) }.
 
 tie_points-no_base = Die { $n } passenden Paare von Aufnahmen haben keine Basis: Sie unterscheiden sich nur durch eine Drehung.
     .why = Aufnahmen von einer Stelle ergeben keine Tiefe.

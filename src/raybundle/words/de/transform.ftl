@@ -33,3 +33,4 @@ transform-calibration_incomplete = { $name } lässt sich nicht drehen: Die Kalib
     .do = Mit diesem Parameter kalibrieren oder ohne Drehung transformieren.
 
 transform-row_not_possible = { $row } kann nicht transformiert werden ({ $detail }).
+    .do = Diese Zeile vor der Transformation löschen oder den jetzigen Rahmen beibehalten.

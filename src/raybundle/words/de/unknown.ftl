@@ -1,12 +1,12 @@
-unknown-image = Äußere Orientierung des Bildes { $image }: { $part ->
-        [rotation_x] Drehung um x
-        [rotation_y] Drehung um y
-        [rotation_z] Drehung um z
-       *[other] { $part }
-     }
+unknown-image = Bild { $image }: { $part ->
+        [rotation_x] Die Drehung um x
+        [rotation_y] Die Drehung um y
+        [rotation_z] Die Drehung um z
+        *[other] Die Koordinate { $part } des Projektionszentrums
+    } ist nicht bestimmt.
 
-unknown-parameter = { $symbol } der Kamera { $camera }
+unknown-parameter = Der Parameter { $symbol } der Kamera { $camera } ist nicht bestimmt.
 
-unknown-point = Punkt { $point }: { $axis }
+unknown-point = Punkt { $point }: Die Koordinate { $axis } ist nicht bestimmt.
 
-unknown-other = Unbekannte { $number }
+unknown-other = Die Unbekannte { $number } ist nicht bestimmt.

@@ -1,4 +1,5 @@
 workbook-no_table = Für die Arbeitsmappe gibt es keine Tabelle mit Zeilen.
+    .do = Einen Ergebnisordner mit Tabellen angeben oder andere Tabellen wählen: { OPTION("tables", "NAME") }.
 
 workbook-too_many_rows = Die Tabelle hat mehr als { $most } Zeilen, die Grenze eines Tabellenblatts.
     .do = Die CSV-Datei verwenden.

@@ -24,6 +24,7 @@ adjustment-option_choice = Option { $name } is { $given }.
 # $name = "statistics"
 # $given = "'yes'"
 adjustment-option_not_bool = Option { $name } is { $given }; it must be True or False.
+    .do = Give { $name }=True or { $name }=False.
 
 # $name = "hold"
 # $given = "'c'"
@@ -32,6 +33,10 @@ adjustment-option_not_names = Option { $name } is { $given }; it must be a tuple
         [yes] pairs of names
        *[no] names
      }.
+    .do = Give, for example, { $name }={ $pairs ->
+            [yes] (("d5100", "c"),)
+            *[no] ("P1", "P2")
+        }.
 
 # $name = "jobs"
 # $given = "-1"
@@ -42,6 +47,7 @@ adjustment-option_range = Option { $name } is { $given }; it must be a { $whole 
         [yes] whole number
        *[no] number
      } from { $low } to { $high }.
+    .do = Give { $name } a number within these limits.
 
 adjustment-no_statistics = This result has no normal equations.
     .why = It was adjusted without statistics, or it is a copy of a result.

@@ -14,7 +14,7 @@ attitudes_contradict = The attitudes of { $source ->
     }
 
 # $off_deg = 30.0
-attitudes_contradict-mounting = The mounting is { NUM($off_deg, decimals: 0) }° off a whole number of quarter turns
+attitudes_contradict-mounting = The mounting is { NUM($off_deg, decimals: 0) }° off a whole number of quarter turns.
 
 # $reading = "rpy"
 # $scatter_deg = 0.05

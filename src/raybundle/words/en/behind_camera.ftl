@@ -27,3 +27,5 @@ behind_camera-matches = { $n } wrong { $n ->
         [one] match
        *[other] matches
      } behind the camera left out: { $pairs }.
+    .why = The result does not contain these matches.
+    .do = If many matches are wrong, check the photographs for repeated structures.

@@ -33,7 +33,10 @@ bias-not_determined = { $n } { $n ->
 
 # $n = 1
 # $total = 10
-bias-points_excluded = { $n } of { $total } points excluded
+bias-points_excluded = { $n } of { $total } points { $n ->
+        [one] is
+        *[other] are
+    } excluded.
 
 # $model = "shift"
 # $test = "F"
@@ -42,20 +45,23 @@ bias-points_excluded = { $n } of { $total } points excluded
 # $few = false
 # $left_out_px = 0.12
 # $before_px = 3.4
-bias-improvement = { $model }: { $test } { $value } exceeds { $limit }.
+bias-improvement = Bias { $model } improves the fit significantly: { $test } { $value } exceeds { $limit }.
     .why = { $few ->
         [yes] There are too few points to leave one out.
        *[no] Points left out are predicted within { $left_out_px } px (before: { $before_px } px).
      }
+    .do = Use bias { $model }.
 
 # $larger = true
 # $misfit = 12.0
 # $sigma_px = 0.3
-bias-rpc_contradicted = none: { $larger ->
+bias-rpc_contradicted = No bias is advised: { $larger ->
         [yes] no larger model fits significantly better
-       *[no] no larger model is possible
-     }, but the points contradict the RPC.
-    .why = Their residuals are { $misfit } times their sigma of { $sigma_px } px.
+        *[no] no larger model is possible
+    }, but the points contradict the RPC.
+    .why = The residuals are { $misfit } times the sigma of { $sigma_px } px; positions by this RPC are wrong by as much.
+    .do = Check the points, the coordinate system and the heights, or add points for a larger model.
 
 # $sigma_px = 0.3
-bias-rpc_confirmed = none: the RPC agrees with the points within their sigma of { $sigma_px } px.
+bias-rpc_confirmed = No bias is needed: the RPC agrees with the points within the sigma of { $sigma_px } px.
+    .do = Use the RPC without correction.

@@ -4,6 +4,7 @@ block-no_oriented_image = Block { $block } has no oriented image.
 
 # $block = "facade"
 block-nothing_to_write = Block { $block } has neither points nor photographs; there is nothing to write.
+    .do = Give a block with points or photographs.
 
 block-is_a_file = This is a file, not the folder of a block.
     .do = Give a folder with block.toml, images.csv and observations.csv.
@@ -30,16 +31,19 @@ block-no_camera = The block has no camera.
 
 # $block = "pair"
 block-no_scene = Block { $block } has no satellite scene; RPCs are written for scenes only.
+    .do = Choose another format, or give a block with satellite scenes.
 
 # $block = "facade"
 # $name = "points.xyz"
 # $type = "<U4"
 block-not_numbers = Block { $block }: { $name } holds { $type }; it must hold numbers.
+    .do = Convert { $name } to an array of numbers, with nan for unknown values.
 
 # $block = "facade"
 # $name = "images.camera"
 # $type = "float64"
 block-not_whole_numbers = Block { $block }: { $name } holds { $type }; positions must be whole numbers.
+    .do = Convert { $name } to an array of integers.
 
 # $block = "facade"
 # $name = "images.camera"
@@ -47,6 +51,7 @@ block-not_whole_numbers = Block { $block }: { $name } holds { $type }; positions
 # $position = 9
 # $last = 1
 block-position_out_of_range = Block { $block }: { $name }[{ $row }] is { $position }; positions run from 0 to { $last }.
+    .do = Correct this position, or add the missing row to the table it refers to.
 
 # $block = "facade"
 # $name = "points.xyz"
@@ -54,7 +59,8 @@ block-position_out_of_range = Block { $block }: { $name }[{ $row }] is { $positi
 # $type = "ndarray"
 # $found = [4, 2]
 block-shape = Block { $block }: { $name } must be an array of shape ({ $shape }).
-    .why = It is of type { $type } with shape ({ $found }).
+    .why = The present value is of type { $type } with shape ({ $found }).
+    .do = Give one row for each row of the table, in an array of this shape.
 
 # $kind = "observation"
 # $image = "IMG_1"
@@ -87,7 +93,7 @@ block-parts_without_datum = The block has { $parts } parts without common tie po
 # $images = ["IMG_1", "IMG_2"]
 # $n = 1
 # $part = "scale"
-block-open_part = Images { LIST($images, most: 10) }: not determined: { datum-part }
+block-open_part = Not determined for images { LIST($images, most: 10) }: { datum-part }.
 
 # $optional = true
 block-scale_free = The scale of the block is not determined: no length fixes it.

@@ -143,7 +143,8 @@ calibration-formats_differ = Calibrations of { $first_px } px and { $second_px }
 # $camera_width_px = 4000
 # $camera_height_px = 3000
 calibration-cropped_format = { $width_px } × { $height_px } px is no reduction of { $camera_width_px } × { $camera_height_px } px.
-    .why = The format was cropped.
+    .why = The format was cropped, so the principal point of the calibration does not hold for it.
+    .do = Use photographs of the full format, or calibrate with photographs of the cropped format.
 
 # $used = 20
 # $of = 21

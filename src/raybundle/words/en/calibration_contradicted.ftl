@@ -48,10 +48,11 @@ calibration_contradicted-harmless = Camera { $camera }: the photographs contradi
 # $w = 8.1
 # $limit = 3.6
 # $alone = true
-calibration_contradicted-given = { $symbol }: given { NUM($given, digits: 9) } { $unit }, found { NUM($found, digits: 9) } { $unit } (|w| { NUM($w, decimals: 1) }, limit { NUM($limit, decimals: 1) }{ $alone ->
+calibration_contradicted-given = Parameter { $symbol }: given { NUM($given, digits: 9) } { $unit }, found { NUM($found, digits: 9) } { $unit } (|w| { NUM($w, decimals: 1) }, limit { NUM($limit, decimals: 1) }{ $alone ->
         [yes] { "" }
-       *[no] ; only all parameters together exceed their limit
-     })
+        *[no] ; only all parameters together exceed their limit
+    }).
+    .do = Compare the given value with the calibration certificate.
 
 # $symbol = "c"
 # $given = 20.5
@@ -62,7 +63,8 @@ calibration_contradicted-given = { $symbol }: given { NUM($given, digits: 9) } {
 # $limit = 3.6
 # $alone = true
 # $effect_px = 2.1
-calibration_contradicted-moved = { $symbol }: held { NUM($given, digits: 9) } { $unit }, found { NUM($found, digits: 9) } ± { NUM($sigma, digits: 2) } { $unit } ({ NUM($effect_px, digits: 2) } px; |w| { NUM($w, decimals: 1) }, limit { NUM($limit, decimals: 1) }{ $alone ->
+calibration_contradicted-moved = Parameter { $symbol }: held { NUM($given, digits: 9) } { $unit }, found { NUM($found, digits: 9) } ± { NUM($sigma, digits: 2) } { $unit } ({ NUM($effect_px, digits: 2) } px; |w| { NUM($w, decimals: 1) }, limit { NUM($limit, decimals: 1) }{ $alone ->
         [yes] { "" }
-       *[no] ; only all parameters together exceed their limit
-     })
+        *[no] ; only all parameters together exceed their limit
+    }).
+    .do = Compare the held value with the calibration certificate.

@@ -9,4 +9,4 @@ calibration_outweighed = Camera { $camera }: the result determines it less preci
 # $symbol = "x0"
 # $before = 0.0005
 # $after = 0.002
-calibration_outweighed-parameter = { $symbol }: standard deviation { NUM($before, digits: 2) } before, { NUM($after, digits: 2) } now
+calibration_outweighed-parameter = Parameter { $symbol }: standard deviation { NUM($before, digits: 2) } as given, { NUM($after, digits: 2) } in the result.

@@ -1,6 +1,7 @@
 # $camera = "pano"
-camera-panorama_not_supported = Camera { $camera }: this format has no model for a rotating panorama.
-    .do = Export the frame images alone.
+camera-panorama_not_supported = Camera { $camera } is a rotating panorama; this step or format cannot use it.
+    .why = The camera is not left out automatically, so there is no result.
+    .do = Remove the images of this camera from the block, then run the command again.
 
 # $camera = "d5100"
 # $c_mm = -24.0

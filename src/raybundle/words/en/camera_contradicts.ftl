@@ -12,13 +12,13 @@ camera_contradicts = Camera { $camera }: the interior orientation found is impos
 # $found_px = 900.0
 # $known_px = 0.0
 # $known_sigma_px = 13.0
-camera_contradicts-value = { $symbol }: { NUM($found_px, decimals: 0) } px found, { NUM($known_px, decimals: 0) } ± { NUM($known_sigma_px, decimals: 0) } px known
+camera_contradicts-value = Parameter { $symbol }: { NUM($found_px, decimals: 0) } px found, { NUM($known_px, decimals: 0) } ± { NUM($known_sigma_px, decimals: 0) } px known.
 
 # $symbol = "c"
 # $found_px = 9000.0
 # $known_px = 768.0
 # $factor = 1.5
-camera_contradicts-factor = { $symbol }: { NUM($found_px, decimals: 0) } px found, { NUM($known_px, decimals: 0) } px known to a factor of { $factor }
+camera_contradicts-factor = Parameter { $symbol }: { NUM($found_px, decimals: 0) } px found, { NUM($known_px, decimals: 0) } px known to a factor of { $factor }.
 
 # $camera = "d5100"
 # $x_px = 22.0
@@ -36,4 +36,4 @@ camera_contradicts-pixels = The pixels do not have the given shape: sigma0 is { 
 
 # $camera = "d5100"
 # $factor = 1.067
-camera_contradicts-pixel_height = Camera { $camera }: { NUM($factor, digits: 5) }
+camera_contradicts-pixel_height = Camera { $camera }: the pixel height is { NUM($factor, digits: 5) } times the given one.

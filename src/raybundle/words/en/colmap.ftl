@@ -16,8 +16,8 @@ colmap-image_line = An image needs number, 4 + 3 numbers, camera and name.
     .do = Complete this line.
 
 # $n = 7
-colmap-image_points_line = The { $n } words of this line are not triples of x, y and point.
-    .do = Correct the line.
+colmap-image_points_line = The line of image points has { $n } numbers; each point needs three: x, y and point number.
+    .do = Correct this line, or export the model from COLMAP again.
 
 colmap-point_line = A point needs number, 3 coordinates, 3 colours and an error.
     .do = Complete this line.

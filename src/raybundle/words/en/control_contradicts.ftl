@@ -126,7 +126,7 @@ control_contradicts-centres = Control and observed projection centres contradict
 # $axis = "Z"
 # $apart = 45.2
 # $sigma = 0.1
-control_contradicts-axis = { $axis }: centres minus control { $apart } (± { NUM($sigma, digits: 2) })
+control_contradicts-axis = Coordinate { $axis }: projection centres minus control are { $apart } (± { NUM($sigma, digits: 2) }).
 
 # $solved = true
 # $sigma0 = 45.0

@@ -9,11 +9,16 @@ control_file-not_measured = { $n } control { $n ->
         [one] point was
        *[other] points were
      } not measured: { LIST($ids, most: 10) }.
+    .why = The result has no coordinates of these points, and they do not control it.
+    .do = Measure these points in two photographs or more, or delete them from the file.
 
 # $name = "control.csv"
-control_file-tolerance = The column tolerance of { $name } is not used: it belongs to nominal coordinates.
+control_file-tolerance = The column tolerance of { $name } is not used: tolerances belong to nominal coordinates.
+    .why = Control points are weighted by their standard deviations alone.
+    .do = Give standard deviations in the columns sX, sY, sZ.
 
-control_file-tolerance_unused = The column tolerance of the control is not used: it belongs to nominal coordinates.
+control_file-tolerance_unused = The column tolerance of the control is not used: tolerances belong to nominal coordinates.
+    .do = Give standard deviations in the columns sX, sY, sZ.
 
 # $name = "gcp_list.txt"
 # $n = 3

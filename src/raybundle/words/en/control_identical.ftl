@@ -21,10 +21,10 @@ control_identical-alike = { $pairs } { $pairs ->
 
 # $first = "A"
 # $second = "B"
-control_identical-pair = { $first } and { $second }
+control_identical-pair = One pair is { $first } and { $second }.
 
 # $first = "A"
 # $second = "B"
 # $apart_px = 120.0
 # $image = "IMG_1"
-control_identical-pair_apart = { $first } and { $second }: { NUM($apart_px, decimals: 0) } px apart in image { $image }
+control_identical-pair_apart = One pair is { $first } and { $second }: { NUM($apart_px, decimals: 0) } px apart in image { $image }.

@@ -64,6 +64,7 @@ crs-geoid_missing = { $heights } needs a geoid that is not installed.
 
 # $shape = [4, 2]
 crs-coordinate_shape = Coordinates of shape (n, 3) are needed, not ({ $shape }).
+    .do = Give an array with three columns: X, Y and Z.
 
 # $number = 3
 # $x = 411.0

@@ -10,6 +10,7 @@ datum-points_in_line = The object points cannot define the datum: they lie in on
     .do = Measure points beside this line.
 
 datum-fixed = The observations fix the datum of this block; no other datum can be chosen.
+    .do = Use the standard deviations of the result, or adjust the block without control and scale.
 
 # $part = "scale"
 # $n = 1

@@ -61,7 +61,7 @@ distance_suspect-left_out = { $bars } scale { $bars ->
 # $given = 1000.0
 # $shown = 1.0
 # $unit = "m"
-distance_suspect-bar = { $name }: { NUM($given, digits: 6) } { $unit } given, { NUM($shown, digits: 6) } { $unit } in the block
+distance_suspect-bar = Scale bar { $name }: { NUM($given, digits: 6) } { $unit } given, { NUM($shown, digits: 6) } { $unit } in the block.
 
 # $start = "A"
 # $end = "B"

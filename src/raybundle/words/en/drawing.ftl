@@ -42,10 +42,10 @@ drawing-does_not_fit = The object of { $width_m } x { $height_m } m does not fit
     .do = Use one of the remedies:
 
 # $scale = 200
-drawing-fitting_scale = A smaller scale: { OPTION("scale", $scale) }.
+drawing-fitting_scale = A smaller scale fits: { OPTION("scale", $scale) }.
 
 # $paper = "A0"
-drawing-fitting_paper = A larger paper: { OPTION("paper", $paper) }.
+drawing-fitting_paper = A larger paper fits: { OPTION("paper", $paper) }.
 
 drawing-joined_sheets = Sheets that are joined: { OPTION("several", "True") }.
 

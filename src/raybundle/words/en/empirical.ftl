@@ -41,13 +41,16 @@ empirical-excluded_needs_model = { OPTION("without") } needs one model.
     .do = Give { OPTION("model", "dlt-brown") }.
 
 # $model = "dlt"
-empirical-no_redundancy = { $model }: no redundancy; its fit cannot be assessed.
+empirical-no_redundancy = { $model } has no redundancy; the fit cannot be assessed.
+    .why = A blunder in any point distorts the model without a residual.
+    .do = Add points, or use a model with fewer parameters.
 
 # $model = "affine"
 # $x_px = 0.36
 # $y_px = 0.12
 # $sigma_px = 0.5
 empirical-adequate = { $model }: residuals of { $x_px }, { $y_px } px (rms) agree with a sigma of { $sigma_px } px.
+    .do = Use the model within the area and the heights of these points only.
 
 # $model = "affine"
 # $x_px = 0.36
@@ -70,3 +73,4 @@ empirical-none_adequate = No model is adequate; { $model } is the nearest: { $le
 # $n = 13
 # $left_out_px = 0.42
 empirical-advised = { $model } is adequate with { $n } parameters: { $left_out_px } px (rms) at coordinates left out.
+    .do = Use this model within the area and the heights of the points only.

@@ -34,3 +34,4 @@ export-formats_failed = Formats that cannot be written: { $n }; written: { $writ
         [0] none
        *[other] { LIST($places, most: 20) }
      }.
+    .do = Correct the causes below, then convert to these formats again.

@@ -28,3 +28,4 @@ fiducial-no_film = These photographs are not scans of film: no fiducial mark has
     .do = Start the project with a certificate: { OPTION("film", "CERTIFICATE") }.
 
 fiducial-no_scans = The photographs are not scans of film, so they have no fiducial marks.
+    .do = If the photographs are scans of film, start the project with a certificate: { OPTION("film", "CERTIFICATE") }.

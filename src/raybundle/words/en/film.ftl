@@ -44,22 +44,28 @@ film-no_marks = Image { $image } has points, but no marks.
 
 # $image = "1001"
 film-marks_implausible = Image { $image }: no film has the deformation that these marks show.
+    .why = The transformation would distort all image points, so this scan is not transformed.
+    .do = Correct the marks as described below, then transform the scans again.
 
 # $image = "1001"
 # $model = "affine"
 film-no_transformation = Image { $image }: no { $model } transformation fits the marks.
+    .do = Correct the marks as described below, then transform the scans again.
 
 # $worst_mm = 3.2
 # $limit_mm = 1.0
-film-residuals = The residuals of the marks reach { $worst_mm } mm (limit { $limit_mm } mm).
+film-residuals = Residuals of the fiducial marks reach { $worst_mm } mm after the transformation (limit { $limit_mm } mm).
+    .do = Compare names, measured positions and calibrated positions of the marks.
 
 # $ratio = 1.2
 # $limit = 1.05
-film-stretch = The film would be stretched { $ratio } times as much along one axis as along the other (limit { $limit }).
+film-stretch = The marks would stretch the film { $ratio } times as much along one axis as along the other (limit { $limit }).
+    .do = Compare names, measured positions and calibrated positions of the marks.
 
 # $shear_deg = 3.2
 # $limit_deg = 1.0
-film-shear = The axes of the film would deviate by { $shear_deg }° from the right angle (limit { $limit_deg }°).
+film-shear = The marks would shear the film: the axes deviate by { $shear_deg }° from the right angle (limit { $limit_deg }°).
+    .do = Compare names, measured positions and calibrated positions of the marks.
 
 # $pairs = ["F1 - F2"]
 film-marks_exchanged = The names of two marks are probably interchanged: { $pairs }.
@@ -78,6 +84,8 @@ film-camera_missing = Scans of film need a calibrated camera.
 
 # $n = 2
 film-scans_not_transformed = Scans that cannot be transformed: { $n }. Nothing is written.
+    .do = Correct the marks of these scans as described below, or delete their rows.
 
 # $n = 2
 film-one_camera = Cameras given: { $n }; scans of film need exactly one, the camera of the film.
+    .do = Give one camera: { OPTION("calibration", "CAMERA") }.

@@ -1,5 +1,6 @@
 # $detail = "unknown driver"
 geopackage-not_written = The GeoPackage could not be written ({ $detail }).
+    .do = Check free space and write permission of the folder, or write another format.
 
 # $system = "UTM 32N in km"
 # $written = "UTM 32N"

@@ -5,3 +5,5 @@ given_twice = { $kind ->
         [scale_bar] Scale bars
        *[length] Lengths
      } given twice and counted once: { LIST($ids, most: 10) }.
+    .why = The result is not affected, because each length counts once.
+    .do = Delete the repeated rows.

@@ -10,12 +10,13 @@ held_not_determinable-cameras = The points do not determine the interior orienta
 # $unit = "mm"
 # $ids = ["d5100", "K2"]
 held_not_determinable = Camera { $camera }: { $symbol } is not determinable and was held at its known value { NUM($at, digits: 4) } { $unit }.
-    .why = The result is valid for this value.
+    .why = The result is valid for this value; an error of the value distorts coordinates without larger residuals.
+    .do = Add convergent and rolled photographs, or give a calibration.
 
 # $sigma = 0.2
 # $unit = "mm"
 # $effect_px = 12.0
-held_not_determinable-sigma = Its standard deviation would be { NUM($sigma, digits: 2) } { $unit }, { NUM($effect_px, decimals: 0) } px in the image.
+held_not_determinable-sigma = The standard deviation of this parameter would be { NUM($sigma, digits: 2) } { $unit }, { NUM($effect_px, decimals: 0) } px in the image.
 
 # $cameras = 1
 # $n = 2
@@ -32,7 +33,7 @@ held_not_determinable-known_before = { $n } camera { $n ->
 
 # $camera = "d5100"
 # $symbols = ["c", "x0"]
-held_not_determinable-parameters = Camera { $camera }: { LIST($symbols, most: 10) }
+held_not_determinable-parameters = Camera { $camera }: held parameters are { LIST($symbols, most: 10) }.
 
 # $camera = "d5100"
 # $symbol = "x0"

@@ -6,6 +6,7 @@ identical_images-copies = { $n } { $n ->
      *[other] photographs are copies of others, or have no base to them, and are
     } left out: { LIST($names, most: 3) }.
     .why = A copy repeats the noise of its original; standard deviations would be too small.
+    .do = If a photograph is no copy, take it again from another position.
 
 # $pairs = 1
 identical_images = { $pairs } { $pairs ->

@@ -73,10 +73,10 @@ image-too_few_points = { $n } { $n ->
 # $images = ["IMG_1"]
 # $n = 2
 # $unknowns = 6
-image-points_and_unknowns = { $images }: { $n } image { $n ->
+image-points_and_unknowns = Images { $images }: { $n } image { $n ->
         [one] point
-       *[other] points
-     } for { $unknowns } unknowns
+        *[other] points
+    } for { $unknowns } unknowns.
 
 # $image = "IMG_1"
 image-not_oriented = Image { $image } has no exterior orientation.

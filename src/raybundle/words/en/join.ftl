@@ -1,4 +1,5 @@
 join-one_block = Joining needs at least two blocks.
+    .do = Give two or more projects or blocks.
 
 # $name = "south"
 # $base = "north"
@@ -64,7 +65,7 @@ join-scale_of = Scale of { $name }: { $kind ->
 # $end = "M2"
 # $length = 1.2003
 # $unit = "m"
-join-scale_bar = { $start } - { $end }: { NUM($length, digits: 10) } { $unit }
+join-scale_bar = Scale bar { $start } - { $end }: { NUM($length, digits: 10) } { $unit }.
 
 # $n = 2
 # $first = "north"
@@ -178,7 +179,9 @@ join-camera_differs = Camera { $camera } differs significantly between { $base }
 # $n = 12
 # $others = 5
 # $names = ["south"]
-join-dots_renumbered = Dots without a code have new numbers: { $n } common by position, { $others } of { $names }.
+join-dots_renumbered = Dots without a code have new numbers: { $n } are common by position, { $others } occur in { $names } alone.
+    .why = Numbers of such dots differ between the blocks; the measurements do not change.
+    .do = Use the new numbers in tables for the joined block.
 
 # $name = "south"
 # $F = 2.4
@@ -191,6 +194,8 @@ join-frame_of = The frame is that of { $name }, which has { $control ->
         [yes] control or positions
        *[no] a scale
      }.
+    .why = All coordinates of the joined block are in this frame.
+    .do = If another frame is needed, transform the result: raybundle datum.
 
 # $n = 8
 # $name = "south"
@@ -202,6 +207,8 @@ join-images_renamed = { $n } { $n ->
         [one] has
        *[other] have
      } new names, such as { $example }: the old ones exist in another block.
+    .why = Names are unique in a block; the measurements do not change.
+    .do = Use the new names in tables and options for the joined block.
 
 # $n = 1
 # $name = "south"
@@ -211,6 +218,8 @@ join-cameras_renamed = Cameras of { $name } are treated as different cameras: { 
         [one] is
        *[other] are
      } now { LIST($renamed, most: 9) }.
+    .why = Each camera has an interior orientation of its own in the joined block.
+    .do = If both are the same camera, use { OPTION("same_camera", "True") }.
 
 # $name = "south"
 # $base = "north"
@@ -219,8 +228,8 @@ join-cameras_renamed = Cameras of { $name } are treated as different cameras: { 
 # $known = true
 # $system = "ETRS89 / UTM 33N"
 # $origin = [500000.0, 5300000.0, 400.0]
-join-other_frame = { $name } is transformed to the frame of { $base }. The origins are { NUM($away_m, decimals: 3) } m apart.
-    .why = Its own frame is { $kind ->
+join-other_frame = { $name } is transformed to the frame of { $base }, with the origin { NUM($away_m, decimals: 3) } m away.
+    .why = The original frame is { $kind ->
         [projected] { $system }
         [geocentric] geocentric
        *[local] local{ $known ->
@@ -228,6 +237,7 @@ join-other_frame = { $name } is transformed to the frame of { $base }. The origi
            *[no] { " " }(longitude, latitude, height)
         }, origin { $origin }
      }.
+    .do = If another frame is needed, transform the result: raybundle datum.
 
 # $point = "P12"
 # $block = "bridge"

@@ -4,9 +4,11 @@ joint-no_covariances = The adjustment has no covariances.
 
 # $image = "left.jpg"
 joint-image_not_used = Image { $image } is not in the adjustment.
+    .do = Choose an image that takes part, or measure more points in this image and adjust again.
 
 # $point = "P1"
 joint-point_not_used = Point { $point } is not in the adjustment.
+    .do = Choose a point that takes part, or measure this point in more images and adjust again.
 
 # $name = "facade"
 joint-no_named_points = { $name }: no adjusted point has a name of its own.

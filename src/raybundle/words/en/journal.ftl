@@ -1,6 +1,8 @@
 journal-nothing_to_undo = There is nothing to undo.
+    .do = Correct or delete the measurement itself.
 
 journal-nothing_to_redo = There is nothing to redo: the last action was not undone.
+    .do = Repeat the action by hand.
 
 journal-no_place = Nothing can be measured in this folder.
     .do = Give a project, result or block folder.

@@ -1,4 +1,5 @@
 length_test-no_length = A length test needs at least one known length.
+    .do = Give a calibrated length between two measured points.
 
 # $name = "bench"
 length_test-no_scale = { $name }: no observation determines the scale, so lengths have no unit.

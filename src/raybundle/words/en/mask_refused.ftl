@@ -7,3 +7,5 @@ mask_refused = The { $n ->
         [one] the photograph is
        *[other] the photographs are
     } used completely.
+    .why = Features on the background may give wrong points in these photographs.
+    .do = Correct the masks as described below, then run the command again.

@@ -5,11 +5,13 @@ mesh-no_triangles = Mesh { $name } has no triangles.
 # $name = "part.stl"
 # $vertex = 12
 mesh-vertex_not_finite = Mesh { $name }: vertex { $vertex } has a coordinate that is not a finite number.
+    .do = Correct the coordinate, or delete the vertex with its triangles.
 
 # $name = "part.stl"
 # $vertex = 120
 # $n = 80
 mesh-unknown_vertex = Mesh { $name }: a triangle refers to vertex { $vertex }, but there are { $n } vertices.
+    .do = Correct this triangle, or add the missing vertices.
 
 # $name = "part.stl"
 mesh-no_area = Mesh { $name }: its triangles have no area.

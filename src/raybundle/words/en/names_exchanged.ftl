@@ -12,4 +12,4 @@ names_exchanged = { $pairs } { $pairs ->
 # $first = "A"
 # $second = "B"
 # $image = "IMG_1"
-names_exchanged-pair = { $first } and { $second } in image { $image }
+names_exchanged-pair = Names { $first } and { $second } seem exchanged in image { $image }.

@@ -5,6 +5,7 @@ object_line-too_few_points = Object { $name }: its line has fewer than two point
 # $name = "ring"
 # $point = 3
 object_line-not_finite = Object { $name }: point { $point } of its line has a coordinate that is not a finite number.
+    .do = Correct the coordinate, or delete this point from the line.
 
 # $name = "ring"
 # $first = 3

@@ -30,6 +30,7 @@ package-rioxarray_missing = Reading the map as a DataArray needs the package rio
 
 # $n = 2
 package-several_missing = { $n } packages are missing:
+    .do = Install the packages named below.
 
 package-typst_missing = A report as PDF needs the package typst.
     .do = Run: pip install 'raybundle[pdf]'

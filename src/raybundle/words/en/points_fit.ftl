@@ -1,6 +1,6 @@
 # $point = "12"
 # $apart_mm = 0.401
-points_fit-apart = { $point }: { $apart_mm } mm apart.
+points_fit-apart = Point { $point }: { $apart_mm } mm apart.
 
 # $first = "12"
 # $second = "17"

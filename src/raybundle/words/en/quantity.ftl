@@ -7,6 +7,7 @@ quantity-in_line = The points are on one line.
 # $quantity = "plane"
 # $names = ["A", "B", "C"]
 quantity-not_defined = Quantity { $quantity } is not defined by the points { $names }.
+    .do = Choose other points for this quantity.
 
 # $quantity = "angle"
 # $n = 2

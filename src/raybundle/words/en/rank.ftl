@@ -1,5 +1,6 @@
 rank-not_determined = The observations do not determine all unknowns.
     .why = No standard deviation can be given.
+    .do = Add observations or control, or hold the undetermined parameters.
 
 # $n = 1
 rank-no_observation = { $n } { $n ->
@@ -18,7 +19,7 @@ rank-parallel_rays = The rays to { $n } object { $n ->
 
 # $n = 2
 # $parameter = "scale"
-rank-undetermined_together = Together undetermined:
+rank-undetermined_together = The observations do not determine these unknowns together:
     .do = { $parameter ->
         [scale] Hold c (leave it out of `estimate`), or add convergent images or points at different depths.
         [principal_point] Hold the principal point, or add images rolled by 90°.
@@ -36,9 +37,9 @@ rank-undetermined_together = Together undetermined:
 # $symbol = "c"
 # $image = ""
 # $share = 0.5
-rank-share = { $kind ->
-        [parameter] { $symbol } of camera { $name } { $image }
-        [image] Exterior orientation of image { $name }
-        [point] Point { $name }
-       *[other] { $name }
-     } ({ PERCENT($share) } %)
+rank-share = Share { PERCENT($share) } %: { $kind ->
+        [parameter] parameter { $symbol } of camera { $name } { $image }
+        [image] exterior orientation of image { $name }
+        [point] point { $name }
+        *[other] { $name }
+    }

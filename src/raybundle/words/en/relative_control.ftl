@@ -5,6 +5,8 @@ relative_control = Positions of { $photographs } photographs on { $lines } fligh
         [yes] {" "}(with drift)
        *[no] {""}
     }.
+    .why = A constant error of the positions of a line then does not distort the block.
+    .do = For the absolute position, give at least three control points.
 
 # $n = 4
 relative_control-excluded = { $n } { $n ->

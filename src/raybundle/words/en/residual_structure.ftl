@@ -20,24 +20,25 @@ residual_structure = Residuals of neighbouring image points are correlated ({ NU
 # $largest = 20.0
 residual_structure-shared = Image points share slowly varying errors; standard deviations are up to { NUM($largest, digits: 2) } times too small.
     .why = The standard deviations assume independent errors.
+    .do = Adjust with { OPTION("noise", "fields") }.
 
 # $tau_px = 0.32
-residual_structure-fields = Smooth errors that differ from image to image: { NUM($tau_px, digits: 2) } px
+residual_structure-fields = Smooth errors that differ from image to image amount to { NUM($tau_px, digits: 2) } px.
 
 # $focus_px = 0.1
-residual_structure-focus = Varying focus: { NUM($focus_px, digits: 2) } px
+residual_structure-focus = Errors by varying focus amount to { NUM($focus_px, digits: 2) } px.
 
 # $phi = 20.0
-residual_structure-neighbours = Errors that neighbouring points share: { NUM($phi, digits: 2) } times the variance
+residual_structure-neighbours = Errors that neighbouring points share amount to { NUM($phi, digits: 2) } times the variance.
 
 # $object = "interior"
 # $factor = 20.0
-residual_structure-times = { $object ->
-        [interior] Interior orientation
-       *[points] Object points
-     }: standard deviations { NUM($factor, digits: 2) } times too small (median)
+residual_structure-times = Standard deviations of the { $object ->
+        [interior] interior orientation
+        *[points] object points
+    } are { NUM($factor, digits: 2) } times too small (median).
 
 # $images = 40
-residual_structure-sample = Estimated from a part of { $images } images that was adjusted separately.
+residual_structure-sample = These figures are estimated from a part of the block: { $images } images, adjusted separately.
 
 residual_structure-with_fields = With noise fields ({ OPTION("noise", "fields") }, as in `orient`) standard deviations contain these errors.

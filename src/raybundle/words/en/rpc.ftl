@@ -99,6 +99,8 @@ rpc-inaccurate_fit = The best RPC deviates from this model by { $misfit_px } px 
 
 # $scene = "scene.tif"
 rpc-scene_localisation = Scene { $scene }: an image point has no ground point.
+    .why = The RPC is not valid at this image point or height.
+    .do = Check the image coordinates and the height, or get the RPC again.
 
 # $kind = "shift"
 # $n = 8

@@ -52,7 +52,7 @@ scale_bar-contradict = Scale bars contradict each other by a factor of { $factor
 # $measured_m = 0.0012
 # $others = "M3 - M4"
 # $pair = true
-scale_bar-given_and_measured = { $bar }: given { NUM($given_m, digits: 6) } m, by { $pair ->
+scale_bar-given_and_measured = Scale bar { $bar }: given { NUM($given_m, digits: 6) } m, by { $pair ->
         [yes] { $others }
-       *[no] the others
-     } { NUM($measured_m, digits: 6) } m
+        *[no] the other bars
+    } { NUM($measured_m, digits: 6) } m.

@@ -29,6 +29,7 @@ scene-companion_gone = Camera { $camera }: { $scene } refers to this file, which
 
 # $unit = "mm"
 scene-length_unit = Satellite scenes need length_unit = "m", not "{ $unit }".
+    .do = Set length_unit = "m" in block.toml, and give all lengths and coordinates in metres.
 
 # $name = "'../flight.csv'"
 scene-file_elsewhere = { $name } is not the name of a file in the folder of this file.
@@ -147,9 +148,10 @@ scene-none_corrected = None of { $n } { $n ->
         [one] scene
        *[other] scenes
      } can be corrected:
+    .do = Correct scenes or control as described below.
 
 # $scene = "scene_1.tif"
-scene-not_corrected = Scene { $scene }:
+scene-not_corrected = Scene { $scene } is not corrected:
 
 # $name = "scene_1"
 scene-name_twice = Two scenes have the name { $name }.
@@ -300,8 +302,9 @@ scene-pair_height = The rays of { $n } common points meet at { NUM($height_m, de
 
 # $model = "scene_1.RPB"
 # $other = "scene_2"
-scene-contradicts_other = Its geometry ({ $model }) contradicts scene { $other }, which agrees with other scenes.
+scene-contradicts_other = The geometry of this scene ({ $model }) contradicts scene { $other }, which agrees with other scenes.
 
 # $first = "scene_1"
 # $second = "scene_2"
 scene-pair_contradicts = Scenes { $first } and { $second } contradict each other; which one is wrong is ambiguous.
+    .do = Add a third scene of the same place, or give control points: { OPTION("control") }.

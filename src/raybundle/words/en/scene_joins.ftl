@@ -6,4 +6,7 @@ scene_joins = Tie points of photographs were found in { $scenes } { $scenes ->
 
 # $n = 40
 # $scene = "scene_1"
-scene_joins-scene = { $scene }: { $n } points.
+scene_joins-scene = Scene { $scene } contains { $n } tie { $n ->
+        [one] point
+        *[other] points
+    } of photographs.

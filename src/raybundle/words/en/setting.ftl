@@ -10,6 +10,10 @@ setting-wrong_kind = { $name } = { $given } is not possible: { $flag ->
         [yes] true or false is needed
        *[no] a value is needed
     }.
+    .do = { $flag ->
+            [yes] Give true or false for { $name }
+            *[no] Give a value for { $name }
+        }.
 
 # $name = "target"
 # $given = "['rings12', 'rings14']"
@@ -67,11 +71,16 @@ setting-too_small = { $name } = { $given } is too small; it must be { $above ->
         [yes] greater than
         *[no] at least
     } { $least }.
+    .do = { $above ->
+            [yes] Give a value above { $least }
+            *[no] Give { $least } or more
+        }.
 
 # $name = "lines"
 # $given = "99"
 # $most = 40
 setting-too_large = { $name } = { $given } is too large; the limit is { $most }.
+    .do = Give { $most } or less.
 
 # $name = "noise"
 # $given = "'pink'"
@@ -83,11 +92,13 @@ setting-not_one_of = { $name } = { $given } is not a possible value.
 # $given = "(0.1,)"
 # $n = 2
 setting-value_count = { $name } = { $given }: { $n } values are needed.
+    .do = Give { $name } with { $n } values.
 
 # $name = "target"
 # $given = "7"
 # $type = "str"
 setting-wrong_type = { $name } = { $given } is not of type { $type }.
+    .do = Give { $name } as { $type }.
 
 # $name = "feature_count"
 # $given = "99.5"

@@ -3,6 +3,7 @@ similarity-too_few_points = A similarity transformation needs three common point
         [one] is
        *[other] are
      } given.
+    .do = Give three or more points with coordinates in both systems, and not on one line.
 
 similarity-points_in_line = The common points of the similarity transformation lie in one line.
     .why = The rotation about this line is not determined.

@@ -13,10 +13,15 @@ studio-not_started = The studio of { $folder } ended with status { $status }{ $n
         [0] { " " }and no output
        *[other] : { $detail }
      }
+    .do = Run raybundle studio { $folder } on the command line, and correct the error shown.
 
 # $number = 4
 # $n = 3
 studio-no_figure = There is no figure { $number }; there are { $n }, counted from 0.
+    .do = { $n ->
+            [0] Adjust the block first
+            *[other] Give a number below { $n }
+        }.
 
 studio-no_adjustment = There is no adjustment yet.
     .do = Adjust first, or wait until the adjustment in progress has finished.
@@ -42,6 +47,10 @@ studio-adjustment_not_stored = Adjustment { $number } is not stored; { $n ->
         [0] no adjustment is stored
        *[other] stored: { LIST($stored, most: 20) }
     }.
+    .do = { $n ->
+            [0] Adjust the block first
+            *[other] Choose one of the stored adjustments
+        }.
 
 # $number = 2
 # $name = "report.html"
@@ -54,8 +63,10 @@ studio-photograph_file_unknown = The file of this photograph is not known.
 # $level = 7
 # $n = 5
 studio-no_level = There is no level { $level }; there are { $n }, counted from 0.
+    .do = Give a level below { $n }.
 
 # $across = 12
 # $down = 3
 # $level = 1
 studio-tile_outside = Tile { $across }, { $down } of level { $level } is outside the photograph.
+    .do = Reload the page; in a program, give a tile inside the photograph.

@@ -103,8 +103,10 @@ surface-nothing_measured = Nothing was measured{ $region ->
 
 # $given = "area.geojson"
 surface-region_invalid = { OPTION("region", $given) } is not a valid region.
+    .do = Give the corners in order, without crossing edges.
 
 surface-no_depth_map = No depth map could be computed.
+    .do = Correct the cause below, then run surface again.
 
 # $share = 0.012
 # $pixels = 120000
@@ -114,6 +116,7 @@ surface-other_photographs = Nothing was measured{ $region ->
        *[no] {""}
     }: photographs differ from those that were oriented.
     .why = { PERCENT($share) } % of { $pixels } pixels have a depth, unconfirmed by other photographs.
+    .do = Give the photographs that were oriented: { OPTION("photos", "FOLDER") }, or orient the present ones again.
 
 # $n = 2
 # $names = ["a.jpg", "b.jpg"]
@@ -127,8 +130,8 @@ surface-photographs_replaced = { $n } { $n ->
 # $n = 2
 # $names = ["a.jpg: b.jpg", "b.jpg: a.jpg"]
 surface-photographs_exchanged = { $n } { $n ->
-        [one] photograph has
-        *[other] photographs have
-    } the content of another one: { $names }.
-    .why = Depths are wrong.
-    .do = Restore the original names.
+        [one] photograph contains
+        *[other] photographs contain
+    } the picture of another one (file: picture): { $names }.
+    .why = These photographs are used with a wrong orientation, so depths are wrong.
+    .do = Give the files their original names, then run surface again.

@@ -14,8 +14,11 @@ suspect-value = { $name } { $component } ({ observations-kind }) contradicts the
     .why = Given: { NUM($given, digits: 12) } { $unit }, by the others { NUM($shown, digits: 12) } { $unit } (sigma { $sigma } { $unit }, |w| { NUM($w, decimals: 1) }, limit { NUM($limit, decimals: 1) }).
     .do = Check this value.
 
+# $name = "M1-M2"
 # $names = ["M3-M4"]
-suspect-others = { LIST($names, most: 10) } may be wrong instead; the observations cannot separate them.
+suspect-others = { LIST($names, most: 10) } may be wrong instead of { $name }; the observations cannot separate these values.
 
+# $name = "M1-M2"
 # $names = ["M3-M4"]
-suspect-beside = Only beside it the test rejects { LIST($names, most: 10) }.
+suspect-beside = If { $name } is corrected, the test no longer rejects { LIST($names, most: 10) }.
+    .do = Correct { $name } first, then adjust again.

@@ -84,7 +84,7 @@ target-family_ambiguous = The targets in { $photographs } photographs fit severa
 
 # $family = "aicon14"
 # $n = 40
-target-family_points = { $family }: { $n } points.
+target-family_points = Target family { $family }: { $n } points detected.
 
 # $board = "raster"
 # $names = ["circles-7x5", "circles-6x5"]

@@ -1,6 +1,7 @@
 # $n = 3
 # $names = ["a", "b", "c"]
 task-cycle = { $n } tasks depend on each other: { $names }.
+    .do = For tasks of your own, remove one dependency; otherwise report this error to the developers.
 
 # $n = 120
 # $file_name = "facade/cache/tasks"

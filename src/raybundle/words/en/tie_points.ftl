@@ -7,11 +7,11 @@ tie_points-too_few_rays = { $n } tie { $n ->
 
 # $n = 2
 # $points = ["P1", "P2"]
-tie_points-no_ray = No ray: { LIST($points, most: 10) }
+tie_points-no_ray = Points without a ray: { LIST($points, most: 10) }.
 
 # $n = 2
 # $points = ["P1", "P2"]
-tie_points-single_ray = A single ray: { LIST($points, most: 10) }
+tie_points-single_ray = Points with a single ray: { LIST($points, most: 10) }.
 
 # $n = 12
 tie_points-no_base = The { $n } matching pairs of photographs have no base: they differ by a rotation of the camera only.

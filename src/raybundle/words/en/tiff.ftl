@@ -2,7 +2,8 @@
 tiff-ends_early = The TIFF file ends before byte { $byte }.
     .do = Copy it again.
 
-tiff-no_tiff = This is not a TIFF file.
+tiff-no_tiff = The file is not a TIFF file.
+    .do = Give a TIFF file, or convert the picture to TIFF.
 
 # $n = 60000
 # $most = 4096

@@ -50,3 +50,4 @@ transform-calibration_incomplete = { $name } cannot be rotated: its calibration 
 # $row = "row 3"
 # $detail = "it is an angle"
 transform-row_not_possible = { $row } cannot be transformed ({ $detail }).
+    .do = Delete this row before the transformation, or keep the present frame.

@@ -1,4 +1,5 @@
 workbook-no_table = No table with rows is available for the workbook.
+    .do = Give a result folder with tables, or choose other tables: { OPTION("tables", "NAME") }.
 
 # $most = 1048575
 workbook-too_many_rows = The table has more than { $most } rows, the limit of a spreadsheet.

@@ -8,7 +8,7 @@ bias-not_determined = { $n } points ne déterminent pas la correction { $model }
 
 bias-points_excluded = { $n } points exclus sur { $total }
 
-bias-improvement = { $model } : { $test } { $value } dépasse { $limit }.
+bias-improvement = Le biais { $model } améliore nettement l'ajustement : { $test } { $value } dépasse { $limit }.
 
 bias-rpc_contradicted = none : { $larger ->
         [yes] aucun modèle plus grand ne convient mieux

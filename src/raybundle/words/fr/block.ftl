@@ -36,7 +36,7 @@ block-single_image = L'image { $image } seule ne détermine pas les points objet
 
 block-parts_without_datum = Le bloc a { $parts } parties sans points de liaison communs ; { $n } sans référence.
 
-block-open_part = Images { LIST($images, most: 10) } : non déterminé : { datum-part }
+block-open_part = Non déterminé pour les images { LIST($images, most: 10) } : { datum-part }.
 
 block-scale_free = L'échelle du bloc n'est pas déterminée : aucune longueur ne la fixe.
 

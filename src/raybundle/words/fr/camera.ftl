@@ -1,4 +1,4 @@
-camera-panorama_not_supported = Caméra { $camera } : ce format n'a pas de modèle de panorama tournant.
+camera-panorama_not_supported = La caméra { $camera } est un panorama tournant ; cette étape ou ce format ne peut pas l'utiliser.
 
 camera-no_lens = Caméra { $camera } : c = { $c_mm } mm et A = { $A } ne sont pas une orientation interne valable.
 

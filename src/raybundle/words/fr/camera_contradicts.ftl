@@ -8,4 +8,4 @@ camera_contradicts-millimetres = Caméra { $camera } : ses points image semblent
 
 camera_contradicts-pixels = Les pixels n'ont pas la forme donnée : sigma0 vaut { $sigma0 } avec une autre hauteur, { $sigma0_given } telle que donnée.
 
-camera_contradicts-pixel_height = Caméra { $camera } : { NUM($factor, digits: 5) }
+camera_contradicts-pixel_height = Caméra { $camera } : la hauteur du pixel vaut { NUM($factor, digits: 5) } fois celle donnée.

@@ -8,6 +8,6 @@ colmap-camera_line = Une caméra demande numéro, modèle, largeur, hauteur et p
 
 colmap-image_line = Une image demande numéro, 4 + 3 nombres, caméra et nom.
 
-colmap-image_points_line = Les { $n } mots de cette ligne ne sont pas des triplets x, y, point.
+colmap-image_points_line = La ligne des points image a { $n } nombres ; chaque point en demande trois : x, y et numéro du point.
 
 colmap-point_line = Un point demande numéro, 3 coordonnées, 3 couleurs et une erreur.

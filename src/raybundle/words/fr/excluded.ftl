@@ -1,5 +1,5 @@
-excluded-undetermined = Les points restants ne déterminent pas son orientation.
+excluded-undetermined = Les points restants ne déterminent pas l'orientation de l'image.
 
-excluded-few_points = Les { $n } points restants ne déterminent pas son orientation.
+excluded-few_points = Les { $n } points restants ne déterminent pas l'orientation de l'image.
 
 excluded-part = Une partie séparée de { $photographs } photographies n'est pas déterminée.

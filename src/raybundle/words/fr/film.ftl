@@ -18,11 +18,11 @@ film-marks_implausible = Image { $image } : aucun film n'a la déformation indiq
 
 film-no_transformation = Image { $image } : aucune transformation { $model } ne convient aux marques.
 
-film-residuals = Les résidus des marques atteignent { $worst_mm } mm (limite { $limit_mm } mm).
+film-residuals = Les résidus des repères de cliché atteignent { $worst_mm } mm après la transformation (limite { $limit_mm } mm).
 
 film-stretch = Le film serait étiré { $ratio } fois plus selon un axe que selon l'autre (limite { $limit }).
 
-film-shear = Les axes du film s'écarteraient de { $shear_deg }° de l'angle droit (limite { $limit_deg }°).
+film-shear = Les repères cisailleraient le film : les axes s'écartent de { $shear_deg }° de l'angle droit (limite { $limit_deg }°).
 
 film-marks_exchanged = Les noms de deux marques sont probablement intervertis : { $pairs }.
 

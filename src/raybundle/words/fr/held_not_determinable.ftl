@@ -2,11 +2,11 @@ held_not_determinable-cameras = Les points ne déterminent pas l'orientation int
 
 held_not_determinable = Caméra { $camera } : { $symbol } n'est pas déterminable et est fixé à sa valeur connue { NUM($at, digits: 4) } { $unit }.
 
-held_not_determinable-sigma = Son écart-type serait { NUM($sigma, digits: 2) } { $unit }, { NUM($effect_px, decimals: 0) } px dans l'image.
+held_not_determinable-sigma = L'écart-type de ce paramètre serait { NUM($sigma, digits: 2) } { $unit }, { NUM($effect_px, decimals: 0) } px dans l'image.
 
 held_not_determinable-known_before = { $n } paramètre(s) de caméra tenu(s) par des connaissances a priori, pas par les photos.
 
-held_not_determinable-parameters = Caméra { $camera } : { LIST($symbols, most: 10) }
+held_not_determinable-parameters = Caméra { $camera } : les paramètres tenus sont { LIST($symbols, most: 10) }.
 
 held_not_determinable-value = Caméra { $camera }, { $symbol } : connu { NUM($known_px, decimals: 0) } ± { NUM($known_sigma_px, decimals: 0) } px, trouvé { NUM($found_px, decimals: 0) } ± { NUM($sigma_px, decimals: 0) } px
 

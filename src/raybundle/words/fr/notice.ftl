@@ -1,4 +1,4 @@
 notice-also = Il en va de même pour { $n } { $n ->
-    [one] autre
-   *[other] autres
- } : { LIST($names, most: 10) }.
+        [one] autre objet
+        *[other] autres objets
+    } : { LIST($names, most: 10) }.

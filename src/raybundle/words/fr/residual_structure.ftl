@@ -13,6 +13,6 @@ residual_structure-times = { $object ->
        *[points] Points objet
      } : écarts-types { NUM($factor, digits: 2) } fois trop petits (médiane)
 
-residual_structure-sample = Estimé sur une partie de { $images } images compensée séparément.
+residual_structure-sample = Ces valeurs sont estimées sur une partie du bloc : { $images } images compensées séparément.
 
 residual_structure-with_fields = Avec des champs de bruit ({ OPTION("noise", "fields") }, comme dans `orient`), les écarts-types contiennent ces erreurs.

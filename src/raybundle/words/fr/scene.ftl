@@ -67,7 +67,7 @@ scene-none_here = Il n'y a pas de scène ici : ni image avec RPC, ni fichier de 
 
 scene-none_corrected = Aucune scène sur { $n } ne peut être corrigée :
 
-scene-not_corrected = Scène { $scene } :
+scene-not_corrected = La scène { $scene } n'est pas corrigée :
 
 scene-name_twice = Deux scènes s'appellent { $name }.
 
@@ -125,6 +125,6 @@ scene-pair_scattered = { $n } points communs se dispersent de { NUM($spread_px, 
 
 scene-pair_height = Les rayons de { $n } points communs se coupent à { NUM($height_m, decimals: 0) } m ; les RPC valent de { NUM($low_m, decimals: 0) } à { NUM($high_m, decimals: 0) } m.
 
-scene-contradicts_other = Sa géométrie ({ $model }) contredit la scène { $other }, qui s'accorde avec d'autres scènes.
+scene-contradicts_other = La géométrie de cette scène ({ $model }) contredit la scène { $other }, qui s'accorde avec d'autres scènes.
 
 scene-pair_contradicts = Les scènes { $first } et { $second } se contredisent ; laquelle est fausse est ambigu.

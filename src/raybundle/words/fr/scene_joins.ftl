@@ -1,3 +1,3 @@
 scene_joins = Des points de liaison de photographies ont été trouvés dans { $scenes } scènes.
 
-scene_joins-scene = { $scene } : { $n } points.
+scene_joins-scene = La scène { $scene } contient { $n } points de liaison de photographies.

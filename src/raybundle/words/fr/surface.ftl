@@ -45,4 +45,4 @@ surface-other_photographs = Rien n'a été mesuré : des photographies diffèren
 
 surface-photographs_replaced = { $n } photographies ne sont pas les fichiers qui ont été orientés : { $names }.
 
-surface-photographs_exchanged = { $n } photographies ont le contenu d'une autre : { $names }.
+surface-photographs_exchanged = { $n } photographies contiennent l'image d'une autre (fichier : image) : { $names }.

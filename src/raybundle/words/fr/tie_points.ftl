@@ -1,8 +1,8 @@
 tie_points-too_few_rays = { $n } point(s) de liaison ont moins de deux rayons.
 
-tie_points-no_ray = Aucun rayon : { LIST($points, most: 10) }
+tie_points-no_ray = Points sans rayon : { LIST($points, most: 10) }.
 
-tie_points-single_ray = Un seul rayon : { LIST($points, most: 10) }
+tie_points-single_ray = Points à un seul rayon : { LIST($points, most: 10) }.
 
 tie_points-no_base = Les { $n } paires de photographies appariées n'ont pas de base : elles ne diffèrent que par une rotation.
 

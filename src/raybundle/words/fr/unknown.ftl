@@ -1,12 +1,12 @@
-unknown-image = Orientation externe de l'image { $image } : { $part ->
-        [rotation_x] rotation autour de x
-        [rotation_y] rotation autour de y
-        [rotation_z] rotation autour de z
-       *[other] { $part }
-     }
+unknown-image = Image { $image } : { $part ->
+        [rotation_x] la rotation autour de x
+        [rotation_y] la rotation autour de y
+        [rotation_z] la rotation autour de z
+        *[other] la coordonnée { $part } du centre de projection
+    } n'est pas déterminée.
 
-unknown-parameter = { $symbol } de la caméra { $camera }
+unknown-parameter = Le paramètre { $symbol } de la caméra { $camera } n'est pas déterminé.
 
-unknown-point = Point { $point } : { $axis }
+unknown-point = Point { $point } : la coordonnée { $axis } n'est pas déterminée.
 
-unknown-other = Inconnue { $number }
+unknown-other = L'inconnue { $number } n'est pas déterminée.
