@@ -309,10 +309,10 @@ def test_bad_lines_are_refused(cone, capsys, tmp_path):
     section = ("heights", "section", cone)
     assert "--line CORNERS is missing. [option.missing]" in refused(capsys, *section)
     assert "[section.outside]" in refused(capsys, *section, "--line", "3 3, 4 4")
-    assert "two different places" in refused(capsys, *section, "--line", "0.1 0.1, 0.1 0.1")
+    assert "[outline.line_without_length]" in refused(capsys, *section, "--line", "0.1 0.1, 0.1 0.1")
     assert "at 9. [section.beyond_end]" in refused(capsys, *section, "--line", "0 0, 0.5 0.5", "--between", 0, 9)
-    assert "is no file and no corners: these are written X Y, X Y" in refused(capsys, *section, "--line", "0,0 1,0")
-    assert "is a single place; a line needs two corners" in refused(capsys, *section, "--line", "0.2 0.2")
+    assert "[outline.neither_file_nor_corners]" in refused(capsys, *section, "--line", "0,0 1,0")
+    assert "[outline.single_place]" in refused(capsys, *section, "--line", "0.2 0.2")
     twice = [tmp_path / "twice.csv"] * 2
     found = told(capsys, *section, "--line", "0.3 0.1, 0.5 0.1", *(w for f in twice for w in ("--out", f)))
     assert found["files"] == [str(twice[0])]

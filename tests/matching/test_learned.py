@@ -99,12 +99,12 @@ def test_without_its_packages_a_method_names_the_command(name, monkeypatch):
 
 def test_one_missing_package_is_named_alone(monkeypatch):
     monkeypatch.setattr(registry, "find_spec", lambda package: None if package == "kornia" else object())
-    with pytest.raises(InputError, match="needs kornia, not installed"):
+    with pytest.raises(InputError, match=r"xfeat needs kornia\..*features\.not_installed"):
         feature_method("xfeat")
 
 
 def test_unknown_methods_are_told_all_names():
-    with pytest.raises(InputError, match="known: disk, rootsift, xfeat"):
+    with pytest.raises(InputError, match=r"disk, rootsift, xfeat.*features\.unknown"):
         feature_method("sift")
 
 

@@ -102,7 +102,7 @@ def test_control_needs_three_measured_points(field, tmp_path):
     folder, _ = field
     control = tmp_path / "control.csv"
     control.write_text("point,X,Y,Z\n1,0,0,0.1\n2,1,0,0\nnowhere,0,1,0.2\n")
-    with pytest.raises(InputError, match=r"2.*3.*control\.too_few_measured"):
+    with pytest.raises(InputError, match=r"2.*3.*control\.too_few_for_datum"):
         rb.measure(folder / "free", tmp_path / "r", control=str(control))
 
 

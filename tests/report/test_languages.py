@@ -355,17 +355,6 @@ def test_a_sentence_without_translation_stays_english_whole():
     )
 
 
-def test_remarks_of_a_control_file_are_german():
-    german = language_of("de", ["gcp_list.txt"])
-    remark = (
-        "gcp_list.txt: all 10 heights are exactly 0 and are taken as unknown, not measured: the points control or "
-        "check plan alone. If they were measured, a CSV with a column sZ says so"
-    )
-    assert german.left(remark) == 0
-    assert german.text(remark).startswith("gcp_list.txt: alle 10 Höhen sind genau 0 und gelten als unbekannt")
-    assert any(t.file == "io/geo/control_files.py" for t in sources())
-
-
 def test_german_of_counts_within_sentences():
     german = language_of("de")
     for english, told in (

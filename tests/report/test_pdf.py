@@ -311,7 +311,7 @@ def test_the_command_line_asks_for_it(case, tmp_path, capsys):
     write_block(case("free").given, tmp_path / "block")
     status = main(["adjust", str(tmp_path / "block"), "--out", str(tmp_path / "out"), "--pdf", "--no-report"])
     assert status == 0
-    assert "PDF: " in capsys.readouterr().out
+    assert "report.pdf" in capsys.readouterr().out
     assert (tmp_path / "out" / "report.pdf").is_file()
     assert not (tmp_path / "out" / "report.html").exists()
 
