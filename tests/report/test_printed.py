@@ -63,9 +63,9 @@ def test_numbers_of_a_log_are_set_as_in_print():
 
 def test_what_was_dropped_is_counted_in_sentences():
     dropped = Dropped(features=1000, matched=900, started=800, measured=700, added=100, adjusted=790)
-    words = dropped.notice(800).message
-    assert "21 % of the image points" in words
-    assert "100 that least-squares matching did not measure, 10 that contradict the other rays" in words
+    found = dropped.notice(800).values
+    assert found["share"] == pytest.approx(0.21)
+    assert (found["not_measured"], found["contradict_others"]) == (100, 10)
 
 
 def test_a_shortened_notice_ends_in_a_whole_clause():

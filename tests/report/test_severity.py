@@ -119,7 +119,7 @@ def test_residuals_three_times_too_large_are_a_fault_and_too_small_ones_a_remark
 def test_commands_grade_what_they_print_with_the_same_three_words():
     for path in sorted((SOURCE / "cli").glob("*.py")):
         texts = [n.value for n in ast.walk(ast.parse(path.read_text())) if isinstance(n, ast.Constant)]
-        assert [t for t in texts if isinstance(t, str) and t.lstrip().startswith(("warning:", "note:"))] == [], (
+        assert [t for t in texts if isinstance(t, str) and t.lstrip().startswith(("caution:", "remark:"))] == [], (
             path.name
         )
 

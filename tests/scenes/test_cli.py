@@ -55,7 +55,7 @@ def test_correct(file, rpc, place, scene, tmp_path, capsys, bias):
     words = ["rpc", "correct", str(file), str(points), "--image-sigma", "0.2", "--scene-bias", bias, "--verbose"]
     assert main([*words, "--out", str(out)]) == 0
     said = capsys.readouterr().out
-    assert "advised: shift" in said
+    assert re.search(r"(?m)^  advised: .*shift", said)
     corrected = read_scene(out).rpc
     assert np.abs(corrected.project(ground) - seen).max() < 1.0
     assert ("Refitted" in said) == (bias == "affine")
@@ -141,7 +141,7 @@ def test_correct_names_a_wrong_point_and_leaves_it_out(file, rpc, tmp_path, caps
     points, out = control(rpc, tmp_path / "c.csv", wrong=3), tmp_path / "new_RPC.TXT"
     assert main(["rpc", "correct", str(file), points, "--image-sigma", "0.2", "--out", str(out)]) == 0
     said = capsys.readouterr().out
-    assert re.search(r"warning: 1 of 8 .*: P3 \(.*60 px\)\. \[rpc\.points_contradict\]", said)
+    assert re.search(r"warning: 1 of 8 .*: P3 \(.*6\d px\)\. \[rpc\.points_contradict\]", said)
     assert read_scene(out).rpc.image_offset - rpc.image_offset == pytest.approx([12, -7], abs=0.4)
 
 

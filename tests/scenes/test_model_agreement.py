@@ -166,7 +166,7 @@ def test_models_that_contradict_each_other_are_a_fault(tmp_path, capsys, wrong, 
     ):
         capsys.readouterr()
         assert main(["rpc", *words, "--out", str(tmp_path / to)]) == 0
-        assert preferred.text() in capsys.readouterr().out
+        assert preferred.headline() in capsys.readouterr().out
     with pytest.raises(ModelsContradict, match=r"scene\.models_contradict"):
         read_block(scene_block(tmp_path / "block", file, "linescan"))
     assert read_block(scene_block(tmp_path / "other", file, "rpc")).cameras

@@ -60,7 +60,7 @@ def test_options_are_kept_for_every_button_and_shown_as_a_command(client, studio
     [
         ({"reject": "all"}, r"reject = 'all' .*none, snooping.*\[setting\.not_one_of\]"),
         ({"jobs": -1}, r"jobs = -1 .*\[setting\.too_small\]"),
-        ({"jobs": 1.5}, "no whole number"),
+        ({"jobs": 1.5}, r"1\.5 .*setting\.no_whole_number"),
         ({"robust_start": "yes"}, "robust_start = yes .*setting.wrong_kind"),
         ({"hold": [["a", "b"]]}, "hold .*datum_points.*setting.unknown"),
         ({"datum_points": ["a"]}, "datum_points = .*setting.several_values"),

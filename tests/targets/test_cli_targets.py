@@ -213,12 +213,12 @@ def test_what_calibrate_refuses_before_it_looks(tmp_path, capsys):
     table.write_text("id,code\n1,15\n2,51\n")
     begin = ["calibrate", str(tmp_path), "--out", str(tmp_path / "out")]
     for more, message in (
-        (["--model", "panorama"], "the sensor model panorama cannot be calibrated from photographs of targets"),
+        (["--model", "panorama"], "[camera.not_by_targets]"),
         (
             ["--model", "brown_mounted"],
             "aicon, brown, brown_harmonic, division, eucm, field_of_view, fisheye, kannala_brandt, radial",
         ),
-        (["--model", "antenna"], "unknown sensor model 'antenna'; known: auto, aicon"),
+        (["--model", "antenna"], "[camera.calibration_model_unknown]"),
         (["--table", str(table)], "[target.table_settings]"),
         (["--table", str(table), "--bits", "8", "--target", "aicon12"], "[target.table_settings]"),
     ):

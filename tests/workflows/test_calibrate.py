@@ -125,13 +125,13 @@ def test_spoiled_photographs_are_named(tmp_path, how):
             return cv2.GaussianBlur(image, (0, 0), 9)
         return np.clip(image.astype(float) * 6 + 100, 0, 255).astype(np.uint8)
 
-    with pytest.raises(InputError, match=r"0.*13.*6.*left01\.png.*calibration\.too_few_points"):
+    with pytest.raises(InputError, match=r"(?s)0.*13.*6.*left01\.png.*calibration\.too_few_points"):
         calibrate([changed(tmp_path / "spoiled", spoil)], WANTED)
 
 
 @needs_board
 def test_wrong_size_of_the_board():
-    with pytest.raises(InputError, match=r"6.*8.*calibration\.too_few_points"):
+    with pytest.raises(InputError, match=r"(?s)6.*8.*calibration\.too_few_points"):
         calibrate([BOARD], CalibrateOptions(targets=("chessboard-8x6",)))
 
 
@@ -156,7 +156,7 @@ def test_zoom_moved_halfway(tmp_path):
     first, second = done.adjustment.adjusted.cameras
     assert second.values["c"] / first.values["c"] == pytest.approx(1.04, abs=0.005)
     (told,) = [n for n in done.adjustment.notices if n.code == "two_cameras"]
-    assert "6 photographs (up to left06.png)" in told.text
+    assert "left06.png" in told.text
     assert done.adjustment.given.images.camera.tolist() == [0] * 6 + [1] * 7
 
 
@@ -171,11 +171,11 @@ def test_a_mirrored_photograph_is_a_calibration_mirrored(tmp_path, board):
 @needs_board
 def test_command_line(tmp_path, capsys):
     out = tmp_path / "result"
-    assert main(["calibrate", str(BOARD), "--target", "chessboard-9x6", "--out", str(out), "--progress", "none"]) == 0
+    words = ["calibrate", str(BOARD), "--target", "chessboard-9x6", "--out", str(out), "--progress", "none"]
+    assert main([*words, "--verbose"]) == 0
     said = capsys.readouterr().out
-    assert "13 of 13 photographs used" in said
-    assert "what to photograph next, and the largest uncertainty then:\n   1. Stand " in said
-    assert "seconds: photographs 0." in said
+    assert "13 of 13 photographs" in said
+    assert re.search(r"photograph 1\. Stand .*: \S+ px", said)
     told = json.loads((out / "result.json").read_text())
     (verdict,) = told["calibration"].values()
     assert verdict["grade"] in {"good", "usable", "weak"}
@@ -220,7 +220,7 @@ def test_coded_targets_and_two_cameras_mixed():
     chosen = [p for start in ("043", "671") for p in [q for q in photos if q.name.startswith(start)][:9]]
     done = calibrate(chosen, CalibrateOptions(targets=("aicon14",)))
     assert len(done.adjustment.adjusted.cameras) == 2
-    assert any(n.code == "two_cameras" and "names beginning with" in n.text for n in done.adjustment.notices)
+    assert any(n.code == "two_cameras" and "043" in n.text for n in done.adjustment.notices)
     assert {c.model for c in done.adjustment.adjusted.cameras} == {"brown_harmonic"}  # fourfold, the same in both
     assert all(0.005 < q.image_sigma_px < 0.0105 for q in done.quality)
     assert 0.005 < done.largest_eccentricity_px < 0.05

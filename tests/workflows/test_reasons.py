@@ -15,8 +15,8 @@ from raybundle.errors import (
     message,
     message_of_text,
     named,
+    phrase,
     text_json,
-    text_of,
     text_of_error,
     without_file,
 )
@@ -25,8 +25,8 @@ from raybundle.words import Reader
 from raybundle.workflows.kept import notices_as_array, notices_of_array, reasons_as_array, reasons_of_array
 from raybundle.workflows.scenes.ties import _trouble
 
-FEW = text_of("not_oriented.few_common", n=4, least=6)
-ALONE = text_of("not_oriented.alone")
+FEW = phrase("not_oriented.few_common", n=4, least=6)
+ALONE = phrase("not_oriented.alone")
 
 
 def test_a_reason_is_kept_with_its_messages():

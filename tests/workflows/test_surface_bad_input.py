@@ -129,9 +129,9 @@ def test_without_a_scale_metres_are_refused_and_products_say_so(half, tmp_path, 
     assert main(words) == 2
     assert re.search(r"(?s)surface\.scale_free.*--free-scale", capsys.readouterr().err)
     assert not (tmp_path / "s").exists()
-    assert main([*words, "--free-scale", "--jobs", "1"]) == 0
+    assert main([*words, "--free-scale", "--jobs", "1", "--verbose"]) == 0
     told = capsys.readouterr().out
-    assert "(the scale is free) in the median" in told
+    assert "scale arbitrary" in told
     assert "coordinates and standard deviations have no unit" in told
     s = tmp_path / "s"
     assert b'comment scale = "free"' in (s / "points.ply").read_bytes()[:2000]
@@ -237,7 +237,7 @@ def test_a_photograph_without_a_point_is_told_where_nothing_confirms_it(half, tm
         if path.stem == "portal_08":
             shown = np.clip(picture("leaves", shown.shape[:2], rng), 0, 255).astype(np.uint8)
         cv2.imwrite(str(tmp_path / path.name), shown)
-    assert main([*words, str(tmp_path), *map(str, ("--extent", *BOX)), "--out", str(tmp_path / "s")]) == 0
+    assert main([*words, str(tmp_path), *map(str, ("--extent", *BOX)), "--verbose", "--out", str(tmp_path / "s")]) == 0
     told = capsys.readouterr().out
     assert re.search(r"no point of portal_08: (other depth maps confirm|no other depth map|no depth was found)", told)
 
@@ -268,10 +268,9 @@ def test_a_surface_without_some_photographs_says_so_first(half, tmp_path, capsys
     words = ["surface", str(half / "block"), "--photos", str(tmp_path / "photos"), "--out", str(tmp_path / "s")]
     assert main([*words, "--density", "4", "--jobs", "1", "--extent", *map(str, BOX), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
-    gone = (
-        f"1 of 3 adjusted photographs cannot be used:\n  {name}: The file is in none of the folders of the photographs."
-    )
-    assert gone in found["warnings"]
+    (gone,) = [w for w in found["warnings"] if w["code"] == "surface.photographs_lost"]
+    assert gone["values"] == {"n": 1, "photographs": 3}
+    assert [d["place"]["file"] for d in gone["details"]] == [name]
     page = (tmp_path / "s/surface.html").read_text()
     assert "1 photograph of the adjustment could not be used" in page
     assert f"{name}: The file is in none of the folders of the photographs" in page
@@ -315,7 +314,7 @@ def test_photographs_under_the_names_of_others_are_the_first_reason(half, tmp_pa
     told = capsys.readouterr().err
     assert "in the region" in told
     assert "[surface.other_photographs]" in told
-    assert "portal_02.png holds what was portal_03.png, " in told
+    assert "portal_02.png: portal_03.png" in told
     assert "give them their names back" in told
     assert "water" not in told
 

@@ -37,15 +37,15 @@ TASKS: dict[str, dict[str, str]] = {
         "film": "Transform scanned film by its fiducial marks.",
     },
     "Orient and adjust": {
-        "orient": "Orient photographs, with control points (GCP) or without.",
+        "orient": "Orient photographs, with GCPs and check points or without.",
         "adjust": "Adjust a block; write a result folder and report.",
-        "mark": "Measure points, control and scale bars by hand.",
+        "mark": "Measure points, control and scale bars by commands.",
         "datum": "Transform a result into the system of given points.",
         "merge": "Merge projects of one object into one block.",
         "status": "Show the stages of a project.",
     },
     "Measure": {
-        "studio": "View, measure and adjust in the browser.",
+        "studio": "View, digitise, measure and adjust in the browser.",
         "measure": "Measure targets: coordinates, deviations, length errors.",
         "query": "Compute distances, angles, areas and planes with precision.",
         "compare": "Compare two results.",
@@ -58,7 +58,7 @@ TASKS: dict[str, dict[str, str]] = {
         "sheet": "Draw a sheet to scale as PDF.",
     },
     "Exchange": {
-        "convert": "Convert to COLMAP, Metashape and others; undistort photographs.",
+        "convert": "Convert from and to COLMAP, Metashape, LAS; undistort photographs.",
         "spreadsheet": "Write the tables of a result as a workbook.",
         "record": "Edit the recording sheet: object, client, rights.",
     },

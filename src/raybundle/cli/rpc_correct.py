@@ -9,14 +9,14 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import Summary, report
+from raybundle.cli.summary import Summary, gravest_first, report
 from raybundle.commands.scenes.correct import (
     RpcCorrectSettings,
     check_outputs,
     correction_of,
     write_correction,
 )
-from raybundle.errors import Message, Severity, Value, note
+from raybundle.errors import Message, Severity, Value, message_of_text, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -68,10 +68,10 @@ def _summary(found: Correction, done: Correction) -> Summary:
         e = done.errors
         rand = 0.0 if e.err_rand_m is None else e.err_rand_m
         first.append(note("rpc.ground_errors", bias_m=e.err_bias_m, rand_known=e.err_rand_m is not None, rand_m=rand))
-    texts = [str(r) for r in found.remarks]
-    texts += [f"{found.ids[k]}: {why}" for k, why in found.beyond.items()]
+    remarks = [m for r in found.remarks for m in getattr(r, "messages", (message_of_text(r),))]
+    texts = [f"{found.ids[k]}: {why}" for k, why in found.beyond.items()]
     return Summary(
-        done=first, notices=_warnings(found), files=done.written,
+        done=first, notices=gravest_first([*_warnings(found), *remarks]), files=done.written,
         details=[*texts, *_models(advice), *_terms(found), *_errors(done)],
     )  # fmt: skip
 
@@ -108,7 +108,7 @@ def _models(advice: BiasAdvice) -> list[str]:
     for f in advice.fits:
         rms, out = (", ".join(f"{v:.3f}" for v in pair) for pair in (f.rms, f.left_out_rms))
         rows.append(f"{f.kind:8}{len(f.values):12d}{rms:>20}{out:>22}")
-    return [*rows, f"advised: {advice.reason}"]
+    return [*rows, f"advised: {advice.reason.text()}"]
 
 
 def _terms(found: Correction) -> list[str]:

@@ -59,7 +59,7 @@ def of_adjustment(
         next_step = note("summary.next_scale")
     return Summary(
         done=(*(done or (summary.adjusted(a),)), summary.accuracy(a)), next_step=next_step, files=files,
-        notices=_gravest_first([*notices, *as_told(a.notices)]), details=(*summary.details(a), *details),
+        notices=gravest_first([*notices, *as_told(a.notices)]), details=(*summary.details(a), *details),
     )  # fmt: skip
 
 
@@ -78,7 +78,7 @@ def not_usable(refused: Sequence[tuple[str, str]]) -> list[Message]:
 
 def lines(summary: Summary, *, verbose: bool) -> list[str]:
     """What a terminal shows, at most eight lines without --verbose."""
-    from raybundle.words import headline  # noqa: PLC0415  (Fluent is loaded with it)
+    from raybundle.words import headline, reader  # noqa: PLC0415  (Fluent is loaded with it)
 
     grave = list(_grave(summary.notices))
     shown = grave if verbose else grave[:SHOWN]
@@ -87,14 +87,14 @@ def lines(summary: Summary, *, verbose: bool) -> list[str]:
         found += [f"  {d if isinstance(d, str) else d.text()}" for d in summary.details]
     found += [_line(n, whole=verbose) for n in shown]
     if len(grave) > len(shown):
-        found.append(headline("summary.more", {"n": len(grave) - len(shown)}))
+        found.append(headline("summary.more", {"n": len(grave) - len(shown)}, reader()))
     if verbose:
         found += [_line(n, whole=True) for n in summary.notices if _message(n).severity is Severity.NOTE]
     step = _remedy(grave) or (summary.next_step.headline() if summary.next_step else "")
     if step:
-        found.append(headline("summary.next", {"step": step}))
+        found.append(headline("summary.next", {"step": step}, reader()))
     if summary.files:
-        found.append(headline("summary.files", {"files": [str(f) for f in summary.files]}))
+        found.append(headline("summary.files", {"files": [str(f) for f in summary.files]}, reader()))
     return found
 
 
@@ -118,7 +118,8 @@ def _message(notice: Message | Coded) -> Message:
     return notice if isinstance(notice, Message) else notice.data
 
 
-def _gravest_first(notices: Sequence[Message | Coded]) -> list[Message | Coded]:
+def gravest_first(notices: Sequence[Message | Coded]) -> list[Message | Coded]:
+    """Notices in the order of their severity."""
     order = list(Severity)
     return sorted(notices, key=lambda n: order.index(_message(n).severity))
 
@@ -130,6 +131,9 @@ def _grave(notices: Iterable[Message | Coded]) -> Iterable[Message | Coded]:
 def _line(notice: Message | Coded, *, whole: bool = False) -> str:
     """Severity, what happened and the code, which leads to the rest; `whole`: why it matters and its details too."""
     message, also = _message(notice), getattr(notice, "also", ())
+    stored = getattr(notice, "message", "")
+    if stored:  # a text of an earlier result
+        return f"{message.severity.value}: {stored} [{message.code}]"
     if whole:
         also = f" (+{', '.join(also)})" if also else ""
         first, *others = message.text().splitlines()
@@ -140,9 +144,9 @@ def _line(notice: Message | Coded, *, whole: bool = False) -> str:
 
 def _remedy(grave: Sequence[Message | Coded]) -> str:
     """What to do about the gravest notice that has a remedy."""
-    from raybundle.words import action  # noqa: PLC0415
+    from raybundle.words import action, reader  # noqa: PLC0415
 
-    found = (action(m.code, m.values) for m in map(_message, grave))
+    found = (action(m.code, m.values, reader()) for m in map(_message, grave))
     return next(filter(None, found), "")
 
 

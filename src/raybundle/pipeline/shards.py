@@ -22,7 +22,7 @@ import numpy as np
 
 from raybundle import words
 from raybundle.errors import InputError, Message, TasksWaiting, message_of
-from raybundle.io.reading.trees import own_json_of
+from raybundle.io.block.arrays import value_of_text
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Counted, Progress, silent
 from raybundle.pipeline.clusters import TOKEN, signature
@@ -57,7 +57,7 @@ class Shards:
             found = {key: product for key, product in products.items() if key in wanted}
             for key, product in found.items():
                 said, lost = (str(product.get(name, "")) for name in (FAILED, LOST))
-                failed = message_of(own_json_of(said)) if said else None
+                failed = message_of(value_of_text(said)) if said else None
                 last = key == next(reversed(found))
                 done = Done(task=wanted.pop(key), product=product, failed=failed, lost=lost, keep_now=last)
                 yield done

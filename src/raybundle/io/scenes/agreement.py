@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
-from raybundle.errors import Message, RaybundleError, note
+from raybundle.errors import Message, RaybundleError, Severity, note
 from raybundle.io.scenes.base import Scene, read_scene
 from raybundle.scenes.model_agreement import ModelAgreement, ModelsContradict, model_agreement
 from raybundle.scenes.rpc import Rpc
@@ -30,7 +31,10 @@ def remarks_of(scene: Scene) -> tuple[Message, ...]:
     try:
         check_agreement(scene)
     except ModelsContradict as contradiction:
-        return (*scene.remarks, note("scene.rpc_preferred", **contradiction.agreement.values))
+        return (
+            *scene.remarks,
+            replace(note("scene.rpc_preferred", **contradiction.agreement.values), severity=Severity.WARNING),
+        )
     return scene.remarks
 
 

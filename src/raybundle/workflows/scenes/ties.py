@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError, Message, Text, message, message_of, message_of_text, without_file
-from raybundle.io.reading.trees import own_json_of
+from raybundle.io.block.arrays import value_of_text
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.methods import feature_method
 from raybundle.matching.strips import agreement, by_appearance, match_strips
@@ -195,7 +195,7 @@ def _trouble(text: str) -> Message | None:
     """A message of a product; the words that earlier versions wrote."""
     if not text:
         return None
-    return message_of(own_json_of(text)) if text.startswith("{") else message_of_text(text)
+    return message_of(value_of_text(text)) if text.startswith("{") else message_of_text(text)
 
 
 def matched(
