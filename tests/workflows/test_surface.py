@@ -256,6 +256,6 @@ def test_one_photograph_has_no_surface(half, tmp_path):
 
 def test_a_folder_with_other_things_is_left_alone(half, tmp_path):
     (tmp_path / "letter.txt").write_text("dear")
-    with pytest.raises(InputError, match=rr"letter\.txt.*surface\.foreign_file"):
+    with pytest.raises(InputError, match=r"letter\.txt.*surface\.foreign_file"):
         surface(half / "block", tmp_path, photos=(half,))
     assert [p.name for p in tmp_path.iterdir()] == ["letter.txt"]

@@ -73,7 +73,8 @@ def _summary(done: MeasuredSurface, work: Path) -> Summary:
         done=[points, *_precision(done)[:1]],
         notices=[*(replace(m, severity=Severity.WARNING) for m in wrong), *done.pages.warnings],
         files=[done.points, *(w.files[0] for name, w in done.written if name), *done.pages.files],
-        details=[*_precision(done)[1:], *products, *done.remarks, *_without_part(done), f"adjustment: {done.pages.verdict}", *store_lines(work)],
+        details=[*_precision(done)[1:], *products, *done.remarks, *_without_part(done),
+                 f"adjustment: {done.pages.verdict}", *store_lines(work)],
     )  # fmt: skip
 
 
