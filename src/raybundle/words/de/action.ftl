@@ -5,4 +5,4 @@ action-unknown_argument = { $verb }: Das Argument { $name } ist unbekannt.
     .do = { LIST($known, most: 30) } verwenden.
 
 action-arguments = { $verb }: Die Argumente sind ungültig ({ $detail }).
-    .do = Sie wie dokumentiert angeben.
+    .do = Die Argumente wie dokumentiert angeben.

@@ -1,7 +1,7 @@
-adjustment-corrected_residuals = Kamera { $camera }: Korrigierte Residuen gibt es nur für das Modell brown, nicht für { $model }.
+adjustment-corrected_residuals = Kamera { $camera }: Verbesserungen korrigierter Bildkoordinaten gibt es nur für das Modell brown, nicht für { $model }.
     .do = residuals = "measured" verwenden.
 
-adjustment-no_point = Kein Objektpunkt nimmt an der Ausgleichung teil.
+adjustment-no_point = Kein Objektpunkt geht in die Ausgleichung ein.
     .why = Alle Punkte liegen hinter den Kameras, die sie messen, oder haben keinen Strahl.
     .do = Die gegebenen Orientierungen sowie Vorzeichen und Einheit der Kamerakonstante prüfen oder die Orientierungen weglassen.
 
@@ -9,7 +9,7 @@ adjustment-options_type = Die Optionen sind vom Typ { $type }, nicht AdjustmentO
     .do = AdjustmentOptions(...) übergeben.
 
 adjustment-block_type = Der Block ist vom Typ { $type }, nicht Block.
-    .do = Ihn mit raybundle.read_block(path) lesen.
+    .do = Den Block mit raybundle.read_block(path) lesen.
 
 adjustment-option_choice = Die Option { $name } ist { $given }.
     .do = Einen Wert von { LIST($known, most: 12) } verwenden.
@@ -62,7 +62,7 @@ adjustment-not_finite = Keine Konvergenz: Nach { $iterations } Iterationen sind 
 
 adjustment-no_convergence = Keine Konvergenz nach { $iterations } Iterationen (letzter Schritt { NUM($step_sigmas, digits: 2) } Standardabweichungen).
     .why = Meist sind grobe Fehler oder schlechte Näherungswerte die Ursache.
-    .do = { OPTION("robust_start", "True") } mit { OPTION("reject", "snooping") } verwenden; Namen der Marken und Näherungswerte prüfen.
+    .do = { OPTION("robust_start", "True") } mit { OPTION("reject", "snooping") } verwenden; Punktnamen der Bildmessungen und Näherungswerte prüfen.
 
 adjustment-identical_images = Keine Konvergenz: { $pairs } { $pairs ->
         [one] Bildpaar hat

@@ -1,7 +1,7 @@
 approximate_values_replaced-points = { $n } { $n ->
-        [one] Verknüpfungspunkt lag
-       *[other] Verknüpfungspunkte lagen
-    } weit neben den Strahlen und wurde neu geschnitten: { $ids }.
+        [one] Verknüpfungspunkt lag weit neben den Strahlen und wurde
+       *[other] Verknüpfungspunkte lagen weit neben den Strahlen und wurden
+    } durch Vorwärtsschnitt neu bestimmt: { $ids }.
     .do = points.csv prüfen.
 
 approximate_values_replaced-unsolvable = Die Näherungswerte des Blocks führen zu keiner Lösung und wurden ersetzt (sigma0 jetzt { $sigma0 }).

@@ -20,5 +20,5 @@ attitude-no_sigma = Die Lagewinkel { $source ->
 attitude-no_sigma_unused = Die Lagewinkel { $source ->
      [gimbal] des Gimbals
      *[other] aus { $source }
-    } werden nicht verwendet: Sie haben keine Standardabweichungen.
+    } werden ohne Standardabweichungen nicht verwendet.
     .do = { OPTION("attitude_sigma", "TILT", "HEADING") } in Grad angeben, um sie zu beobachten.

@@ -1,5 +1,5 @@
 attitude_wrong = { $n } { $n ->
-     [one] Lage widerspricht
-     *[other] Lagen widersprechen
+     [one] Satz Lagewinkel widerspricht
+     *[other] Sätze Lagewinkel widersprechen
     } den Aufnahmen um bis zu { NUM($off_deg, decimals: 1) }°, weggelassen: { $ids }.
-    .why = Die anderen streuen um { NUM($scatter_deg, decimals: 2) }°.
+    .why = Die anderen Lagewinkel streuen um { NUM($scatter_deg, decimals: 2) }°.

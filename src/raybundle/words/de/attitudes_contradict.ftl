@@ -5,7 +5,7 @@ attitudes_contradict = Die Lagewinkel { $source ->
     .why = Nach dem besten Einbau der Kamera streuen sie um { NUM($scatter_deg, decimals: 2) }° (Median); ihre Standardabweichung ist { NUM($sigma_deg, digits: 2) }°.
     .do = { $other ->
      [yes] Die Spalten nach der passenden Konvention benennen:
-     *[no] Ihre Konvention ({ $reading }), die Aufnahmezeiten und die Zuordnung der Zeilen prüfen.
+     *[no] Die Konvention der Lagewinkel ({ $reading }), die Aufnahmezeiten und die Zuordnung der Zeilen prüfen.
     }
 
 attitudes_contradict-mounting = Der Einbau weicht um { NUM($off_deg, decimals: 0) }° von einer ganzen Zahl von Vierteldrehungen ab.

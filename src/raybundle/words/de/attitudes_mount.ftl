@@ -6,7 +6,7 @@ attitudes_mount = Die Kamera ist um { NUM($angle_deg, decimals: 0) }°{ $quarter
      *[other] aus { $source }
     } gedreht.
     .why = Das gilt als ihr Einbau{ $alike ->
-     [yes] ; alle Kurse sind gleich, so dass ein falscher Gierwinkel ebenso aussähe
+     [yes] ; alle Flugrichtungen sind gleich, so dass ein falscher Gierwinkel ebenso aussähe
      *[no] { "" }
     }.
     .do = { $alike ->

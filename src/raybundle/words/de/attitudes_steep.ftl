@@ -1,5 +1,5 @@
 attitudes_steep = { $n } { $n ->
-     [one] Lage wird
-     *[other] Lagen werden
+     [one] Satz Lagewinkel wird
+     *[other] Sätze Lagewinkel werden
     } nicht verwendet: { $ids }.
     .why = Diese Aufnahmen blicken entlang der X-Achse, wo omega und kappa um dieselbe Achse drehen.

@@ -2,9 +2,9 @@ axes-point_missing = Koordinatensystem: Der { $which ->
         [origin] Ursprung
        *[axis] Achspunkt
      } fehlt.
-    .do = Ursprung und Achse angeben; einen Ebenenpunkt ergänzen, wenn weder Niveau noch Lot die Vertikale bestimmt.
+    .do = Ursprung und Achse angeben; einen Ebenenpunkt ergänzen, wenn weder ein Horizont noch eine Lotlinie die Lotrichtung bestimmt.
 
-axes-same_points = Koordinatensystem: Unter den Punkten { $names } sind gleiche.
+axes-same_points = Koordinatensystem: Zwei der Punkte { $names } sind gleich.
     .do = Verschiedene Punkte angeben.
 
 axes-in_line = Koordinatensystem { $names }: Die Punkte liegen auf einer Geraden.
@@ -12,21 +12,21 @@ axes-in_line = Koordinatensystem { $names }: Die Punkte liegen auf einer Geraden
     .do = Einen Ebenenpunkt neben der Achse wählen.
 
 axes-vertical = Koordinatensystem { $names }: Die Punkte liegen übereinander, ohne Richtung in der Lage.
-    .why = Der Sinus des Winkels zur Vertikalen ist { NUM($sine, digits: 2) } (Grenze { $limit }).
+    .why = Der Sinus des Winkels zur Lotrichtung ist { NUM($sine, digits: 2) } (Grenze { $limit }).
     .do = Einen anderen Achspunkt wählen.
 
-axes-level_no_plane = Niveau { $names }: Die { $n } Punkte bestimmen keine Ebene.
+axes-level_no_plane = Horizont { $names }: Die { $n } Punkte bestimmen keine Ebene.
     .why = Es sind zu wenige, oder sie liegen auf einer Geraden (Breite durch Länge { NUM($width, digits: 2) }, Grenze { $limit }).
     .do = Mindestens drei Punkte angeben, die nicht auf einer Geraden liegen.
 
 axes-no_coordinates = Koordinatensystem { $names }: Punkt { $point } hat keine Koordinaten.
-    .do = Ihn in zwei Bildern markieren.
+    .do = Den Punkt in zwei Bildern messen.
 
 axes-contradicts_block = Das Koordinatensystem der Punkte { $names } widerspricht dem Datum des Blocks ({ $tables }).
     .do = Eines von beiden entfernen oder das Ergebnis transformieren (raybundle datum).
 
-axes-no_vertical = Das Koordinatensystem der Punkte { $names } hat keine Vertikale.
-    .do = Ein Niveau oder Lot messen oder einen dritten Punkt in der XY-Ebene angeben.
+axes-no_vertical = Das Koordinatensystem der Punkte { $names } hat keine Lotrichtung.
+    .do = Einen Horizont oder eine Lotlinie messen oder einen dritten Punkt in der XY-Ebene angeben.
 
 axes-plane_or_level = Koordinatensystem: { $both ->
         [yes] Ein Ebenenpunkt und die Punkte eines Horizonts sind angegeben

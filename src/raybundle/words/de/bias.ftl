@@ -36,8 +36,8 @@ bias-rpc_contradicted = Kein Bias ist zu empfehlen: { $larger ->
         [yes] Kein größeres Modell passt signifikant besser
         *[no] Kein größeres Modell ist möglich
     }, aber die Punkte widersprechen den RPC.
-    .why = Die Residuen sind { $misfit }-mal so groß wie das Sigma von { $sigma_px } px; Positionen aus diesen RPC sind ebenso falsch.
+    .why = Die Verbesserungen sind { $misfit }-mal so groß wie das Sigma von { $sigma_px } px; Positionen aus diesen RPC sind ebenso falsch.
     .do = Punkte, Koordinatensystem und Höhen prüfen oder Punkte für ein größeres Modell ergänzen.
 
 bias-rpc_confirmed = Kein Bias ist nötig: Die RPC stimmen mit den Punkten im Rahmen des Sigmas von { $sigma_px } px überein.
-    .do = Die RPC ohne Verbesserung verwenden.
+    .do = Die RPC ohne Korrektur verwenden.

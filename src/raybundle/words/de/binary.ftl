@@ -15,7 +15,7 @@ binary-count_too_large = Die Datei kündigt { $n } { $kind ->
         [images] Bilder
         [image_points] Bildpunkte
         [points] Punkte
-        [track_elements] Spurelemente
+        [track_elements] Elemente von Bildpunktfolgen
         [rigs] Rigs
        *[frames] Frames
      } an; sie hat Platz für { $most } (Byte { $byte }).
@@ -29,4 +29,4 @@ binary-name_not_utf8 = Ein Name ist nicht UTF-8 (Byte { $byte }).
 
 binary-bytes_left = Auf den letzten Datensatz folgen { $n } Bytes (Byte { $byte }).
     .why = Die Datei hat wahrscheinlich eine andere Version des Formats.
-    .do = Sie neu exportieren.
+    .do = Die Datei neu exportieren.

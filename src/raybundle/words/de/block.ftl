@@ -1,5 +1,5 @@
 block-no_oriented_image = Block { $block } hat kein orientiertes Bild.
-    .do = Ihn zuerst orientieren oder ausgleichen.
+    .do = Den Block zuerst orientieren oder ausgleichen.
 
 block-nothing_to_write = Block { $block } hat weder Punkte noch Aufnahmen; es gibt nichts zu schreiben.
     .do = Einen Block mit Punkten oder Aufnahmen angeben.
@@ -17,7 +17,7 @@ block-file_missing = Die Datei fehlt; ein Block braucht sie.
     .do = Die Datei ergänzen oder einen anderen Ordner angeben.
 
 block-file_name = Unter diesem Namen wird die Datei nicht gelesen.
-    .do = Sie in { $meant } umbenennen oder anderswohin verschieben.
+    .do = Die Datei in { $meant } umbenennen oder anderswohin verschieben.
 
 block-observations_not_parquet = Die Tabelle wird auf einmal gelesen; ein Block größer als der Arbeitsspeicher braucht Parquet.
     .do = Den Block mit tables="parquet" schreiben (write_block).
@@ -35,11 +35,11 @@ block-not_whole_numbers = Block { $block }: { $name } enthält { $type }; Positi
     .do = { $name } in ein Feld ganzer Zahlen umwandeln.
 
 block-position_out_of_range = Block { $block }: { $name }[{ $row }] ist { $position }; Positionen gehen von 0 bis { $last }.
-    .do = Diese Position berichtigen oder die fehlende Zeile in der Zieltabelle ergänzen.
+    .do = Diese Position korrigieren oder die fehlende Zeile in der Zieltabelle ergänzen.
 
-block-shape = Block { $block }: { $name } muss ein Feld der Form ({ $shape }) sein.
-    .why = Der Typ ist { $type }, die Form ({ $found }).
-    .do = Ein Feld dieser Form angeben, mit einer Zeile je Zeile der Tabelle.
+block-shape = Block { $block }: { $name } muss ein Feld der Dimension ({ $shape }) sein.
+    .why = Der Typ ist { $type }, die Dimension ({ $found }).
+    .do = Ein Feld dieser Dimension angeben, mit einer Zeile je Zeile der Tabelle.
 
 block-number_too_large = { $kind ->
         [image] Bild { $image }
@@ -67,7 +67,7 @@ block-scale_free = Der Maßstab des Blocks ist nicht bestimmt: Keine Länge legt
      }.
 
 block-not_adjusted = Bilder haben keine Orientierung oder Punkte keine Koordinaten: Der Block ist nicht ausgeglichen.
-    .do = Ihn ausgleichen und das Ergebnis angeben.
+    .do = Den Block ausgleichen und das Ergebnis angeben.
 
 block-heights_defined = Block { $block } legt den Bezug seiner Höhen bereits fest.
     .do = { OPTION("undulation") } weglassen.

@@ -1,6 +1,6 @@
 blunder_not_located = { $n } { $n ->
-        [one] Punkt nimmt
-       *[other] Punkte nehmen
-     } nicht teil: zu wenige Strahlen, um den falschen zu bestimmen.
+        [one] Punkt geht
+       *[other] Punkte gehen
+     } nicht in die Ausgleichung ein: zu wenige Strahlen, um den falschen zu bestimmen.
     .why = Weniger als drei Strahlen blieben übrig, oder zwei Strahlen erklären den Fehler gleich gut: { $ids }.
     .do = Diese Punkte in mehr Aufnahmen messen.

@@ -8,13 +8,13 @@ calibration-correlation_count = Eintrag { $number } hat { $n } Korrelationen; n�
     .do = Die Liste vervollständigen.
 
 calibration-not_positive_definite = Die Korrelationen bilden keine positiv definite Matrix.
-    .do = Sie berichtigen oder mit mehr Stellen schreiben.
+    .do = Die Korrelationen korrigieren oder mit mehr Stellen schreiben.
 
 calibration-format_differs = Gespeicherte Kalibrierung { $camera }: Keine Aufnahme hat ihr Format, { $width_px } x { $height_px } px.
     .do = Die Kalibrierung einer Kamera des Satzes angeben: { $known }.
 
 calibration-several_cameras = Die gespeicherte Kalibrierung { $camera } passt zu { $n } Kameras.
-    .do = Ihr die Kennung von einer davon geben: { $known }.
+    .do = Der Kalibrierung die Kennung einer dieser Kameras geben: { $known }.
 
 calibration-two_for_camera = Zwei gespeicherte Kalibrierungen passen zur Kamera { $camera }.
     .do = Jeder die Kennung ihrer Kamera geben: { $known }.
@@ -38,7 +38,7 @@ calibration-deviation = Kamera { $camera } als { $model } weicht bis zu { $devia
     .do = Ein anderes Format oder Modell wählen oder { OPTION("approximate", "True") } angeben.
 
 calibration-one_camera = Zu schreibende Kameras: { $n }; eine Datei des Formats { $format } hat genau eine.
-    .do = Sie einzeln umwandeln: { OPTION("camera", "ID") }.
+    .do = Die Kameras einzeln umwandeln: { OPTION("camera", "ID") }.
 
 calibration-second_camera = Die Datei enthält eine zweite Kamera.
     .do = Jede Kamera in einer eigenen Datei angeben.
@@ -50,31 +50,31 @@ calibration-incomplete = Im Kalibrierbericht fehlen { $missing }.
     .do = Den vollständigen Bericht angeben.
 
 calibration-impossible_values = Format { $width_px } x { $height_px } px, Pixel { $pixel_mm } mm oder c = { $c_mm } mm ist nicht möglich.
-    .do = Den Wert berichtigen.
+    .do = Den Wert korrigieren.
 
 calibration-no_size = Die Datei enthält die Bildgröße nicht.
     .do = { OPTION("format", "WIDTH", "HEIGHT") } angeben.
 
 calibration-pixels_not_square = Ein Format von { $width_mm } x { $height_mm } mm passt nicht zu { $width_px } x { $height_px } px (Pixelverhältnis { $ratio }).
-    .do = Die Bildgröße berichtigen.
+    .do = Die Bildgröße korrigieren.
 
 calibration-no_camera = Die Datei enthält keine Kamera.
     .do = Prüfen, ob es die richtige Datei ist; eine TOML-Datei hat Tabellen [cameras.ID].
 
 calibration-size_or_distance = Format { NUM($width_px, digits: 8) } x { NUM($height_px, digits: 8) } px oder Kamerakonstante { $distance_px } px ist nicht möglich.
-    .do = Den Wert berichtigen.
+    .do = Den Wert korrigieren.
 
 calibration-camera_count = Kameras in dieser Datei: { $n }; nötig ist genau eine.
     .do = Eine Kamera je Datei angeben.
 
-calibration-no_covariance = Das ist keine Kovarianzmatrix: Sie muss symmetrisch und positiv definit sein.
+calibration-no_covariance = Das ist keine Kovarianzmatrix: Eine Kovarianzmatrix ist symmetrisch und positiv definit.
     .do = Die Kalibrierung neu exportieren.
 
 calibration-format_unclear = Die Datei könnte eines von mehreren Kalibrierformaten sein: { $names }.
     .do = Eines mit { OPTION("read_as", "FORMAT", flag: "from") } wählen: { LIST($known, most: 30) }.
 
 calibration-format_not_recognised = Die Datei ist nicht als Kalibrierung erkennbar.
-    .do = Ihr Format mit { OPTION("read_as", "FORMAT", flag: "from") } angeben: { LIST($known, most: 30) }.
+    .do = Das Format der Datei mit { OPTION("read_as", "FORMAT", flag: "from") } angeben: { LIST($known, most: 30) }.
 
 calibration-not_estimated = Kamera { $camera }: Kein Parameter der inneren Orientierung wurde mit Statistik geschätzt.
     .do = Parameter schätzen und mit statistics=True ausgleichen.
@@ -119,7 +119,7 @@ calibration-too_few_photographs = { $n } brauchbare { $n ->
         [one] Aufnahme
        *[other] Aufnahmen
     }; eine Kalibrierung benötigt mindestens { $least }.
-    .do = 10 bis 20 Aufnahmen von verschiedenen Seiten machen, einige mit um 90° gekanteter Kamera.
+    .do = 10 bis 20 Aufnahmen von verschiedenen Seiten machen, einige mit um 90° verkanteter Kamera.
 
 calibration-spline_parameters = Die Parameter des Modells spline lassen sich nicht auswählen.
     .do = { OPTION("parameters") } oder { OPTION("model") } weglassen.
@@ -130,11 +130,11 @@ calibration-too_few_points = { $n } von { $photographs } Aufnahmen zeigen { $lea
 
 calibration-flat_views = Die Blickrichtungen auf das ebene Objekt weichen nur um { NUM($angle_deg, decimals: 0) }° ab; nötig sind { NUM($least_deg, decimals: 0) }°.
     .why = Aus fast einer Richtung lassen sich Kamerakonstante und Entfernung eines ebenen Objekts nicht trennen.
-    .do = Konvergente Aufnahmen hinzufügen: von links, rechts, oben und unten, 30° bis 45° gegen die Normale, einige um 90° gekantet.
+    .do = Konvergente Aufnahmen hinzufügen: von links, rechts, oben und unten, 30° bis 45° gegen die Normale, einige um 90° verkantet.
 
 calibration-not_possible = Die Kamera lässt sich aus diesen Aufnahmen nicht kalibrieren.
-    .do = 6 bis 20 Aufnahmen derselben Punkte machen, die um 30° bis 45° konvergieren, einige um 90° gekantet; hier genannte Aufnahmen ausschließen.
+    .do = 6 bis 20 Aufnahmen derselben Punkte machen, die um 30° bis 45° konvergieren, einige um 90° verkantet; hier genannte Aufnahmen ausschließen.
 
-calibration-spline_worse = Kamera { $camera }: Das Modell spline endet schlechter ({ NUM($rms_px, digits: 2) } px) als der Anfang ({ NUM($start_rms_px, digits: 2) } px).
+calibration-spline_worse = Kamera { $camera }: Das Modell spline passt am Ende schlechter ({ NUM($rms_px, digits: 2) } px) als zu Beginn ({ NUM($start_rms_px, digits: 2) } px).
     .why = Diese Aufnahmen bestimmen seine Flächen nicht (Kamerakonstante { $c_mm } mm).
     .do = { OPTION("model") } weglassen oder Aufnahmen hinzufügen, die das Format bis in die Ecken füllen.

@@ -1,5 +1,5 @@
 camera-panorama_not_supported = Kamera { $camera } ist eine Panoramakamera; dieser Schritt oder dieses Format kann sie nicht verwenden.
-    .why = Die Kamera wird nicht selbsttätig weggelassen; es gibt kein Ergebnis.
+    .why = Die Kamera wird nicht automatisch weggelassen; es gibt kein Ergebnis.
     .do = Die Bilder dieser Kamera aus dem Block entfernen, dann den Befehl erneut ausführen.
 
 camera-no_lens = Kamera { $camera }: c = { $c_mm } mm und A = { $A } sind keine gültige innere Orientierung.
@@ -25,43 +25,43 @@ camera-not_in_format = Kamera { $camera } ist eine { $kind ->
         [scene] Satellitenszene
        *[fisheye] Fischaugenkamera
      }; { $format } kann sie nicht darstellen.
-    .do = Ihre Bilder weglassen oder ein anderes Format wählen.
+    .do = Die Bilder dieser Kamera weglassen oder ein anderes Format wählen.
 
 camera-constant_unknown = Kamera { $camera }: Die Kamerakonstante ist unbekannt.
     .do = [cameras.{ $camera }] in { $table } dieses Ordners ergänzen.
 
 camera-format_size = Kamera { $camera }: Ein Bildformat von { $width_px } x { $height_px } px ist nicht möglich.
-    .do = Breite und Höhe berichtigen.
+    .do = Breite und Höhe korrigieren.
 
 camera-equirectangular_size = Kamera { $camera }: Die Parameter { $parameters } weichen vom Bildformat { $width_px } x { $height_px } px ab.
-    .do = Eine der Angaben berichtigen.
+    .do = Eine der Angaben korrigieren.
 
 camera-principal_distance = Kamera { $camera }: Die Kamerakonstante ist { $fx_px }, { $fy_px } px.
     .do = Werte über 0 angeben.
 
 camera-parameter_limits = Kamera { $camera }: { $parameter } des Modells { $model } ist { $value }, außerhalb { $least } bis { $most }.
-    .do = Den Wert berichtigen.
+    .do = Den Wert korrigieren.
 
 camera-model_unknown = Kamera { $camera }: Das Kameramodell { $model } wird nicht unterstützt.
     .do = Eines von { LIST($known, most: 20) } verwenden.
 
 camera-parameter_count = Kamera { $camera }: { $n } Parameter sind angegeben; das Modell { $model } hat { $needed }.
-    .do = Die Zeile berichtigen.
+    .do = Die Zeile korrigieren.
 
 camera-pixel_size_missing = Breite und Höhe eines Pixels sind nötig.
     .do = Zum Beispiel pixel_mm = [0.005, 0.005] angeben.
 
 camera-pattern_without_photograph = Keine Aufnahme passt zum Muster { $pattern } einer Kamera.
-    .do = Das Muster berichtigen; Namen sind { LIST($names, most: 3) }.
+    .do = Das Muster korrigieren; Namen sind { LIST($names, most: 3) }.
 
 camera-two_patterns = Die Aufnahme { $photograph } passt zu zwei Kameramustern, { $first } und { $second }.
     .do = Die Muster eindeutig machen.
 
 camera-no_turned_copy = Das Format der Kamera { $camera } ist nicht das um { $turned_deg }° gedrehte von { $other }.
-    .why = Sie haben { $width_px } x { $height_px } px und { $other_width_px } x { $other_height_px } px.
+    .why = Die Formate sind { $width_px } x { $height_px } px und { $other_width_px } x { $other_height_px } px.
     .do = Für diese Aufnahmen eine eigene Kamera verwenden.
 
-camera-scans_not_transformed = Kamera { $camera }: Ihre Dateien sind Scans, die in jeder Datei anders liegen.
+camera-scans_not_transformed = Kamera { $camera }: Die Dateien sind Scans, deren Lage von Datei zu Datei verschieden ist.
     .why = Andere Programme kennen keine affine innere Orientierung eines Bildes.
     .do = Die Scans zuerst in das Kamerasystem transformieren.
 
@@ -84,7 +84,7 @@ camera-no_parameter = Kamera { $camera } hat keinen Parameter { $name }.
     .do = Einen von { LIST($known, most: 30) } verwenden.
 
 camera-constant_missing = Kamera { $camera }: Die Kamerakonstante { $parameter } ist 0; das Modell { $model } braucht einen Wert.
-    .do = Ihn in block.toml eintragen.
+    .do = Den Wert in block.toml eintragen.
 
 camera-several = Das Ergebnis hat { $n } Kameras, und keine ist genannt.
     .do = Eine von { LIST($cameras, most: 10) } nennen.
@@ -118,7 +118,7 @@ camera-no_motion = Kamera { $camera }: Die Geschwindigkeit vy ist 0.
     .do = vy angeben, die Länge am Objekt je Millimeter im Bild.
 
 camera-no_covariance = Kamera { $camera } hat keine Kovarianzmatrix.
-    .do = Sie mit Genauigkeitsangaben kalibrieren.
+    .do = Die Kamera mit Genauigkeitsangaben kalibrieren.
 
 camera-calibration_model_unknown = Das Sensormodell { $model } ist unbekannt.
     .do = Eines von { LIST($known, most: 30) } angeben.

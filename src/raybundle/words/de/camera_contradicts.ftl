@@ -6,8 +6,8 @@ camera_contradicts-value = Parameter { $symbol }: { NUM($found_px, decimals: 0) 
 
 camera_contradicts-factor = Parameter { $symbol }: { NUM($found_px, decimals: 0) } px gefunden, { NUM($known_px, decimals: 0) } px bekannt bis auf den Faktor { $factor }.
 
-camera_contradicts-millimetres = Kamera { $camera }: Ihre Bildpunkte sind wohl in mm, nicht in Pixeln.
-    .why = Sie erstrecken sich über { $x_px } x { $y_px }, wie das Format in mm; es hat { $width_px } x { $height_px } px.
+camera_contradicts-millimetres = Kamera { $camera }: Die Bildpunkte sind wohl in mm, nicht in Pixeln.
+    .why = Die Bildpunkte erstrecken sich über { $x_px } x { $y_px }, wie das Format in mm; es hat { $width_px } x { $height_px } px.
     .do = Pixel von der linken oberen Ecke aus angeben.
 
 camera_contradicts-pixels = Die Pixel haben nicht die angegebene Form: sigma0 ist { $sigma0 } mit anderer Pixelhöhe, { $sigma0_given } wie angegeben.

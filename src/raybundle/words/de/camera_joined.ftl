@@ -1,5 +1,5 @@
 camera_joined = Kamera { $camera }: { $n } von { $photographs } Aufnahmen ({ $width_px } x { $height_px } px) haben dieselbe innere Orientierung.
-    .why = Sie sind { $turned ->
+    .why = Diese Aufnahmen sind { $turned ->
         [yes] um { $turn_deg }° im Uhrzeigersinn gedreht gespeichert (Chi-Quadrat { NUM($chi_square, decimals: 1) } bei { $dof }; { NUM($other_chi_square, decimals: 1) } für die andere Drehung)
        *[no] anders groß (Chi-Quadrat { NUM($chi_square, decimals: 1) } bei { $dof })
     }{ $reduced ->
@@ -11,7 +11,7 @@ camera_joined-doubtful = Kamera { $camera }: Die Drehung von { $n } von { $photo
     .why = Angenommen: um { $turn_deg }° im Uhrzeigersinn gedreht gespeichert{ $reduced ->
         [yes] {" "}und verkleinert
        *[no] {""}
-    }, Kamera { $other } vereinigt (Chi-Quadrat { NUM($chi_square, decimals: 1) } bei { $dof }; { NUM($other_chi_square, decimals: 1) } für die andere Drehung, die den Hauptpunkt verschöbe).
+    }, Kamera { $other } vereinigt (Chi-Quadrat { NUM($chi_square, decimals: 1) } bei { $dof }; { NUM($other_chi_square, decimals: 1) } für die andere Drehung, die den Bildhauptpunkt verschöbe).
     .do = Die Dateien so angeben, wie die Kamera sie speicherte.
 
 camera_joined-gimbal = { $n } { $n ->

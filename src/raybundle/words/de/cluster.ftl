@@ -33,10 +33,10 @@ cluster-certificates_not_usable = Die Zertifikate sind nicht benutzbar ({ $detai
     .do = Die Zertifikate des Clusters löschen und den Scheduler neu starten; er erzeugt neue.
 
 cluster-certificates_incomplete = Zertifikate fehlen: { $names }.
-    .do = Sie ergänzen oder die anderen Zertifikate löschen.
+    .do = Die fehlenden Zertifikate ergänzen oder die anderen löschen.
 
-cluster-second_scheduler = Ein Scheduler dieses Clusters läuft schon ({ $address }).
-    .do = Ihn verwenden oder einen anderen Ordner wählen.
+cluster-second_scheduler = Ein Scheduler dieses Clusters läuft bereits ({ $address }).
+    .do = Diesen Scheduler verwenden oder einen anderen Ordner wählen.
 
 cluster-cannot_listen = Der Scheduler kann an Host { $host }, Port { $port } nicht empfangen ({ $detail }).
     .do = { OPTION("host") } angeben, unter dem andere diesen Rechner erreichen, und einen freien { OPTION("port") } oder keinen.
@@ -49,14 +49,14 @@ cluster-other_version = Die Versionen sind verschieden: dort { $found }, hier { 
 
 cluster-connection_lost = Der Scheduler antwortet nicht ({ $detail }).
     .why = Fertige Produkte bleiben in { $folder }.
-    .do = Einen Scheduler starten und denselben Befehl erneut ausführen oder ohne ihn rechnen.
+    .do = Einen Scheduler starten und denselben Befehl erneut ausführen, oder ihn ohne Cluster ausführen.
 
 cluster-worker_blind = Der Worker auf { $host } sieht { $url ->
         [yes] den Speicher
        *[no] den Ordner
      } nicht so wie dieser Rechner ({ $detail }).
     .do = { $url ->
-        [yes] Ihm Zugang geben
+        [yes] Dem Worker Zugang geben
        *[no] Den Ordner dort unter demselben Pfad einbinden
      } oder diesen Worker beenden.
 
@@ -78,16 +78,16 @@ cluster-no_scheduler = Dort wurde kein Scheduler gestartet: { $file_name } fehlt
 
 cluster-foreign_certificate = Der Scheduler an { $address } hat ein Zertifikat eines anderen Clusters ({ $detail }).
     .why = Fertige Produkte bleiben erhalten.
-    .do = Einen Scheduler dieses Clusters starten oder ohne ihn rechnen.
+    .do = Einen Scheduler dieses Clusters starten oder den Befehl ohne Cluster ausführen.
 
 cluster-certificate_refused = Der Scheduler an { $address } weist die Zertifikate dieses Ordners zurück ({ $detail }).
     .why = Fertige Produkte bleiben erhalten.
-    .do = Einen Scheduler dieses Clusters starten oder ohne ihn rechnen.
+    .do = Einen Scheduler dieses Clusters starten oder den Befehl ohne Cluster ausführen.
 
 cluster-timeout = Der Scheduler an { $address } antwortet nicht innerhalb von { $wait_s } s.
     .why = Vielleicht verlangt er Zertifikate. Fertige Produkte bleiben erhalten.
-    .do = Einen Scheduler starten oder ohne ihn rechnen.
+    .do = Einen Scheduler starten oder den Befehl ohne Cluster ausführen.
 
 cluster-no_answer = An { $address } antwortet kein Scheduler ({ $detail }).
     .why = Fertige Produkte bleiben erhalten.
-    .do = Einen Scheduler starten oder ohne ihn rechnen.
+    .do = Einen Scheduler starten oder den Befehl ohne Cluster ausführen.

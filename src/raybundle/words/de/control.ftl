@@ -1,4 +1,4 @@
-control-own_measurements = Die Datei hat eigene Messungen; { $measurements } kann nicht hinzukommen.
+control-own_measurements = Die Datei hat eigene Bildmessungen; { $measurements } kann nicht hinzukommen.
     .do = Eine Messdatei nur zu einer CSV mit Punkten angeben.
 
 control-no_coordinate = Punkt { $point } hat keine Koordinate.
@@ -15,7 +15,7 @@ control-one_place = Alle { $n } Passpunkte haben dieselben Koordinaten ({ LIST($
     .do = Jedem Punkt seine eigenen Koordinaten geben; wahrscheinlich wurde eine Zeile kopiert.
 
 control-several_systems = Die Passpunkte liegen in verschiedenen Koordinatensystemen vor: { $systems }.
-    .do = Sie in ein System umrechnen.
+    .do = Die Passpunkte in ein System umrechnen.
 
 control-too_few_measured = Passpunkte mit zwei oder mehr Strahlen: { $n }; mindestens { $least } sind nötig.
     .do = Mehr davon in den Aufnahmen messen oder Positionen und ein Koordinatensystem der Passpunkte angeben.

@@ -1,16 +1,16 @@
 control_contradicts-scattered = Die Passpunkte aus { $name } passen nicht: Nur { $agree } von { $n } stimmen überein, auf { NUM($rms_mm, digits: 2) } mm (rms).
-    .why = Kein Passpunkt nimmt teil; die Achsen sind nicht die der Passpunkte.
+    .why = Kein Passpunkt geht in die Ausgleichung ein; die Achsen sind nicht die der Passpunkte.
     .do = Namen und Koordinaten der Datei prüfen.
 
 control_contradicts-scale = Die Passpunkte aus { $name } und die Maßstabsstrecken unterscheiden sich im Maßstab um { $near_1 ->
         [yes] { NUM($scale_ppm, digits: 4) } ppm
        *[no] einen Faktor von { NUM($factor, digits: 6) }
      }.
-    .why = Kein Passpunkt nimmt teil; der Maßstab ist der der Maßstabsstrecken ({ NUM($rms_same_scale_mm, digits: 2) } mm rms ohne den Faktor).
+    .why = Kein Passpunkt geht in die Ausgleichung ein; den Maßstab bestimmen die Maßstabsstrecken ({ NUM($rms_same_scale_mm, digits: 2) } mm rms ohne den Faktor).
     .do = Die Einheit der Datei und die Längen der Maßstabsstrecken prüfen.
 
 control_contradicts-ambiguous = { $n } Passpunkte aus { $name } widersprechen den übrigen; welche falsch sind, ist nicht eindeutig.
-    .why = Alle Passpunkte nehmen teil; eine falsche Koordinate verformt das Ergebnis.
+    .why = Alle Passpunkte gehen in die Ausgleichung ein; eine falsche Koordinate verformt das Ergebnis.
     .do = Koordinaten und Namen von { $ids } prüfen oder Passpunkte ergänzen.
 
 control_contradicts-rejected = { $points } von { $control } Passpunkten: mehr als { PERCENT($limit) } % ihrer Bildpunkte sind verworfen: { $ids }.
@@ -23,9 +23,9 @@ control_contradicts-mirrored = Die Passpunkte sind ein Spiegelbild des Objekts: 
      *[no] Mit den Passpunkten wie angegeben hat der Block keine Lösung.
     }
     .do = { $cause ->
-     [images] observations.csv berichtigen: x zählt nach rechts, y nach unten. Ursache:
-     [open] Die Passpunktdatei oder observations.csv berichtigen. Mögliche Ursachen:
-     *[control] Die Passpunktdatei berichtigen. Mögliche Ursachen:
+     [images] observations.csv korrigieren: x zählt nach rechts, y nach unten. Ursache:
+     [open] Die Passpunktdatei oder observations.csv korrigieren. Mögliche Ursachen:
+     *[control] Die Passpunktdatei korrigieren. Mögliche Ursachen:
     }
 
 control_contradicts-mend = { $mend ->
@@ -42,7 +42,7 @@ control_contradicts-exchanged = Passpunkte { $names } sind wohl vertauscht: Mit 
      [yes] Wie angegeben ist sigma0 { $sigma0 }.
      *[no] Wie angegeben hat der Block keine Lösung.
     }
-    .do = Ihre Koordinaten in der Passpunktdatei oder ihre Namen in den Bildern vertauschen.
+    .do = Die Koordinaten dieser Passpunkte in der Datei oder ihre Namen in den Bildern vertauschen.
 
 control_contradicts-points = { $n ->
      [one] Passpunkt { $names } widerspricht

@@ -39,7 +39,7 @@ control_file-heights_unknown = { $name }: Alle { $n } Höhen sind { NUM($height,
 control_file-system_of_others = Koordinatensystem von { $name }: nicht angegeben; { $system } angenommen, wie in { $others }.
 
 control_file-cartesian_assumed = Koordinatensystem von { $name }: nicht angegeben; kartesische Koordinaten in Metern angenommen.
-    .why = Koordinaten wie { NUM($x, digits: 10) }, { NUM($y, digits: 10) } gehören wohl zu einer Karte.
+    .why = Koordinaten wie { NUM($x, digits: 10) }, { NUM($y, digits: 10) } sind wohl Landeskoordinaten.
     .do = In diesem Fall { OPTION("crs", "EPSG:CODE") } angeben.
 
 control_file-system_given = Koordinatensystem von { $name }: nicht in der Datei angegeben; { $system } nach { OPTION("crs") }.

@@ -13,7 +13,7 @@ control_identical-alike = { $pairs } { $pairs ->
        *[other] Passpunktpaare haben
      } innerhalb der Standardabweichung gleiche Koordinaten: { $ids }.
     .why = Die Standardabweichungen trennen diese Punkte nicht.
-    .do = Einem einzigen Punkt einen einzigen Namen geben oder die Standardabweichungen berichtigen.
+    .do = Einem einzigen Punkt einen einzigen Namen geben oder die Standardabweichungen korrigieren.
 
 control_identical-pair = Ein Paar sind { $first } und { $second }.
 

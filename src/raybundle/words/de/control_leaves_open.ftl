@@ -19,5 +19,5 @@ control_leaves_open-imprecise = Die { $kind ->
         [both] Passpunkte und Projektionszentren
        *[control] Passpunkte
      } sind zu ungenau für die Drehung um ihre Gerade.
-    .why = Sie liegen { NUM($width, digits: 2) } { $unit } (rms) neben dieser Geraden, bei Standardabweichungen von { NUM($sigma, digits: 2) } { $unit } ({ $ids }).
-    .do = Sie genauer messen, vor allem ihre Höhen.
+    .why = Die Punkte liegen { NUM($width, digits: 2) } { $unit } (rms) neben dieser Geraden, bei Standardabweichungen von { NUM($sigma, digits: 2) } { $unit } ({ $ids }).
+    .do = Diese Koordinaten genauer messen, vor allem die Höhen.

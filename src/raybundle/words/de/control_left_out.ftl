@@ -9,7 +9,7 @@ control_left_out = { $n } { $n ->
        *[other] sind
      } ausgeschlossen: { $ids }.
     .why = Die übrigen stimmen auf { NUM($rms_mm, digits: 2) } mm (rms) überein; ausgeschlossene Punkte werden mit dem Ergebnis verglichen.
-    .do = Ihre Koordinaten und Namen prüfen.
+    .do = Koordinaten und Namen dieser Passpunkte prüfen.
 
 control_left_out-unsolvable = Alle Passpunkte ({ $n }) sind ausgeschlossen: Mit ihnen gibt es keine Lösung.
     .why = Lage, Orientierung und Maßstab sind Näherungen.

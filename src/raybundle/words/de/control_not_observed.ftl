@@ -2,13 +2,13 @@ control_not_observed = { $n } { $n ->
         [one] Passpunkt ist
        *[other] Passpunkte sind
      } in keinem Bild gemessen und { $n ->
-        [one] nimmt
-       *[other] nehmen
-     } nicht teil: { $ids }.
-    .do = Sie in den Bildern messen oder die Namen berichtigen.
+        [one] geht
+       *[other] gehen
+     } nicht in die Ausgleichung ein: { $ids }.
+    .do = Diese Passpunkte in den Bildern messen oder die Namen korrigieren.
 
 control_not_observed-rejected = { $n } { $n ->
-        [one] Passpunkt nimmt
-       *[other] Passpunkte nehmen
-     } nicht teil: Alle Bildpunkte wurden verworfen ({ $ids }).
-    .do = Koordinaten, Namen und Marken prüfen.
+        [one] Passpunkt geht
+       *[other] Passpunkte gehen
+     } nicht in die Ausgleichung ein: Alle Bildmessungen wurden verworfen ({ $ids }).
+    .do = Koordinaten, Namen und Bildmessungen prüfen.

@@ -6,8 +6,8 @@ control_suspect = { $n ->
        *[other] : { $ids }
      }.
     .why = { $n ->
-        [one] Er nimmt teil und verfälscht
-       *[other] Sie nehmen teil und verfälschen
+        [one] Dieser Passpunkt geht in die Ausgleichung ein und verfälscht
+       *[other] Diese Passpunkte gehen in die Ausgleichung ein und verfälschen
      } das Ergebnis.
     .do = Koordinaten und Punktnummern in den Bildern prüfen.
 

@@ -5,4 +5,4 @@ control_without_photograph = { $n } { $n ->
      [one] ist
      *[other] sind
     } in Aufnahmen, die fehlen: { LIST($names, most: 5) }.
-    .do = Diese Aufnahmen ergänzen oder ihre Namen berichtigen.
+    .do = Diese Aufnahmen ergänzen oder ihre Namen korrigieren.

@@ -2,7 +2,7 @@ costs-measure_and_shipped = { OPTION("measure", "True") } und { OPTION("shipped"
     .do = Eines davon angeben.
 
 costs-no_photographs = Die Zahl der Aufnahmen ist unbekannt.
-    .do = Ihren Ordner oder { OPTION("images", "N") } angeben.
+    .do = Den Ordner der Aufnahmen oder { OPTION("images", "N") } angeben.
 
 costs-photographs_and_number = Aufnahmen und { OPTION("images", $n) } schließen sich aus.
     .do = Eines davon angeben.

@@ -1,24 +1,24 @@
 crs-outside_area = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } sind keine Koordinaten in { $system }.
     .why = { $on_earth ->
-        [yes] Sie lägen bei Länge { NUM($longitude_deg, decimals: 2) }, Breite { NUM($latitude_deg, decimals: 2) }; der Geltungsbereich ist Länge { $longitudes_deg }, Breite { $latitudes_deg }
+        [yes] Der Ort wäre geographische Länge { NUM($longitude_deg, decimals: 2) }, Breite { NUM($latitude_deg, decimals: 2) }; der Geltungsbereich ist Länge { $longitudes_deg }, Breite { $latitudes_deg }
        *[no] Kein Ort der Erde hat diese Koordinaten
      }.
     .do = { $hint ->
-        [named] Das System der Koordinaten angeben; { OPTION("crs") } weglassen bei Metern in örtlichen Achsen
+        [named] Das System der Koordinaten angeben; { OPTION("crs") } weglassen bei Metern in lokalen Achsen
         [named_exchanged] Ost- und Nordwert vertauschen oder mit { OPTION("crs") } das System der Koordinaten angeben
-        [degrees] Das System der Koordinaten angeben: Sie sehen aus wie Grad oder Meter in örtlichen Achsen
-        [exchanged] Ostwert oder Länge zuerst schreiben oder das System berichtigen
+        [degrees] Das System der Koordinaten angeben, die wie Grad oder Meter in lokalen Achsen aussehen
+        [exchanged] Ostwert oder geographische Länge zuerst schreiben oder das System korrigieren
         [feet] Meter schreiben: Als Fuß passen sie
        *[system] Das System der Koordinaten angeben
      }.
 
 crs-beyond_circle = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } liegt außerhalb von { $system }: Die { $quantity ->
-        [latitude] Breite
-       *[longitude] Länge
+        [latitude] geographische Breite
+       *[longitude] geographische Länge
      } endet bei { $limit }.
     .do = { $swapped ->
-        [yes] Prüfen, ob Länge und Breite vertauscht sind
-       *[no] Das Koordinatensystem des Gitters angeben, etwa EPSG:32633
+        [yes] Prüfen, ob geographische Länge und Breite vertauscht sind
+       *[no] Das ebene Koordinatensystem angeben, etwa EPSG:32633
      }.
 
 crs-undulation_of_ellipsoid = { $system } hat bereits ellipsoidische Höhen.
@@ -35,15 +35,15 @@ crs-geoid_missing = { $heights } braucht ein Geoid, das nicht installiert ist.
     .why = Ohne dieses wären Höhen um bis zu 100 m falsch.
     .do = { $kind ->
         [known] pyproj sync --file { $grid } ausführen oder https://cdn.proj.org/{ $grid } nach { $folder } kopieren
-        [own] Den Pfad des Gitters { $grid } berichtigen
+        [own] Den Pfad des Geoidrasters { $grid } korrigieren
        *[unknown] Die Undulation zu allen Höhen addieren ({ OPTION("undulation", "METRES") } von convert und rpc) und { $ellipsoidal } angeben
      }.
 
-crs-coordinate_shape = Nötig sind Koordinaten der Form (n, 3), nicht ({ $shape }).
+crs-coordinate_shape = Nötig sind Koordinaten der Dimension (n, 3), nicht ({ $shape }).
     .do = Ein Feld mit drei Spalten angeben: X, Y und Z.
 
 crs-not_transformed = Punkt { $number } bei { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } liegt außerhalb von { $system }.
-    .do = Koordinatensystem und Reihenfolge der Koordinaten prüfen (Ostwert oder Länge zuerst).
+    .do = Koordinatensystem und Reihenfolge der Koordinaten prüfen (Ostwert oder geographische Länge zuerst).
 
 crs-unknown = { $text } ist kein bekanntes Koordinatensystem.
     .do = EPSG:CODE, einen PROJ-Text oder WKT angeben.
@@ -52,7 +52,7 @@ crs-heights_of_proj_string = { $text } hinter einem PROJ-Text wird nicht unterst
     .do = Das Lagesystem als EPSG:CODE angeben oder ellipsoidische Höhen als { $ellipsoid }.
 
 crs-utm_zone = Die UTM-Zone { $zone } liegt nicht zwischen 1 und 60.
-    .do = Die Zone berichtigen.
+    .do = Die Zone korrigieren.
 
 crs-not_on_earth = { $text } hat keine Lage auf der Erde.
     .do = Ein projiziertes, geographisches oder geozentrisches System angeben.
@@ -82,7 +82,7 @@ crs-undulation_added = { $heights }: Höhen über dem Geoid; eine konstante Undu
     }.
 
 crs-outside_use = { $table }: { NUM($x, digits: 10) }, { NUM($y, digits: 10) } liegt außerhalb des Anwendungsbereichs von { $system }.
-    .why = Der Ort liegt bei Länge { NUM($longitude_deg, decimals: 2) }°, Breite { NUM($latitude_deg, decimals: 2) }°.
+    .why = Der Ort hat die geographische Länge { NUM($longitude_deg, decimals: 2) }°, Breite { NUM($latitude_deg, decimals: 2) }°.
     .do = { $exchanged ->
      [yes] Prüfen, ob Ost- und Nordwerte vertauscht sind
      *[no] Das Koordinatensystem prüfen

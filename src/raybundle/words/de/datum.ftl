@@ -1,10 +1,10 @@
 datum-unknown_points = { $n } { $n ->
-        [one] Datumspunkt nimmt
-       *[other] Datumspunkte nehmen
-     } nicht an der Ausgleichung teil: { LIST($points, most: 5) }.
+        [one] Datumspunkt geht
+       *[other] Datumspunkte gehen
+     } nicht in die Ausgleichung ein: { LIST($points, most: 5) }.
     .do = Gemessene Datumspunkte wählen.
 
-datum-points_in_line = Die Objektpunkte können das Datum nicht festlegen: Sie liegen an einem Ort oder auf einer Geraden.
+datum-points_in_line = Die Objektpunkte liegen an einem Ort oder auf einer Geraden und legen das Datum nicht fest.
     .do = Punkte neben dieser Geraden messen.
 
 datum-fixed = Die Beobachtungen legen das Datum dieses Blocks fest; ein anderes ist nicht wählbar.
@@ -25,9 +25,9 @@ datum-part = { $part ->
 datum-combination = { $n } { $n ->
         [one] Kombination
        *[other] Kombinationen
-     } von { LIST($among, most: 7) } (t Verschiebung, r Drehung, m Maßstab)
+     } von { LIST($among, most: 7) } (t Verschiebung, r Drehung, m Maßstabsfaktor)
 
-datum-too_few_points = { $points } Datumspunkte können { $constraints } innere Bedingungen nicht tragen.
+datum-too_few_points = { $points } Datumspunkte reichen für { $constraints } innere Bedingungen nicht aus.
     .do = Mindestens drei Punkte wählen, die nicht auf einer Geraden liegen.
 
 datum-no_scale = Keine Beobachtung bestimmt den Maßstab.

@@ -2,7 +2,7 @@ depth_map-density = Die Dichte einer Tiefenkarte ist { $density }; möglich sind
     .do = 1 für eine Tiefe in jedem Pixel angeben, 2 in jedem zweiten, 4 in jedem vierten.
 
 depth_map-no_source = Bild { $image }: Keine andere Aufnahme eignet sich zur dichten Zuordnung mit ihm.
-    .do = Aufnahmen machen, die sich mit ihm überdecken und an anderer Stelle stehen.
+    .do = Aufnahmen von anderen Standpunkten machen, die sich mit diesem Bild überdecken.
 
 depth_map-outside_region = Bild { $image } zeigt das Gebiet nicht.
     .do = Es weglassen oder ein anderes Gebiet wählen.
@@ -13,8 +13,8 @@ depth_map-too_few_points = Bild { $image } hat { $n } Verknüpfungspunkte; der T
 depth_map-source_count = Das Referenzbild hat { $n } Quellbilder; 1 bis { $most } sind möglich.
     .do = Die besten Quellbilder wählen.
 
-depth_map-array_shape = Das Feld { $array } hat die Form ({ $shape }).
-    .do = Ein Feld der Form ({ $needed }) angeben.
+depth_map-array_shape = Das Feld { $array } hat die Dimension ({ $shape }).
+    .do = Ein Feld der Dimension ({ $needed }) angeben.
 
 depth_map-grid_outside = Das Pixelraster reicht bis { $x_px }, { $y_px }; das Bild hat { $width_px } x { $height_px } px.
     .do = Ein Raster innerhalb des Bildes angeben.

@@ -2,7 +2,7 @@ depths-small_angle = Die Strahlen dieser Aufnahmen schneiden sich unter { NUM($a
     .why = Die Basis ist zu kurz oder liegt in der Blickrichtung.
     .do = Von weiter auseinanderliegenden Standpunkten aufnehmen.
 
-depths-scales_differ = Die Maßstäbe dieser Aufnahmen unterscheiden sich um den Faktor { NUM($ratio, digits: 2) } (Grenze { $limit }).
+depths-scales_differ = Die Bildmaßstäbe dieser Aufnahmen unterscheiden sich um den Faktor { NUM($ratio, digits: 2) } (Grenze { $limit }).
     .do = Aus ähnlichen Entfernungen aufnehmen.
 
 depths-no_common_points = Keine zwei Aufnahmen haben genügend gemeinsame Punkte.

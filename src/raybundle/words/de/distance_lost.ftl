@@ -1,5 +1,5 @@
 distance_lost = { $n } { $n ->
-        [one] Strecke nimmt
-       *[other] Strecken nehmen
-     } nicht teil: Bildpunkte der Enden wurden verworfen ({ $ids }).
-    .do = Die Marken dieser Punkte prüfen.
+        [one] Strecke geht
+       *[other] Strecken gehen
+     } nicht in die Ausgleichung ein: Bildmessungen der Enden wurden verworfen ({ $ids }).
+    .do = Die Bildmessungen dieser Punkte prüfen.

@@ -7,4 +7,4 @@ dlt-plane = Die Punkte liegen in einer Ebene (Tiefe { NUM($ratio, digits: 2) } i
 
 dlt-behind = Die DLT legt die Punkte hinter die Kamera.
     .why = Das Bild ist gespiegelt, oder y zählt nach unten.
-    .do = Die Richtung der Bildachsen berichtigen.
+    .do = Die Richtung der Bildachsen korrigieren.

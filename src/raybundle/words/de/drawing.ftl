@@ -8,7 +8,7 @@ drawing-no_extent = Es gibt keine Punkte oder Linien zu zeichnen.
     .do = { OPTION("extent", "LEFT", "BOTTOM", "RIGHT", "TOP") } angeben.
 
 drawing-no_area = Die Zeichenfläche ist { $width } x { $height }; beide Werte müssen über 0 liegen.
-    .do = { OPTION("extent") } berichtigen.
+    .do = { OPTION("extent") } korrigieren.
 
 drawing-several_results = Punkte und Linien eines Ergebnisses lassen sich zeichnen; dies ist das zweite.
     .do = Ein Ergebnis angeben.
@@ -30,7 +30,7 @@ drawing-does_not_fit = Das Objekt mit { $width_m } x { $height_m } m passt { $sc
 
 drawing-fitting_scale = Ein kleinerer Maßstab passt: { OPTION("scale", $scale) }.
 
-drawing-fitting_paper = Ein größeres Papier passt: { OPTION("paper", $paper) }.
+drawing-fitting_paper = Ein größeres Papierformat passt: { OPTION("paper", $paper) }.
 
 drawing-joined_sheets = Mehrere Blätter, die aneinandergelegt werden: { OPTION("several", "True") }.
 

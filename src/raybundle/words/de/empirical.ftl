@@ -26,14 +26,14 @@ empirical-excluded_needs_model = { OPTION("without") } braucht ein bestimmtes Mo
     .do = { OPTION("model", "dlt-brown") } angeben.
 
 empirical-no_redundancy = { $model } hat keine Redundanz; die Anpassung lässt sich nicht beurteilen.
-    .why = Ein grober Fehler in einem Punkt verfälscht das Modell, ohne ein Residuum zu erzeugen.
+    .why = Ein grober Fehler in einem Punkt verfälscht das Modell, und keine Verbesserung zeigt ihn.
     .do = Punkte ergänzen oder ein Modell mit weniger Parametern verwenden.
 
-empirical-adequate = { $model }: Residuen von { $x_px }; { $y_px } px (rms) passen zu einem Sigma von { $sigma_px } px.
+empirical-adequate = { $model }: Verbesserungen von { $x_px }; { $y_px } px (rms) passen zu einem Sigma von { $sigma_px } px.
     .do = Das Modell nur im Gebiet und im Höhenbereich dieser Punkte verwenden.
 
-empirical-not_adequate = { $model } ist für diese Szene nicht geeignet: Residuen von { $x_px }; { $y_px } px (rms).
-    .why = Sie sind { $ratio }-mal so groß, wie ein Sigma von { $sigma_px } px erklärt (Grenze { $limit }).
+empirical-not_adequate = { $model } ist für diese Szene nicht geeignet: Verbesserungen von { $x_px }; { $y_px } px (rms).
+    .why = Die Verbesserungen sind { $ratio }-mal so groß, wie ein Sigma von { $sigma_px } px erklärt (Grenze { $limit }).
     .do = RPC oder strenges Modell der Szene oder ein Modell mit mehr Parametern verwenden.
 
 empirical-none_adequate = Kein Modell ist geeignet; am nächsten ist { $model }: { $left_out_px } px (rms) an ausgelassenen Koordinaten.

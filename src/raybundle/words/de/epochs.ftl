@@ -13,7 +13,7 @@ epochs-no_sigmas = { $first } und { $second } haben keine Standardabweichungen.
     .do = Ergebnisse mit Kovarianzen angeben.
 
 epochs-covariance_singular = Die gemeinsame Kovarianzmatrix der Epochen ist über das Datum hinaus singulär.
-    .why = Fehlerfrei gehaltene Punkte lassen sich nicht prüfen.
+    .why = Fehlerfrei festgehaltene Punkte lassen sich nicht prüfen.
     .do = Die Epochen als freie Netze ausgleichen.
 
 epochs-mirrored = Die Punkte von { $first } und { $second } sind Spiegelbilder: Gespiegelt passen sie auf { NUM($rms_mm, digits: 2) } mm (rms).
@@ -25,7 +25,7 @@ epochs-scattered = Die Punkte von { $first } und { $second } passen nicht: Nur {
 
 epochs-other_unit = Strecken in { $first } sind { NUM($factor, digits: 6) }-mal so lang wie in { $second }.
     .why = Die Längeneinheit einer Epoche ist falsch (vermutlich { $units }).
-    .do = Die Längeneinheit oder die Maßstabsstrecke berichtigen.
+    .do = Die Längeneinheit oder die Maßstabsstrecke korrigieren.
 
 epochs-points_in_line = Die { $n } gemeinsamen Punkte liegen in { $epoch } auf einer Geraden oder sind ein Punkt.
     .why = Ein Datum braucht drei Punkte, die nicht auf einer Geraden liegen ({ $names }).
@@ -46,9 +46,9 @@ epochs-stable_points_differ = Stabile Punkte weichen um mehr als ihre Standardab
     .why = Die Standardabweichungen sind zu klein, oder viele Punkte haben sich wenig verschoben.
     .do = Die stabilen Punkte mit { OPTION("datum_points", "A", "B", "C") } angeben.
 
-epochs-free_scale = Der Maßstab von { $names } ist nicht festgelegt: ein Wachsen aller Punkte bleibt unentdeckt ({ $scale_ppm } ppm).
+epochs-free_scale = Der Maßstab von { $names } ist nicht festgelegt: eine gleichmäßige Dehnung bleibt unentdeckt ({ $scale_ppm } ppm).
     .why = Passpunkte sind in diesem Test frei; Längen sind die der ersten Epoche.
     .do = In jeder Epoche eine Maßstabsstrecke messen.
 
 epochs-points_unknown = Keine Messung hat { LIST($points, most: 10) }.
-    .do = { OPTION("points") } berichtigen.
+    .do = { OPTION("points") } korrigieren.

@@ -2,7 +2,7 @@ figure-wrong_type = figure ist vom Typ { $type }, nicht Figure oder SubFigure.
     .why = Jede Abbildung hat mehrere Achsen.
     .do = Eine Figure oder SubFigure von matplotlib angeben.
 
-figure-no_image_points = Kein Bildpunkt nahm an der Ausgleichung teil; es gibt nichts zu zeichnen.
+figure-no_image_points = Kein Bildpunkt ging in die Ausgleichung ein; es gibt nichts zu zeichnen.
     .do = Eine andere Abbildung wählen oder einen Block mit Bildpunkten ausgleichen.
 
 figure-camera_without_points = Kamera { $camera } hat keine Bildpunkte in der Ausgleichung.
@@ -25,7 +25,7 @@ figure-no_network = Kein Objektpunkt mit Strahlen hat Koordinaten; es gibt kein 
     .do = Punkte in mindestens zwei Aufnahmen messen und neu ausgleichen.
 
 figure-no_redundancy_numbers = Die Ausgleichung hat keine Redundanzanteile.
-    .why = Sie wurde ohne Statistik gerechnet.
+    .why = Die Ausgleichung wurde ohne Statistik berechnet.
     .do = Mit AdjustmentOptions(statistics=True) ausgleichen.
 
 figure-no_adjustment = Das Argument ist vom Typ { $type }, nicht Adjustment.

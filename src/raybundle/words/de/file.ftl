@@ -7,12 +7,12 @@ file-missing = Diese Datei oder diesen Ordner gibt es nicht.
 file-memory = Die Datei braucht mehr Arbeitsspeicher, als vorhanden ist.
     .do = Prüfen, ob die Datei vollständig ist und das richtige Format hat.
 
-file-not_computable = Mit den Zahlen dieser Datei lässt sich nicht rechnen.
+file-not_computable = Mit den Zahlen dieser Datei ist keine Berechnung möglich.
     .why = Die Datei ist wahrscheinlich beschädigt.
-    .do = Sie neu exportieren.
+    .do = Die Datei neu exportieren.
 
 file-link_broken = Diese Verknüpfung zeigt auf { $target }, das es nicht gibt.
-    .do = Die Verknüpfung berichtigen oder löschen.
+    .do = Die Verknüpfung korrigieren oder löschen.
 
 file-link_loop = Eine Verknüpfung in diesem Pfad zeigt auf sich selbst.
     .do = Die Verknüpfung löschen oder einen anderen Pfad wählen.
@@ -67,7 +67,7 @@ file-not_writable = Hier kann nicht geschrieben werden ({ $detail }).
 file-created_meanwhile = Ein anderer Lauf hat diesen Namen inzwischen angelegt; das Ergebnis dieses Laufs ist verworfen.
     .do = Einen anderen Namen wählen und den Lauf wiederholen.
 
-file-no_images = Es enthält keine Bilder.
+file-no_images = Die Datei enthält keine Bilder.
     .do = Prüfen, ob es die richtige Datei ist.
 
 file-empty = Die Datei ist leer.

@@ -1,5 +1,5 @@
 fit-unknown_points = Für die Einpassung gewählte Punkte sind nicht zugleich gemessen und Sollpunkte: { $names }.
-    .do = Die Namen berichtigen oder diese Punkte weglassen.
+    .do = Die Namen korrigieren oder diese Punkte weglassen.
 
 fit-too_few_selected = Nur { $n } Punkte sind für die Einpassung gewählt ({ $names }).
     .do = Mindestens { $least } Punkte wählen.
@@ -15,11 +15,11 @@ fit-points_in_line = Die { $n } { $kind ->
     .do = Drei Punkte wählen, die nicht auf einer Geraden liegen.
 
 fit-covariance_singular = Die gemeinsame Kovarianzmatrix der eingepassten Punkte ist singulär.
-    .why = Einige dieser Punkte sind fehlerfrei gehalten.
+    .why = Einige dieser Punkte sind fehlerfrei festgehalten.
     .do = Mit gleichen Gewichten einpassen.
 
 fit-other_unit = Sollpunkte liegen { NUM($ratio, digits: 4) }-mal so weit auseinander wie die gemessenen.
-    .why = Ihre Einheit oder die der Maßstabsstrecken ist falsch{ $likely ->
+    .why = Die Einheit der Sollpunkte oder der Maßstabsstrecken ist falsch{ $likely ->
         [yes] { " " }(vermutlich { $units })
        *[no] { "" }
      }.

@@ -4,7 +4,7 @@ flight_area-not_finite = Eine Ecke { $kind ->
         [outline] des Umrisses { $name }
        *[area] des Gebiets
      } hat keine zwei endlichen Koordinaten.
-    .do = Die Ecke berichtigen.
+    .do = Die Ecke korrigieren.
 
 flight_area-too_few_corners = { $kind ->
         [zone] Die Flugverbotszone { $name }
@@ -20,7 +20,7 @@ flight_area-crosses_itself = { $kind ->
         [outline] Der Umriss { $name }
        *[area] Das Gebiet
      } schneidet sich selbst bei den Seiten ab den Ecken { $first } und { $second }.
-    .why = Sie treffen sich bei { NUM($x, decimals: 1) }; { NUM($y, decimals: 1) }.
+    .why = Die Seiten treffen sich bei { NUM($x, decimals: 1) }; { NUM($y, decimals: 1) }.
     .do = Die Ecken in ihrer Folge entlang des Umrisses angeben.
 
 flight_area-no_area = { $kind ->

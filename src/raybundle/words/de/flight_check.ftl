@@ -5,4 +5,4 @@ flight_check-other_place = Keine Aufnahme liegt dort, wo die Befliegung { $missi
     .do = Prüfen, ob es der Plan dieses Flugs ist.
 
 flight_check-no_crs = Die Mission hat lokale Koordinaten; Aufnahmen haben Positionen auf der Erde.
-    .do = Sie in einem Koordinatensystem planen: { OPTION("crs", "EPSG:CODE") }.
+    .do = Die Mission in einem Koordinatensystem planen: { OPTION("crs", "EPSG:CODE") }.

@@ -1,2 +1,2 @@
 focal_length-not_positive = Die Brennweite ist { $lengths }; sie muss positiv sein.
-    .do = Den Wert berichtigen oder die Datei neu exportieren.
+    .do = Den Wert korrigieren oder die Datei neu exportieren.

@@ -24,7 +24,7 @@ folder-not_listed = Der Inhalt des Ordners ist nicht lesbar ({ $detail }).
     .do = Die Zugriffsrechte prüfen.
 
 folder-missing = Den Ordner dieser Datei gibt es nicht.
-    .do = Ihn zuerst anlegen.
+    .do = Den Ordner zuerst anlegen.
 
 folder-other_block = Der Ordner enthält einen anderen Block; er wird nicht überschrieben.
     .do = { OPTION("out") } anders wählen.

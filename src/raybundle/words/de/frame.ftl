@@ -1,5 +1,5 @@
 frame-unknown_rig = Frame { $frame } verweist auf Rig { $rig }, das fehlt.
-    .do = Die Nummer berichtigen oder das Rig ergänzen.
+    .do = Die Nummer korrigieren oder das Rig ergänzen.
 
 frame-unknown_sensor = Frame { $frame } verweist auf Sensor { $sensor }, den Rig { $rig } nicht hat.
-    .do = Die Nummer berichtigen oder den Sensor ergänzen.
+    .do = Die Nummer korrigieren oder den Sensor ergänzen.

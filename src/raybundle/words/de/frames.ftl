@@ -2,5 +2,5 @@ frames-too_few_points = { $first } und { $second }: { $n } gemeinsame Punkte; ei
     .do = Mehr gemeinsame Punkte messen.
 
 frames-covariance_singular = { $first } und { $second }: Die gemeinsame Kovarianzmatrix ist singulär.
-    .why = Fehlerfrei gehaltene Punkte lassen sich nicht vergleichen.
+    .why = Fehlerfrei festgehaltene Punkte lassen sich nicht vergleichen.
     .do = Den festgehaltenen Punkten Standardabweichungen geben, dann neu ausgleichen.

@@ -9,5 +9,5 @@ fundamental-too_few_inliers = { $n } von { $total } homologen Punkten passen zu 
     .do = Die Zuordnung und die Standardabweichung prüfen.
 
 fundamental-homography = Eine Homographie erklärt { PERCENT($share) } % der homologen Punkte (Grenze { PERCENT($limit) } %).
-    .why = Das Objekt ist eine Ebene, oder beide Bilder sind von einem Standpunkt.
+    .why = Das Objekt ist eine Ebene, oder beide Bilder wurden vom selben Standpunkt aufgenommen.
     .do = Punkte verschiedener Tiefe messen oder ein anderes Bild verwenden.

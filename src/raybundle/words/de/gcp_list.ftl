@@ -11,7 +11,7 @@ gcp_list-name_missing = Diese Zeile hat keinen Punktnamen, andere aber haben ein
     .do = Allen Zeilen einen Namen geben oder keiner.
 
 gcp_list-coordinates_differ = Punkt { $point } hat in Zeile { $earlier } andere Koordinaten.
-    .do = Eine der beiden Zeilen berichtigen{ $blanks ->
+    .do = Eine der beiden Zeilen korrigieren{ $blanks ->
         [yes] { " " }oder Spalten durch Tabulatoren trennen: Als Bild wurde { $image } gelesen
        *[no] { "" }
      }.

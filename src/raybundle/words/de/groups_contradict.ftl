@@ -6,7 +6,7 @@ groups_contradict = { $groups ->
      *[no] Mit allen hat der Block keine Lösung
     }.
     .why = Ohne eine dieser Gruppen passt der Block.
-    .do = Ihre Einheit, ihr Koordinatensystem und ihre Namen prüfen.
+    .do = Einheit, Koordinatensystem und Namen dieser Gruppen prüfen.
 
 groups_contradict-group = { $n } { $group ->
      [bars] { $n ->
@@ -31,7 +31,7 @@ groups_contradict-group = { $n } { $group ->
      [positions] Die angegebenen Längen sind { NUM($factor, digits: 5) }-mal die ausgeglichenen: Prüfen, ob die Positionen in { $other_unit } sind.
      *[control] Die angegebenen Längen sind { NUM($factor, digits: 5) }-mal die ausgeglichenen: Prüfen, ob die Passpunkte in { $other_unit } sind.
      }
-     [degrees] Prüfen, ob die Positionen Länge und Breite in Grad sind.
+     [degrees] Prüfen, ob die Positionen geographische Länge und Breite in Grad sind.
      *[other] Die angegebenen Längen sind { NUM($factor, digits: 5) }-mal die ausgeglichenen: Prüfen, ob sie in { $unit } sind{ $other ->
      [none] { "" }
      [positions] { "" }, oder die Positionen in { $other_unit }

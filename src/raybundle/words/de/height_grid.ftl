@@ -2,7 +2,7 @@ height_grid-too_small = Das Höhenraster hat { $rows } Zeilen und { $columns } S
     .do = Ein Raster mit mindestens zwei Zeilen und zwei Spalten angeben.
 
 height_grid-no_cell_area = Die Zellen des Höhenrasters haben keine Fläche: Schritte { $across } und { $down } m.
-    .do = Die Zellgröße in der Georeferenzierung des Rasters berichtigen.
+    .do = Die Zellgröße in der Georeferenzierung des Rasters korrigieren.
 
 height_grid-empty = Das Höhenraster enthält keine Höhe: Alle Zellen sind leer.
     .do = Ein Raster mit Höhen angeben.

@@ -3,7 +3,7 @@ held_not_determinable-cameras = Die Punkte bestimmen die innere Orientierung von
     .do = Mehr Punkte messen.
 
 held_not_determinable = Kamera { $camera }: { $symbol } ist nicht bestimmbar und auf dem bekannten Wert { NUM($at, digits: 4) } { $unit } festgehalten.
-    .why = Das Ergebnis gilt für diesen Wert; ein Fehler des Wertes verfälscht Koordinaten ohne größere Residuen.
+    .why = Das Ergebnis gilt für diesen Wert; ein Fehler des Wertes verfälscht Koordinaten ohne größere Verbesserungen.
     .do = Konvergente und verkantete Aufnahmen ergänzen oder eine Kalibrierung angeben.
 
 held_not_determinable-sigma = Die Standardabweichung dieses Parameters wäre { NUM($sigma, digits: 2) } { $unit }, im Bild { NUM($effect_px, decimals: 0) } px.
@@ -11,7 +11,7 @@ held_not_determinable-sigma = Die Standardabweichung dieses Parameters wäre { N
 held_not_determinable-known_before = { $n } { $n ->
         [one] Kameraparameter ist
        *[other] Kameraparameter sind
-     } durch Vorwissen gehalten, nicht durch die Aufnahmen ({ $cameras } { $cameras ->
+     } durch Vorwissen bestimmt, nicht durch die Aufnahmen ({ $cameras } { $cameras ->
         [one] Kamera
        *[other] Kameras
      }).

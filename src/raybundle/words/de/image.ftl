@@ -1,5 +1,5 @@
 image-unknown_camera = Bild { $image } verweist auf Kamera { $camera }, die fehlt.
-    .do = Die Nummer berichtigen oder die Kamera ergänzen.
+    .do = Die Nummer korrigieren oder die Kamera ergänzen.
 
 image-point_not_finite = Bild { $image }: Ein Bildpunkt ist nicht endlich.
     .do = Die Datei neu exportieren.
@@ -14,7 +14,7 @@ image-angles_incomplete = Bild { $image } hat { $n } von 3 Winkeln.
     .do = Alle drei oder keinen angeben.
 
 image-held_without_orientation = Bild { $image } ist festgehalten, aber seine äußere Orientierung ist unvollständig.
-    .do = Sie vervollständigen oder die Spalte held leer lassen.
+    .do = Die Orientierung vervollständigen oder die Spalte held leer lassen.
 
 image-file_frame_incomplete = Bild { $image } hat { $n } von { $columns }.
     .do = Alle drei oder keine angeben.
@@ -27,7 +27,7 @@ image-affine_singular = Bild { $image }: Die affine Transformation des Scans ist
 
 image-file_size_differs = Bild { $image }: Eine Datei von { NUM($width_px, digits: 6) } x { NUM($height_px, digits: 6) } px passt nicht zu { $camera_width_px } x { $camera_height_px } px.
     .why = Die Kamera hat dieses Format; die Datei ist um { $turned_deg }° gedreht.
-    .do = Größe oder Drehung berichtigen.
+    .do = Größe oder Drehung korrigieren.
 
 image-points_in_line = Alle Objektpunkte von { $n } { $n ->
         [one] Bild

@@ -11,6 +11,6 @@ image_point-sigma_not_positive_px = Die Standardabweichung der Bildpunkte ist { 
     .do = Einen Wert über 0 angeben.
 
 image_point-covariance_not_positive = Bild { $image }, Punkt { $point }: Die Kovarianzmatrix ist nicht positiv definit.
-    .do = sx, sy und sxy dieses Bildpunkts berichtigen.
+    .do = sx, sy und sxy dieses Bildpunkts korrigieren.
 
 image_point-far_off = Punkt { $point } im Bild { $image } weicht um { PERCENT($share) } % der Diagonale ab (Grenze { PERCENT($limit) } %).

@@ -6,4 +6,4 @@ images_mirrored-mend = { $mend ->
     }
 
 images_mirrored = Das Objekt ist ein Spiegelbild der gegebenen Orientierung, die gespiegelt auf { NUM($misfit, digits: 2) } ihrer Ausdehnung passt.
-    .do = observations.csv berichtigen: x zählt nach rechts, y nach unten. Ursache:
+    .do = observations.csv korrigieren: x zählt nach rechts, y nach unten. Ursache:

@@ -1,7 +1,7 @@
 import-camera_fitted = Kamera { $camera } ist als Modell { $model } gelesen, über das Format angepasst: größte Abweichung { $deviation_px } px.
     .why = { $whole ->
      [yes] { "" }
-     *[no] Ihre Verzeichnung lässt sich über { PERCENT($covered) } % des Formats umkehren.
+     *[no] Die Verzeichnung der Kamera lässt sich über { PERCENT($covered) } % des Formats umkehren.
     }
 
 import-not_read = { $n } { $n ->
@@ -19,9 +19,9 @@ import-sigma_assumed = Standardabweichung der Bildbeobachtungen: nicht im Format
 import-sensors_without_pose = { $n } { $n ->
      [one] Bild hat einen Sensor
      *[other] Bilder haben Sensoren
-    } ohne Orientierung im Rig; die Orientierungen der Bilder werden verwendet.
+    } ohne Orientierung im Kameraverbund; die Orientierungen der Bilder werden verwendet.
 
-import-rig_poses_differ = Die Orientierungen von { $n } von { $total } Bildern unterscheiden sich zwischen Bildern und Rigs; die der Rigs werden verwendet.
+import-rig_poses_differ = Die Orientierungen von { $n } von { $total } Bildern unterscheiden sich zwischen Bildern und Kameraverbünden; die der Kameraverbünde werden verwendet.
     .why = Die größten Unterschiede sind { $apart } in der Position (Bild { $image }) und { $angle_deg }°.
 
 import-points_without_object = { $n } von { $total } Bildpunkten gehören zu keinem Objektpunkt und sind weggelassen.
@@ -59,7 +59,7 @@ import-system_of_file = Die Koordinaten sind in { $system }.
 
 import-processing_frame = Die Koordinaten sind im Verarbeitungssystem des Projekts, verschoben um { LIST($shift, most: 3) }.
     .why = Bezug ist { $system }{ $scaled ->
-     [yes] ; Maßstab { LIST($scale, most: 3) }
+     [yes] ; Maßstabsfaktor { LIST($scale, most: 3) }
      *[no] { "" }
     }{ $swapped ->
      [yes] ; X und Y sind vertauscht
@@ -114,8 +114,8 @@ import-sensor_without_calibration = Sensor { $sensor } hat keine Kalibrierung un
 import-no_object_space = Der Chunk hat keine Transformation in den Objektraum; seine Koordinaten haben keinen Maßstab.
 
 import-components_apart = { $n } { $n ->
-     [one] Bild ist ohne Orientierung gelesen: Seine Komponente hat
-     *[other] Bilder sind ohne Orientierung gelesen: Ihre Komponenten haben
+     [one] Bild ist ohne Orientierung gelesen: Die Komponente dieses Bildes hat
+     *[other] Bilder sind ohne Orientierung gelesen: Die Komponenten dieser Bilder haben
     } keine Transformation zu den übrigen.
 
 import-geocentric = Der Chunk ist georeferenziert: Seine Koordinaten sind geozentrisch (X, Y, Z der Erde).

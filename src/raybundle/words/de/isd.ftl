@@ -1,18 +1,18 @@
-isd-map_projected = Das Bild ist auf eine Karte projiziert; seine Zeilen sind nicht die der Abtastung.
+isd-map_projected = Das Bild liegt in einer Kartenprojektion vor; seine Zeilen sind nicht die der Abtastung.
     .do = Das Bild angeben, wie es aufgenommen wurde, mit einer Beschreibung ohne projection.
 
 isd-line_times = Die Tabelle der Zeilenzeiten ist nicht monoton.
-    .do = Sie berichtigen: Zeilen müssen ansteigen, Zeiten je Zeile ein Vorzeichen haben und ungleich 0 sein.
+    .do = Die Tabelle korrigieren: Zeilen müssen ansteigen, Zeiten je Zeile ein Vorzeichen haben und ungleich 0 sein.
 
 isd-line_times_contradict = Zeile { NUM($line_number, digits: 6) } beginnt { NUM($off_lines, decimals: 1) } Zeilenzeiten neben den vorangehenden Zeilen.
-    .why = Sie beginnt bei { NUM($time_s, digits: 6) } s, die davor bei { NUM($before_s, digits: 6) } s mit { NUM($step_s, digits: 6) } s je Zeile.
+    .why = Diese Zeile beginnt bei { NUM($time_s, digits: 6) } s, die davor bei { NUM($before_s, digits: 6) } s mit { NUM($step_s, digits: 6) } s je Zeile.
     .do = Die Beschreibung mit einer aktuellen Version von ALE neu schreiben.
 
 isd-summing = Die Zusammenfassung der Detektoren ({ $summing }) muss größer als 0 sein.
-    .do = Den Wert berichtigen.
+    .do = Den Wert korrigieren.
 
 isd-focal_plane = Die Transformation von der Bildebene in Pixel hat keine Umkehrung.
-    .do = focal2pixel_lines und focal2pixel_samples berichtigen.
+    .do = focal2pixel_lines und focal2pixel_samples korrigieren.
 
 isd-coefficient_count = Koeffizienten der Verzeichnung: { $n }; höchstens { $most } sind möglich.
     .do = Die überzähligen Koeffizienten löschen.
@@ -31,7 +31,7 @@ isd-distortion_no_inverse = Die Verzeichnung{ $n ->
     .do = Eine Beschreibung mit den Koeffizienten dieses Detektors beschaffen.
 
 isd-position_inside_body = Eine Position liegt { NUM($distance_m, digits: 6) } m vom Mittelpunkt eines Körpers mit Radius { NUM($radius_m, digits: 6) } m.
-    .do = Die Einheiten der Positionen und Radien berichtigen.
+    .do = Die Einheiten der Positionen und Radien korrigieren.
 
 isd-time_count = Die Tabelle hat { $n } Zeiten für { $entries } Einträge.
     .do = Eine vollständige Datei beschaffen.
@@ -89,7 +89,7 @@ isd-attitude_gap = Die Lagewinkel haben { $n } { $n ->
      *[other] Lücken
     }, die größte von { NUM($steps, decimals: 1) } Schritten von { NUM($from_s, decimals: 3) } bis { NUM($to_s, decimals: 3) } s.
     .why = { $measured ->
-     [yes] In einer solchen Zeit weicht die Lage um { NUM($error_px, decimals: 2) } px (quadratisches Mittel) von der Interpolation ab (Grenze { $limit_px } px).
+     [yes] In einer solchen Zeit weichen die Lagewinkel um { NUM($error_px, decimals: 2) } px (quadratisches Mittel) von der Interpolation ab (Grenze { $limit_px } px).
      *[no] Die Tabelle ist zu kurz, um den Fehler der Interpolation zu schätzen.
     }
     .do = Eine vollständige Tabelle beschaffen.
@@ -98,4 +98,4 @@ isd-attitude_gap_bridged = { $n } { $n ->
      [one] Lücke
      *[other] Lücken
     } der Lagewinkel interpoliert, die größte von { NUM($steps, decimals: 1) } Schritten von { NUM($from_s, decimals: 3) } bis { NUM($to_s, decimals: 3) } s.
-    .why = In einer solchen Zeit weicht die Lage um { NUM($error_px, decimals: 3) } px (quadratisches Mittel) von der Interpolation ab.
+    .why = In einer solchen Zeit weichen die Lagewinkel um { NUM($error_px, decimals: 3) } px (quadratisches Mittel) von der Interpolation ab.

@@ -14,15 +14,15 @@ join-control_contradicts = Punkt { $point }: Gegebene Koordinaten in { $name } u
         [one] Die Grenze folgt aus den Standardabweichungen. 1 weiterer Punkt widerspricht ebenfalls.
        *[other] Die Grenze folgt aus den Standardabweichungen. { $others } weitere Punkte widersprechen ebenfalls.
      }
-    .do = Die Koordinaten berichtigen oder beide Blöcke in ein Koordinatensystem transformieren.
+    .do = Die Koordinaten korrigieren oder beide Blöcke in ein Koordinatensystem transformieren.
 
 join-vertical_tilted = Das System von { $base } ist um { NUM($tilt_deg, digits: 2) }° gegen die Lotrichtung von { $name } geneigt.
     .why = { $name } hat Beobachtungen, die sich auf die Lotrichtung beziehen: { $tables }.
     .do = { $name } zuerst angeben oder auch { $base } horizontieren.
 
 join-cameras_differ = Kamera { $camera } von { $name } ist nicht die gleichnamige Kamera des anderen Blocks.
-    .why = Sie sind { $model }, { $width_px } x { $height_px } px, und { $other_model }, { $other_width_px } x { $other_height_px } px.
-    .do = Sie als verschiedene Kameras behandeln.
+    .why = Die Kameras sind { $model }, { $width_px } x { $height_px } px, und { $other_model }, { $other_width_px } x { $other_height_px } px.
+    .do = Die beiden Kameras als verschiedene behandeln.
 
 join-scale_of = Maßstab von { $name }: { $kind ->
         [control] Passpunkte
@@ -37,15 +37,15 @@ join-scale_of = Maßstab von { $name }: { $kind ->
 join-scale_bar = Maßstabsstrecke { $start } - { $end }: { NUM($length, digits: 10) } { $unit }.
 
 join-same_measurement = Alle Aufnahmen von { $name } ({ $n }) haben in { $first } und in { $second } dieselben Bildpunkte.
-    .why = Sie würden doppelt zählen: { LIST($names, most: 3) }.
+    .why = Diese Aufnahmen würden doppelt zählen: { LIST($names, most: 3) }.
     .do = { $name } weglassen.
 
 join-same_photographs = { $n } { $n ->
         [one] Aufnahme hat
        *[other] Aufnahmen haben
      } in { $first } und in { $second } dieselben Bildpunkte: { LIST($names, most: 3) }.
-    .why = Sie zählen doppelt, und die Standardabweichungen werden zu klein.
-    .do = Sie aus einem der beiden ausschließen.
+    .why = Diese Aufnahmen zählen doppelt, und die Standardabweichungen werden zu klein.
+    .do = Diese Aufnahmen aus einem der beiden Blöcke ausschließen.
 
 join-too_few_to_test = Kein gemeinsamer Punkt ist geprüft: { $name } und { $base } haben weniger als { $least }.
 
@@ -62,8 +62,8 @@ join-scales_contradict = Längen von { $name } sind das { NUM($factor, digits: 7
     .why = Einer der beiden Maßstäbe ist falsch.
     .do = Diese Längen prüfen:
 
-join-frames_contradict = { $name } und { $base } stehen nicht in einem Rahmen: Verschiebung { NUM($shift_m, digits: 2) } m, Drehung { NUM($turn_mrad, digits: 2) } mrad (F { $F }).
-    .do = Ihre Passpunkte vergleichen.
+join-frames_contradict = { $name } und { $base } liegen nicht im selben Koordinatensystem: Verschiebung { NUM($shift_m, digits: 2) } m, Drehung { NUM($turn_mrad, digits: 2) } mrad (F { $F }).
+    .do = Die Passpunkte beider Blöcke vergleichen.
 
 join-other_unit = Längen von { $name } sind das { NUM($factor, digits: 6) }-Fache derer von { $base }.
     .why = { $likely ->
@@ -95,12 +95,12 @@ join-dots_renumbered = Punkte ohne Code sind neu nummeriert: { $n } sind nach de
 join-points_beyond_sigma = Nicht bewegte gemeinsame Punkte von { $name } weichen stärker ab, als ihre Standardabweichungen erklären (F { $F }).
     .why = Diese sind zu klein, oder viele Punkte haben sich ein wenig bewegt.
 
-join-frame_of = Der Rahmen ist der von { $name } mit { $control ->
+join-frame_of = Das Koordinatensystem ist das von { $name } mit { $control ->
         [yes] Passpunkten oder Positionen
        *[no] einem Maßstab
      }.
-    .why = Alle Koordinaten des gemeinsamen Blocks sind in diesem Rahmen.
-    .do = Für einen anderen Rahmen das Ergebnis transformieren: raybundle datum.
+    .why = Alle Koordinaten des gemeinsamen Blocks liegen in diesem System.
+    .do = Für ein anderes Koordinatensystem das Ergebnis transformieren: raybundle datum.
 
 join-images_renamed = { $n } { $n ->
         [one] Bild
@@ -119,16 +119,16 @@ join-cameras_renamed = Kameras von { $name } gelten als andere Kameras: { LIST($
     .why = Im gemeinsamen Block hat jede Kamera ihre eigene innere Orientierung.
     .do = Wenn es dieselbe Kamera ist, { OPTION("same_camera", "True") } verwenden.
 
-join-other_frame = { $name } ist in den Rahmen von { $base } transformiert, dessen Ursprung { NUM($away_m, decimals: 3) } m entfernt ist.
-    .why = Der ursprüngliche Rahmen ist { $kind ->
+join-other_frame = { $name } ist in das System von { $base } transformiert, dessen Ursprung { NUM($away_m, decimals: 3) } m entfernt ist.
+    .why = Das ursprüngliche System ist { $kind ->
         [projected] { $system }
         [geocentric] geozentrisch
        *[local] lokal{ $known ->
             [yes] { " " }in { $system }
-           *[no] { " " }(Länge, Breite, Höhe)
+           *[no] { " " }(geographische Länge, Breite, Höhe)
         }, Ursprung { $origin }
      }.
-    .do = Für einen anderen Rahmen das Ergebnis transformieren: raybundle datum.
+    .do = Für ein anderes Koordinatensystem das Ergebnis transformieren: raybundle datum.
 
 join-point_incomplete = Punkt { $point } von { $block } fehlt eine Koordinate; er lässt sich nicht in das andere System überführen.
     .do = Den Block zuerst ausgleichen.
@@ -144,7 +144,7 @@ join-frame_projected = { $block } ist in Koordinaten von { $system }.
 
 join-frame_geocentric = { $block } ist in einem geozentrischen System.
 
-join-frame_local = { $block } ist in einem lokalen System bei { NUM($longitude_deg, decimals: 6) }° Länge, { NUM($latitude_deg, decimals: 6) }° Breite, { NUM($height_m, decimals: 3) } m.
+join-frame_local = { $block } ist in einem lokalen System bei { NUM($longitude_deg, decimals: 6) }° geographischer Länge, { NUM($latitude_deg, decimals: 6) }° Breite, { NUM($height_m, decimals: 3) } m.
 
 join-frame_of_system = { $block } ist in einem lokalen System von { $system }.
     .why = Sein Ursprung ist { NUM($x_m, decimals: 3) }, { NUM($y_m, decimals: 3) }, { NUM($height_m, decimals: 3) } m{ $geoid ->

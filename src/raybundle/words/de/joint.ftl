@@ -1,5 +1,5 @@
 joint-no_covariances = Die Ausgleichung hat keine Kovarianzen.
-    .why = Sie wurde ohne Statistik gerechnet oder ist eine Kopie.
+    .why = Die Ausgleichung wurde ohne Statistik berechnet oder ist eine Kopie.
     .do = Erneut mit Statistik ausgleichen.
 
 joint-image_not_used = Bild { $image } ist nicht in der Ausgleichung.
@@ -16,4 +16,4 @@ joint-too_many_points = { $name }: { $n } Punkte; eine gemeinsame Kovarianz ist 
 
 joint-unknown_point = Punkt { $point } ist nicht im Ergebnis.
     .why = Das Ergebnis hat { $known }.
-    .do = Den Namen berichtigen.
+    .do = Den Namen korrigieren.

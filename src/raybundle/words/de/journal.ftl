@@ -1,5 +1,5 @@
 journal-nothing_to_undo = Es gibt nichts rückgängig zu machen.
-    .do = Die Messung selbst berichtigen oder löschen.
+    .do = Die Messung selbst korrigieren oder löschen.
 
 journal-nothing_to_redo = Es gibt nichts wiederherzustellen: Die letzte Aktion wurde nicht rückgängig gemacht.
     .do = Die Aktion von Hand wiederholen.
@@ -29,7 +29,7 @@ journal-number_not_finite = { $verb }: Eine Zahl ist nicht endlich.
     .do = Endliche Zahlen angeben.
 
 journal-other_database = Diese Datenbank ist kein Messprotokoll.
-    .do = Sie an einen anderen Ort verlegen.
+    .do = Die Datei an einen anderen Ort verlegen.
 
 journal-schema = Das Messprotokoll wurde von einer anderen Version geschrieben (Schema { $found }; diese Version liest { $read }).
     .do = Jene Version verwenden.

@@ -1,7 +1,7 @@
 json-invalid = Das ist kein gültiges JSON: { $detail } (Zeichen { $character }).
     .do = { $cut ->
-        [yes] Die Datei neu beschaffen: Ihr Ende fehlt
-       *[no] Diese Zeile berichtigen
+        [yes] Die Datei neu beschaffen: Das Ende fehlt
+       *[no] Diese Zeile korrigieren
      }.
 
 json-key_twice = Der Schlüssel { $name } kommt in einem Objekt zweimal vor.

@@ -5,10 +5,10 @@ line-unprintable = Die Zeile enthält nicht druckbare Zeichen.
     .do = Diese Zeichen löschen.
 
 line-ends_early = Die Zeile endet zu früh.
-    .do = Sie vervollständigen.
+    .do = Die Zeile vervollständigen.
 
 line-words_left = Überzählige Wörter am Zeilenende: { $n }.
-    .do = Sie löschen.
+    .do = Diese Wörter löschen.
 
 line-too_few_cells = Spalten dieser Zeile: { $n }; nötig: { $needed }.
     .do = Die Zeile vervollständigen.

@@ -1,18 +1,18 @@
-mark-exists = Punkt { $point } ist in Bild { $image } schon markiert.
-    .do = Die Markierung verschieben oder zuerst entfernen.
+mark-exists = Punkt { $point } ist in Bild { $image } schon gemessen.
+    .do = Die Bildmessung verschieben oder zuerst entfernen.
 
 mark-name_taken = Punkt { $point } lässt sich nicht in { $to } umbenennen: Der Name ist vergeben.
     .do = Einen anderen Namen wählen oder den anderen Punkt zuerst löschen.
 
-mark-point_of_block = Punkt { $point } stammt aus dem Block; keine Markierung ist von Hand gemessen.
+mark-point_of_block = Punkt { $point } stammt aus dem Block; keine Bildmessung ist von Hand gemacht.
     .do = Seine Bildbeobachtungen einzeln verwerfen.
 
 mark-bar_same_ends = Maßstabsstrecke { $start } - { $end }: Beide Enden sind derselbe Punkt.
     .do = Zwei verschiedene Punkte angeben.
 
 mark-bar_sigma = Maßstabsstrecke { $start } - { $end }: Die Standardabweichung { $sigma } ist zu groß für eine Länge von { $length }.
-    .why = Sie darf höchstens die Länge geteilt durch { $ratio } sein.
-    .do = Die Länge oder ihre Standardabweichung berichtigen.
+    .why = Die Standardabweichung darf höchstens die Länge geteilt durch { $ratio } sein.
+    .do = Die Länge oder ihre Standardabweichung korrigieren.
 
 mark-no_bar = Es gibt keine Maßstabsstrecke { $start } - { $end }.
     .why = Gemessen sind: { $known }.
@@ -20,13 +20,13 @@ mark-no_bar = Es gibt keine Maßstabsstrecke { $start } - { $end }.
 
 mark-no_line = Es gibt keine Linie { $line_name }.
     .why = Linien sind: { $known }.
-    .do = Den Namen berichtigen.
+    .do = Den Namen korrigieren.
 
 mark-line_points = Linie { $line_name } (Art { $kind }) hat { $n } verschiedene Punkte; nötig sind { $least }.
     .do = Mehr Punkte angeben, jeden einmal.
 
 mark-no_observation = Der Block hat keine Beobachtung des Punkts { $point } in Bild { $image }.
-    .do = Eine von Hand gemessene Markierung entfernen; verworfen werden nur Beobachtungen des Blocks.
+    .do = Eine von Hand gemachte Bildmessung entfernen; verworfen werden nur Beobachtungen des Blocks.
 
 mark-not_rejected = Punkt { $point } in Bild { $image } ist nicht von Hand verworfen.
     .do = Eine von Hand verworfene Beobachtung wählen.
@@ -57,26 +57,26 @@ mark-unknown_point = Punkt { $point } ist weder gemessen noch im Block.
         [0] Kein Punkt ist gemessen.
        *[other] Gemessen sind: { $known }.
      }
-    .do = Ihn zuerst in einem Bild markieren oder seinen Namen berichtigen.
+    .do = Den Punkt zuerst in einem Bild messen oder seinen Namen korrigieren.
 
-mark-not_marked = Punkt { $point } ist in Bild { $image } nicht von Hand markiert.
+mark-not_marked = Punkt { $point } ist in Bild { $image } nicht von Hand gemessen.
     .why = { $n ->
-        [0] Er ist in keinem Bild markiert.
-       *[other] Er ist markiert in: { $images_marked }.
+        [0] Er ist in keinem Bild gemessen.
+       *[other] Er ist gemessen in: { $images_marked }.
      }
-    .do = Ein Bild wählen, in dem er markiert ist.
+    .do = Ein Bild wählen, in dem er gemessen ist.
 
 mark-covariance = Bild { $image }: Eine Kovarianz von { $xy_px2 } px² ist mit Varianzen von { $xx_px2 } und { $yy_px2 } px² unmöglich.
-    .why = Ihr Betrag muss kleiner sein als die Wurzel aus deren Produkt.
-    .do = Die Kovarianz berichtigen.
+    .why = Der Betrag der Kovarianz muss kleiner sein als die Wurzel aus deren Produkt.
+    .do = Die Kovarianz korrigieren.
 
 mark-unknown_image = Bild { $image } ist keines der { $n } Bilder.
     .why = Es sind { $known }.
-    .do = Den Namen berichtigen.
+    .do = Den Namen korrigieren.
 
 mark-outside_image = Bild { $image }: x = { NUM($x_px, digits: 6) }, y = { NUM($y_px, digits: 6) } liegt außerhalb der { $width_px } x { $height_px } px.
     .why = Pixel zählen von der linken oberen Ecke der gespeicherten Datei nach rechts und unten.
-    .do = Die Stelle berichtigen.
+    .do = Die Stelle korrigieren.
 
 mark-mask_corners = Maske { $mask } hat { $n } Ecken; möglich sind 3 bis { $most }.
     .do = Das Polygon neu zeichnen.
@@ -89,14 +89,14 @@ mark-no_mask = Es gibt keine Maske { $mask }.
         [0] Keine Maske ist gezeichnet.
        *[other] Masken sind: { $known }.
      }
-    .do = Den Namen berichtigen.
+    .do = Den Namen korrigieren.
 
 mark-no_masks_at_all = Keine Maske ist gezeichnet oder aus einem Ordner gelesen.
     .do = Eine im Studio oder mit raybundle mark mask zeichnen.
 
-mark-image_not_in_block = Punkt { $point } ist in Bild { $image } markiert, das nicht im Block ist.
+mark-image_not_in_block = Punkt { $point } ist in Bild { $image } gemessen, das nicht im Block ist.
     .why = Er wurde in anderen Aufnahmen gemessen.
-    .do = Die Markierung entfernen.
+    .do = Die Bildmessung entfernen.
 
 mark-control_far_away = Passpunkt { $point } ist { $distance } { $unit } von den anderen entfernt, das { $ratio }-fache ihrer Ausdehnung.
     .why = Die Grenze ist das { $limit }-fache.
@@ -111,20 +111,20 @@ mark-outside_photograph = { NUM($x_px, digits: 6) }, { NUM($y_px, digits: 6) } l
 mark-not_in_result = Punkt { $point } ist von Hand gemessen, aber nicht in diesem Ergebnis.
     .do = { $adjusted ->
         [yes] { $folder } verwenden, das Ergebnis mit den gemessenen Punkten
-       *[no] Ihn zuerst mit dem Block ausgleichen: raybundle mark adjust
+       *[no] Den Punkt zuerst mit dem Block ausgleichen: raybundle mark adjust
      }.
 
 mark-nothing_to_reject = Weder ein Bildpunkt noch eine Grenze ist angegeben.
     .do = Ein Bild und einen Punkt oder eines von { LIST($limits, most: 9) } angeben.
 
 mark-contradicts = { $n ->
-        [one] Die Markierung von { $point } in { $images } widerspricht den anderen{ $size_px ->
+        [one] Die Bildmessung von { $point } in { $images } widerspricht den anderen{ $size_px ->
             [0] {""}
            *[other] {" "}um { NUM($size_px, digits: 2) } px
         }
-       *[other] Die Markierungen von { $point } widersprechen sich: { $images }
+       *[other] Die Bildmessungen von { $point } widersprechen sich: { $images }
     }{ $tau ->
         [0] .
-       *[other] {" "}(Testwert { NUM($tau, decimals: 1) }).
+       *[other] {" "}(Testgröße { NUM($tau, decimals: 1) }).
     }
-    .do = Die Markierung prüfen.
+    .do = Die Bildmessung prüfen.

@@ -1,2 +1,2 @@
-marked_lost = Der markierte Punkt { $point } fehlt im Ergebnis: Seine { $rays } Strahlen sind parallel oder schneiden sich nicht.
-    .do = Seine Markierungen prüfen und ihn in Aufnahmen von anderen Orten markieren.
+marked_lost = Der gemessene Punkt { $point } fehlt im Ergebnis: Seine { $rays } Strahlen sind parallel oder schneiden sich nicht.
+    .do = Seine Bildmessungen prüfen und ihn in Aufnahmen von anderen Standpunkten messen.

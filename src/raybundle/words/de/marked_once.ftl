@@ -2,4 +2,4 @@ marked_once = { $n } { $n ->
      [one] Punkt ist
      *[other] Punkte sind
     } nur in einer Aufnahme gemessen und nicht bestimmt: { $ids }.
-    .do = Sie in einer zweiten Aufnahme messen.
+    .do = Diese Punkte in einer zweiten Aufnahme messen.

@@ -1,7 +1,7 @@
 marks_turned = { $marks } { $marks ->
-     [one] Messung
-     *[other] Messungen
-    } aus { $table } aus gedreht angezeigten Aufnahmen; zurückgedreht.
+     [one] Messung aus { $table } stammt aus gedreht angezeigten Aufnahmen und ist
+     *[other] Messungen aus { $table } stammen aus gedreht angezeigten Aufnahmen und sind
+    } zurückgedreht.
     .why = { $photographs } { $photographs ->
      [one] Aufnahme hat
      *[other] Aufnahmen haben
@@ -15,9 +15,9 @@ marks_turned = { $marks } { $marks ->
     .do = In den Pixeln messen, wie sie gespeichert sind, mit einem Programm, das die EXIF-Orientierung nicht anwendet.
 
 marks_turned-undecided = { $marks } { $marks ->
-     [one] Messung
-     *[other] Messungen
-    } aus { $table } vielleicht aus gedreht angezeigten Aufnahmen; unverändert.
+     [one] Messung aus { $table } stammt
+     *[other] Messungen aus { $table } stammen
+    } vielleicht aus gedreht angezeigten Aufnahmen; unverändert.
     .why = { $photographs } { $photographs ->
      [one] Aufnahme hat
      *[other] Aufnahmen haben

@@ -7,7 +7,7 @@ mask-all_hidden = Die Masken schließen { $hidden } von { $n } Aufnahmen ganz au
     .do = Prüfen, ob die Masken invertiert oder leer sind: { LIST($names, most: 3) }.
 
 mask-size_differs = Die Maske hat { $width_px } x { $height_px } px, die Aufnahme { $photograph } { $photograph_width_px } x { $photograph_height_px } px.
-    .why = Die Maske wird nicht verwendet: Größen müssen gleich oder ganze Vielfache sein (EXIF-Ausrichtung { $orientation }).
+    .why = Die Maske wird nicht verwendet: Größen müssen gleich oder ganze Vielfache sein (EXIF-Orientierung { $orientation }).
     .do = Die Maske neu exportieren.
 
 mask-corner_form = Ecke { $corner } des Polygons ist { $word }.

@@ -9,4 +9,4 @@ mask_refused = Die { $n ->
        *[other] die Aufnahmen werden
     } ganz verwendet.
     .why = Merkmale im Hintergrund können in diesen Aufnahmen falsche Punkte ergeben.
-    .do = Die Masken wie unten beschrieben berichtigen, dann den Befehl erneut ausführen.
+    .do = Die Masken wie unten beschrieben korrigieren, dann den Befehl erneut ausführen.

@@ -7,13 +7,13 @@ maxar-entry_count = Einträge { $name }: { $n }; NUMPOINTS ist { $announced }.
 maxar-gap = Eintrag { NUM($entry, digits: 6) } folgt auf Eintrag { NUM($before, digits: 6) }: Die Tabelle hat eine Lücke.
     .do = Eine vollständige Datei beschaffen.
 
-maxar-camera_backwards = Die Kamera blickt rückwärts: Ihre dritte Achse ist negativ.
+maxar-camera_backwards = Die Kamera blickt rückwärts: Die dritte Kameraachse ist negativ.
     .do = Das RPC der Datei verwenden; dieser Einbau wird nicht unterstützt.
 
 maxar-no_band = DETECTOR_MOUNTING enthält keinen Kanal.
     .do = Eine vollständige Datei beschaffen.
 
-maxar-no_rigorous_model = Die Datei enthält keine Ephemeride, Lage und Kamera; nur ihr RPC wird verwendet.
+maxar-no_rigorous_model = Die Datei enthält keine Ephemeride, Lagewinkel und Kamera; nur ihr RPC wird verwendet.
 
 maxar-distortion_not_supported = Die optische Verzeichnung ist nicht 0, was nicht unterstützt wird; das strenge Modell wird nicht verwendet.
 

@@ -1,7 +1,7 @@
 measurement-unknown_points = { $name } hat keinen Punkt { $points }.
-    .do = Die Punktnamen berichtigen.
+    .do = Die Punktnamen korrigieren.
 
-measurement-shapes = { $name }: { $n } Namen, Koordinaten der Form ({ $xyz }), Kovarianz der Form ({ $covariance }).
+measurement-shapes = { $name }: { $n } Namen, Koordinaten der Dimension ({ $xyz }), Kovarianz der Dimension ({ $covariance }).
     .do = Koordinaten (n, 3) und eine Kovarianzmatrix (3n, 3n) angeben.
 
 measurement-point_twice = { $name } enthält Punkt { $point } zweimal.
@@ -24,7 +24,7 @@ measurement-tolerances = Toleranzen (ISO 14253-1): { $within } eingehalten, { $b
         *[other] {" "}({ $names })
     }, { $undecided } unentschieden.
 
-measurement-scale = Maßstab der Einpassung: { NUM($scale, decimals: 7) } ± { NUM($sigma, digits: 1) }.
+measurement-scale = Maßstabsfaktor der Einpassung: { NUM($scale, decimals: 7) } ± { NUM($sigma, digits: 1) }.
 
 measurement-lengths = { $n } bekannte { $n ->
         [one] Länge

@@ -11,7 +11,7 @@ merge-no_blocks = Es gibt keine Blöcke zum Zusammenführen.
     .do = Mindestens einen Block angeben.
 
 merge-contradiction = { $name } ist { $value } in Block { $first } ({ $block }), { $other } in Block { $second } ({ $other_block }).
-    .do = Einen der Werte berichtigen oder den Block wählen, der Vorrang hat: prefer=dict({ $subject }={ $first }).
+    .do = Einen der Werte korrigieren oder den Block wählen, der Vorrang hat: prefer=dict({ $subject }={ $first }).
 
 merge-do_not_fit = Die Blöcke passen nicht zusammen: { $name }, { $entry }.
-    .do = Diesen Eintrag in einem der Blöcke berichtigen.
+    .do = Diesen Eintrag in einem der Blöcke korrigieren.

@@ -7,7 +7,7 @@ metashape-p3_p4 = Der Verzeichnungsparameter { $parameter } wird nicht unterstü
 metashape-sizes_differ = Die Kalibrierung hat { $width_px } x { $height_px } px, ihr Sensor { $sensor_width_px } x { $sensor_height_px } px.
     .do = Mit Aufnahmen in voller Größe kalibrieren und neu exportieren.
 
-metashape-no_similarity = Das ist keine Ähnlichkeitstransformation: Maßstab positiv, Drehung orthogonal.
+metashape-no_similarity = Das ist keine Ähnlichkeitstransformation: Der Maßstabsfaktor muss positiv, die Drehmatrix orthogonal sein.
     .do = Die Datei neu exportieren.
 
 metashape-cameras_disabled = Alle Kameras sind deaktiviert.
@@ -17,4 +17,4 @@ metashape-no_calibrated_camera = Keine Kamera hat einen kalibrierten Sensor.
     .do = Die Aufnahmen in Metashape ausrichten und neu exportieren.
 
 metashape-unit_length = Die Länge der Einheit ist keine positive Zahl.
-    .do = Das Koordinatensystem des Chunks berichtigen und neu exportieren.
+    .do = Das Koordinatensystem des Chunks korrigieren und neu exportieren.

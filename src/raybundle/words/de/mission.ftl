@@ -1,5 +1,5 @@
 mission-no_crs = Die Mission hat lokale Koordinaten; ein Fluggerät braucht Positionen auf der Erde.
-    .do = Sie in einem Koordinatensystem planen: { OPTION("crs", "EPSG:CODE") }.
+    .do = Die Mission in einem Koordinatensystem planen: { OPTION("crs", "EPSG:CODE") }.
 
 mission-vehicle_unknown = Das Fluggerät { $vehicle } ist unbekannt.
     .do = Eines von { LIST($known, most: 20) } verwenden oder { OPTION("speed", "M_S") }, { OPTION("climb", "M_S") }, { OPTION("battery", "MINUTES") } angeben.
@@ -29,7 +29,7 @@ mission-columns = Die Spalten der Wegpunkte weichen von den nötigen ab.
     .do = { LIST($needed, most: 12) } angeben.
 
 mission-line_unknown = Die Fluglinie { $line_number } gibt es nicht; definiert sind { $n }, ab 0 gezählt.
-    .do = Die Nummer berichtigen.
+    .do = Die Nummer korrigieren.
 
 mission-unknown_pattern = Das Flugmuster { $pattern } ist unbekannt.
     .do = Eines von { LIST($known, most: 20) } verwenden.
@@ -80,7 +80,7 @@ mission-heights_missing = Die Höhen des Objekts über Grund fehlen.
     .do = { OPTION("heights", "LOW", "TOP") } angeben.
 
 mission-heights_order = Die Oberkante des Objekts, { $top_m } m, liegt nicht über der Unterkante, { $low_m } m.
-    .do = { OPTION("heights") } berichtigen.
+    .do = { OPTION("heights") } korrigieren.
 
 mission-vehicle_not_positive = Fluggerät { $vehicle }: { $entry } ist { $value }.
     .do = Einen Wert über 0 angeben.
@@ -117,4 +117,4 @@ mission-shape = Das Muster { $pattern } braucht { $wanted ->
     .do = { OPTION("pattern") } anders wählen oder eine andere Datei angeben.
 
 mission-several_outlines = { $area } enthält { $n } Umrisse; eine Mission hat einen.
-    .do = Sie einzeln angeben oder zu einem verbinden.
+    .do = Die Umrisse einzeln angeben oder zu einem verbinden.

@@ -1,5 +1,5 @@
-mounting-no_attitudes = Kein Bild hat eine ausgeglichene Orientierung und eine gemessene Lage.
-    .do = Die Lagen der orientierten Bilder angeben.
+mounting-no_attitudes = Kein Bild hat eine ausgeglichene Orientierung und gemessene Lagewinkel.
+    .do = Die Lagewinkel der orientierten Bilder angeben.
 
 mounting-no_positions = Kein Bild hat eine ausgeglichene Orientierung und eine gemessene Position.
     .do = Die Positionen der orientierten Bilder angeben.

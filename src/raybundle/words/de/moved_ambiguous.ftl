@@ -1,4 +1,4 @@
-moved_ambiguous = Punkt { $point } gilt als bewegt; statt dessen kann sich { $others } bewegt haben.
+moved_ambiguous = Punkt { $point } gilt als bewegt; stattdessen kann sich { $others } bewegt haben.
     .why = Beide Erklärungen passen (F { NUM($F, decimals: 2) } ohne { $point }).
     .do = Mehr gemeinsame Punkte messen.
 

@@ -11,7 +11,7 @@ name-twice = { $kind ->
     .do = Eine der beiden Angaben löschen oder umbenennen.
 
 name-missing = Der Name fehlt.
-    .do = Ihn in der Zeile ergänzen.
+    .do = Den Namen in der Zeile ergänzen.
 
 name-blanks = { $name } ist leer oder hat Leerzeichen am Anfang oder Ende.
     .do = Den Namen ändern.

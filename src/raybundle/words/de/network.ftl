@@ -4,7 +4,7 @@ network-covariance_not_positive = Netz { $network }: Die Kovarianzmatrix der { $
 
 network-point_given_twice = Punkt { $point } steht in coordinates.csv (Netz { $network }) und als Passpunkt mit Standardabweichungen in points.csv.
     .why = Seine Koordinaten würden doppelt gezählt.
-    .do = Ihn aus einer der beiden Dateien löschen.
+    .do = Den Punkt aus einer der beiden Dateien löschen.
 
 network-pair_twice = Diese zwei Punkte des Netzes { $network } stehen in einer früheren Zeile.
     .do = Eine der beiden Zeilen löschen.
@@ -21,8 +21,8 @@ network-point_without_coordinates = Netz { $network } hat keine Zeile mit den Ko
 network-variance_not_positive = Eine Varianz ist { $variance }; sie muss positiv sein.
 
 network-covariance_not_symmetric = Die Kovarianzmatrix des Punkts ist nicht symmetrisch.
-    .do = cXY, cXZ und cYZ berichtigen.
+    .do = cXY, cXZ und cYZ korrigieren.
 
 network-no_depth = Die Strahlen zu jedem Objektpunkt sind parallel: Das Netz hat keine Basis.
-    .why = Die Aufnahmen sind von einem Ort aus gemacht oder zeigen ein ebenes Objekt senkrecht.
-    .do = Aufnahmen von anderen Orten hinzufügen, mindestens ein Zehntel der Objektentfernung auseinander.
+    .why = Die Aufnahmen wurden vom selben Standpunkt aufgenommen oder zeigen ein ebenes Objekt senkrecht.
+    .do = Aufnahmen von anderen Standpunkten hinzufügen, mindestens ein Zehntel der Objektentfernung auseinander.

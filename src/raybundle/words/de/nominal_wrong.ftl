@@ -6,4 +6,4 @@ nominal_wrong = { $wrong } { $wrong ->
         [yes] ohne sie
        *[no] mit ihnen, wie gewählt,
      } eingepasst.
-    .do = Ihre Sollkoordinaten und Namen prüfen.
+    .do = Sollkoordinaten und Namen dieser Punkte prüfen.

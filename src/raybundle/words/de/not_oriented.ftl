@@ -25,10 +25,10 @@ not_oriented-axes = { $n } Punkte des Bildes passen, wenn { $axes ->
         [middle] der Ursprung die Bildmitte ist
         *[middle_mirrored] der Ursprung die Bildmitte ist und y nach oben zählt
     }.
-    .do = Die Bildpunkte berichtigen: Pixel zählen von der linken oberen Ecke, x nach rechts und y nach unten.
+    .do = Die Bildpunkte korrigieren: Pixel zählen von der linken oberen Ecke, x nach rechts und y nach unten.
 
 not_oriented-no_base = Bilder { $first } und { $second }: Strahlen zu gemeinsamen Punkten sind auf { NUM($angle_deg, decimals: 2) }° parallel, ohne Basis.
-    .why = Vielleicht ist es zweimal dieselbe Aufnahme; Aufnahmen von einer Stelle ergeben keine Tiefe.
+    .why = Vielleicht ist es zweimal dieselbe Aufnahme; aus Aufnahmen vom selben Standpunkt lässt sich keine Tiefe bestimmen.
     .do = Eine von zwei Kopien löschen oder von einem anderen Standpunkt aufnehmen.
 
 not_oriented-other_cameras = Das Bild hat keine gemeinsamen Punkte mit den anderen Kameras; zu wenige Standpunkte oder Drehungen verbinden sie.
@@ -77,8 +77,8 @@ not_oriented-not_joined = Die Szene hat keine Verbindung zu den Aufnahmen.
 not_oriented-board = Die Aufnahme zeigt { $n } { $n ->
         [one] Punkt
         *[other] Punkte
-    } der Tafel; { $least } sind nötig.
-    .do = Die ganze Tafel scharf und gleichmäßig beleuchtet aufnehmen.
+    } der Kalibriertafel; { $least } sind nötig.
+    .do = Die ganze Kalibriertafel scharf und gleichmäßig beleuchtet aufnehmen.
 
 not_oriented-few_targets = { $n } { $n ->
         [one] Zielmarke

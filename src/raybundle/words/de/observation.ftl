@@ -1,18 +1,18 @@
 observation-covariance = Die Kovarianz { $sxy_px2 } px² liegt außerhalb ± { $limit_px2 } px², dem Produkt sx · sy.
-    .do = Sie berichtigen oder leer lassen.
+    .do = Die Kovarianz korrigieren oder leer lassen.
 
 observation-sigma_out_of_range = Standardabweichungen von { $sx_px } und { $sy_px } px sind nicht plausibel.
-    .do = Sie in px angeben.
+    .do = Die Standardabweichungen in px angeben.
 
 observation-correlation_range = { $correlation } ist kein Korrelationskoeffizient: Er muss zwischen -1 und 1 liegen.
     .do = Eine Kovarianz durch beide Standardabweichungen teilen.
 
 observation-correlation_without_sigma = Eine Korrelation von { $correlation } gehört zu einem Wert, der nicht beobachtet ist.
-    .do = Sie leer lassen oder { $first } und { $second } angeben.
+    .do = Die Korrelation leer lassen oder { $first } und { $second } angeben.
 
 observation-correlations_not_possible = Die Korrelationen { $correlations } sind zusammen nicht möglich (kleinster Eigenwert { NUM($eigenvalue, digits: 2) }, Grenze { $limit }).
-    .why = Ihre Matrix ist nicht positiv definit.
-    .do = Mehr Stellen angeben oder sie berichtigen.
+    .why = Die Matrix der Korrelationen ist nicht positiv definit.
+    .do = Mehr Stellen angeben oder sie korrigieren.
 
 observation-image_twice = Dieses Bild hat schon eine Zeile.
     .do = Eine der beiden Zeilen löschen.
@@ -26,7 +26,7 @@ observation-value_without_sigma = Ein Wert hat keine Standardabweichung oder ein
 observation-no_value = Die Zeile hat keinen beobachteten Wert.
     .do = Die Zeile löschen.
 
-observation-same_point = Beide Punkte dieser Zeile sind derselbe.
+observation-same_point = Beide Punkte dieser Zeile sind gleich.
     .do = Zwei verschiedene Punkte angeben.
 
 observation-set_station = Satz { $set } hat in einer früheren Zeile einen anderen Standpunkt.

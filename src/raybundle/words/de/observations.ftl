@@ -1,8 +1,8 @@
 observations-covariance_not_positive = Beobachtungen ({ observations-kind }): Die Kovarianzmatrix ist nicht positiv definit.
-    .do = Diese Kovarianzen berichtigen.
+    .do = Diese Kovarianzen korrigieren.
 
 observations-none_of_kind = Der Block { $block } hat keine Beobachtungen der Art { $kind }.
-    .do = Ihre Tabelle ergänzen: block.having(table).
+    .do = Die Tabelle dieser Art ergänzen: block.having(table).
 
 observations-without_partials = Die Beobachtungen der Art { $kind } haben zu keiner Unbekannten eine Ableitung.
     .do = Die Ableitungen der Art angeben.
@@ -29,5 +29,5 @@ observations-kind = { $kind ->
      }
 
 observations-astray = Bildbeobachtungen hinter der Kamera: { $behind }; von Punkten, die ins Unendliche laufen: { $diverging }.
-    .why = Sie stehen in den Zeilen { LIST($rows, most: 5) } der Beobachtungen.
+    .why = Diese Beobachtungen stehen in den Zeilen { LIST($rows, most: 5) } der Beobachtungen.
     .do = Die Punktnummern prüfen oder diese Beobachtungen weglassen.

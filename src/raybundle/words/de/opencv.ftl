@@ -5,13 +5,13 @@ opencv-size_expected = Hier werden Breite und Höhe des Bildes erwartet.
     .do = Zwei ganze Zahlen angeben.
 
 opencv-no_matrix = Die Datei hat keine Kameramatrix.
-    .do = Sie wie eines von { LIST($names, most: 12) } benennen.
+    .do = Die Kameramatrix wie eines von { LIST($names, most: 12) } benennen.
 
 opencv-fisheye = Das ist die Kalibrierung eines Fischauges.
     .do = { OPTION("read_as", "opencv-fisheye", flag: "from") } angeben.
 
 opencv-matrix_form = Die Kameramatrix hat nicht die Form [fx s cx; 0 fy cy; 0 0 1] mit positiven fx, fy.
-    .do = Sie berichtigen.
+    .do = Die Kameramatrix korrigieren.
 
 opencv-coefficient_count = Verzeichnungskoeffizienten: { $n }; OpenCV hat { LIST($known, most: 8) }.
     .do = Prüfen, ob die Datei vollständig ist, oder das Fischaugenmodell angeben.

@@ -45,12 +45,12 @@ outline-no_line_in_file = Die Datei hat keine Linie.
     .do = Eine Datei mit einer Linie angeben.
 
 outline-single_place = { OPTION($name, $given) } ist ein einzelner Ort; eine Linie benötigt zwei.
-    .do = Zwei oder mehr Ecken angeben.
+    .do = Zwei oder mehr Punkte angeben.
 
 outline-line_without_length = Linie { $given }: Zwei aufeinanderfolgende Orte sind gleich, oder sie hat nur einen.
     .do = Aufeinanderfolgende Orte angeben, die verschieden sind.
 
-outline-heights_in_no_map = Die Datei ist in { $system }; diese Höhen liegen auf einer Ebene des Objekts, in keiner Karte.
+outline-heights_in_no_map = Die Datei ist in { $system }; diese Höhen liegen auf einer Ebene des Objekts, nicht in Landeskoordinaten.
     .do = Koordinaten der Ebene als CSV oder GeoJSON ohne Koordinatensystem angeben.
 
 outline-hole_outside = Loch { $hole } des Umrisses verlässt den Rand bei { NUM($x, digits: 8) }, { NUM($y, digits: 8) }.

@@ -1,4 +1,4 @@
 parallel_rays = { $n } { $n ->
         [one] Verknüpfungspunkt wurde
        *[other] Verknüpfungspunkte wurden
-    } ausgeschlossen: Parallele Strahlen haben keine Tiefe.
+    } ausgeschlossen: Aus nahezu parallelen Strahlen lässt sich keine Tiefe bestimmen.

@@ -11,7 +11,7 @@ parameter-sigma_not_positive = Die Standardabweichung von { $name } ist { $sigma
     .do = Einen Wert über 0 angeben oder { $name } aus estimate entfernen, um ihn festzuhalten.
 
 parameter-sigma_of_fixed = { $name } hat eine Standardabweichung, ist aber festgehalten.
-    .do = Ihn in estimate aufnehmen oder seine Standardabweichung löschen.
+    .do = Den Parameter in estimate aufnehmen oder seine Standardabweichung löschen.
 
 parameter-unknown_camera = { $way ->
         [free] { OPTION("free") }
@@ -20,7 +20,7 @@ parameter-unknown_camera = { $way ->
     .do = Eine dieser Kameras angeben: { $known }.
 
 parameter-free_and_held = Der Parameter { $symbol } der Kamera { $camera } ist als frei und als festgehalten gewählt.
-    .do = Ihn aus { OPTION("free") } oder aus { OPTION("hold") } entfernen.
+    .do = Den Parameter aus { OPTION("free") } oder aus { OPTION("hold") } entfernen.
 
 parameter-not_of_camera = { $way ->
         [free] { OPTION("free") }

@@ -1,5 +1,5 @@
 photograph-empty = Die Datei ist leer.
-    .do = Sie erneut von der Kamera kopieren.
+    .do = Die Datei erneut von der Kamera kopieren.
 
 photograph-kind_unknown = Das ist kein unterstütztes Bildformat (der Anfang ist { $begin }).
     .do = In JPEG, PNG oder TIFF umwandeln.
@@ -70,7 +70,7 @@ photograph-lacks_fiducials = Scan { $image }: { $n } Rahmenmarken sind gemessen;
     .do = Weitere Rahmenmarken messen.
 
 photograph-film_contradicts = Scan { $image }: Die Rahmenmarken passen nicht ({ $detail }).
-    .do = Sie nochmals messen.
+    .do = Die Rahmenmarken nochmals messen.
 
 photograph-lacks_marks = Aufnahme { $image }: { $n ->
         [0] Kein Punkt ist darin markiert
@@ -85,11 +85,11 @@ photograph-lacks_known = Aufnahme { $image } zeigt { $n } Punkte mit Koordinaten
     .do = Mehr Punkte mit Koordinaten markieren.
 
 photograph-lacks_base = Aufnahmen { $image } und { $other }: Die Strahlen zu ihren { $n } Punkten sind parallel.
-    .why = Sie wurden von einem Ort aufgenommen.
-    .do = Punkte in einer Aufnahme von einem anderen Ort markieren.
+    .why = Diese Aufnahmen wurden vom selben Standpunkt aufgenommen.
+    .do = Punkte in einer Aufnahme von einem anderen Standpunkt markieren.
 
 photograph-lacks_fit = Aufnahme { $image }: Keine Orientierung passt zu ihren { $n } Punkten.
-    .do = Ihre Namen und Stellen prüfen und weitere markieren.
+    .do = Namen und Bildmessungen der Punkte prüfen und weitere Punkte markieren.
 
 photograph-size_of_calibration = Die Aufnahme hat { $width_px } x { $height_px } px, die Kalibrierung { $camera_width_px } x { $camera_height_px } px.
     .do = Eine Aufnahme des Kalibriersatzes angeben.

@@ -17,7 +17,7 @@ picture-not_geotiff = Das Bild lässt sich nicht als GeoTIFF schreiben ({ $detai
 picture-free_scale = Der Maßstab dieses Bildes ist nicht bestimmt; eine Zeichnung braucht ihn.
     .do = Der Ausgleichung eine Maßstabsstrecke, zwei Passpunkte oder beobachtete Positionen geben und neu entzerren.
 
-picture-world_file_only = Ein World-File legt die Lage der Ebene im Raum nicht fest.
+picture-world_file_only = Eine World-Datei legt die Lage der Ebene im Raum nicht fest.
     .why = Punkte eines Blocks lassen sich auf dieses Bild nicht zeichnen.
     .do = { $missing } ergänzen, das rectify schreibt.
 
@@ -46,8 +46,8 @@ picture-too_large = Das Bild hätte { $width_px } x { $height_px } px (Grenze { 
     .do = { OPTION($setting, $needed) } oder eine kleinere { OPTION("extent") } angeben.
 
 picture-area_far_away = { OPTION($setting) } liegt weit entfernt von den Punkten des Ergebnisses.
-    .why = Es ist Ost { NUM($west, digits: 10) } bis { NUM($east, digits: 10) }, Nord { NUM($south, digits: 10) } bis { NUM($north, digits: 10) }; die Punkte liegen in { NUM($block_west, decimals: 0) } bis { NUM($block_east, decimals: 0) }, { NUM($block_south, decimals: 0) } bis { NUM($block_north, decimals: 0) }.
-    .do = Kartenkoordinaten angeben ({ $system }).
+    .why = Das Gebiet umfasst Ost { NUM($west, digits: 10) } bis { NUM($east, digits: 10) }, Nord { NUM($south, digits: 10) } bis { NUM($north, digits: 10) }; die Punkte liegen in { NUM($block_west, decimals: 0) } bis { NUM($block_east, decimals: 0) }, { NUM($block_south, decimals: 0) } bis { NUM($block_north, decimals: 0) }.
+    .do = Landeskoordinaten angeben ({ $system }).
 
 picture-no_photograph = Keine Aufnahme zeigt das Gebiet, oder keine wurde gelesen.
     .do = Den Ordner der Aufnahmen ({ OPTION("photos") }) oder eine andere { OPTION("extent") } angeben.

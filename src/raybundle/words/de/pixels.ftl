@@ -1,4 +1,4 @@
-pixels-shape = Pixel müssen ein Feld der Form (n, 2) sein, nicht ({ $shape }).
+pixels-shape = Pixel müssen ein Feld der Dimension (n, 2) sein, nicht ({ $shape }).
     .do = Ein Feld mit zwei Spalten angeben: x und y.
 
 pixels-distance = Die Entfernung { $distance } ist nicht größer als 0.

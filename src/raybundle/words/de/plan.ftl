@@ -6,8 +6,8 @@ plan-not_sharp = { $kind ->
      } in { $distance_m } m ist unscharf (scharf: { $near_m } bis { $far_m } m).
     .do = Auf diese Entfernung fokussieren ({ OPTION("focus") }) oder abblenden ({ OPTION("f_number") }).
 
-plan-no_flat_sheet = Eine Aufnahmeliste zur Kalibrierung braucht ein ebenes Blatt oder eine Tafel.
-    .do = sheet:BREITE,HÖHE oder eine Tafel angeben.
+plan-no_flat_sheet = Eine Aufnahmeliste zur Kalibrierung braucht ein ebenes Blatt oder eine Kalibriertafel.
+    .do = sheet:BREITE,HÖHE oder eine Kalibriertafel angeben.
 
 plan-no_footprint = Das Objekt hat keinen Grundriss: Von oben ist es eine Linie oder ein Punkt.
     .do = Ein Objekt mit einer Grundfläche angeben.
@@ -29,7 +29,7 @@ plan-too_few_target_places = { $n } Stellen des Objekts sind von { $rays } der {
     .do = Mehr Aufnahmen planen.
 
 plan-targets_too_large = Zielmarken brauchen je { NUM($size_mm, decimals: 0) } mm; das Objekt hat für jede { NUM($space_mm, decimals: 0) } mm.
-    .why = Ihre Punkte haben { $across_px } px in der entferntesten Aufnahme.
+    .why = Die Punkte der Zielmarken haben { $across_px } px in der entferntesten Aufnahme.
     .do = Weniger Zielmarken ({ OPTION("count") }), nähere Standpunkte oder kleinere Punkte ({ OPTION("across") }) verwenden.
 
 plan-turn_too_large = { $n } Schritte einer Drehung sind je { NUM($step_deg, decimals: 0) }°; benachbarte Aufnahmen überdecken sich zu wenig.
@@ -48,16 +48,16 @@ plan-object_not_seen = Keine von { $n } erlaubten Positionen sieht { $least } Ob
     .do = Mehr Abstand oder einen größeren Einfallswinkel zulassen.
 
 plan-station_not_allowed = Standpunkt { $station } liegt außerhalb der Grenzen, zu nahe am Objekt oder in einem verbotenen Quader.
-    .do = Ihn verlegen oder löschen.
+    .do = Den Standpunkt verlegen oder löschen.
 
 plan-points_not_adjusted = { $n ->
         [0] Kein Punkt ist angegeben
-       *[other] Punkte nehmen nicht an der Ausgleichung teil: { $names }
+       *[other] Punkte gehen nicht in die Ausgleichung ein: { $names }
      }.
     .do = Punkte angeben, die die Ausgleichung schätzt.
 
 plan-camera_fixed = Kamera { $camera }: Kein Parameter wird geschätzt, also lässt sich keiner verbessern.
-    .do = Ihre Parameter in der Ausgleichung schätzen.
+    .do = Die Kameraparameter in der Ausgleichung schätzen.
 
 plan-too_few_control = { $n } Passpunkte legen kein Datum fest; nötig sind { $least }.
     .do = Mindestens { $least } Passpunkte planen.
@@ -92,7 +92,7 @@ plan-unknown_camera = Der Block hat keine Kamera { $camera }.
     .do = Eine von { LIST($known, most: 10) } verwenden.
 
 plan-no_frame_camera = Kamera { $camera } ({ $model }) ist keine Messkamera mit einzelnen Standpunkten.
-    .why = Vorschläge brauchen einen Standpunkt je Aufnahme und eine gemeinsame innere Orientierung; Szenen, Rolling Shutter und Kameragespanne haben das nicht.
+    .why = Vorschläge brauchen einen Standpunkt je Aufnahme und eine gemeinsame innere Orientierung; Szenen, Rolling Shutter und Kameraverbünde haben das nicht.
     .do = Eine andere Kamera wählen.
 
 plan-camera_not_used = Kamera { $camera } hat keine Aufnahme in der Ausgleichung.
@@ -102,7 +102,7 @@ plan-object_elsewhere = Objekt { $name }: Die Hälfte der Punkte liegt mehr als 
     .do = Das Objekt im System und in der Längeneinheit des Blocks angeben.
 
 plan-not_oriented = Block { $block } hat Aufnahmen ohne Orientierung.
-    .do = Ihn zuerst orientieren oder ausgleichen.
+    .do = Den Block zuerst orientieren oder ausgleichen.
 
 plan-photograph_not_oriented = Aufnahme { $image } des Blocks { $block } hat keine Orientierung.
     .do = Den Block zuerst orientieren oder ausgleichen.
@@ -113,11 +113,11 @@ plan-no_common_interior = Kamera { $camera } hat keine gemeinsame innere Orienti
 plan-no_station_within = Keiner von { $n } Standpunkten liegt innerhalb der Grenzen.
     .do = { OPTION("step") }, { OPTION("around") }, { OPTION("heights") }, { OPTION("clearance") } oder { OPTION("forbid") } erweitern.
 
-plan-one_place = Aufnahmen von einem Ort lassen sich nicht mit der Liste vergleichen.
+plan-one_place = Aufnahmen vom selben Standpunkt lassen sich nicht mit der Liste vergleichen.
     .do = Prüfen, ob sie zu dieser Liste gehören.
 
 plan-other_list = Die Standpunkte dieser Aufnahmen stimmen an höchstens { $n } von { $total } Stellen mit der Liste überein.
-    .why = Sie weichen um { NUM($off, decimals: 2) } der Objektentfernung ab (Grenze { NUM($limit, decimals: 2) }).
+    .why = Die Standpunkte weichen um { NUM($off, decimals: 2) } der Objektentfernung ab (Grenze { NUM($limit, decimals: 2) }).
     .do = Prüfen, ob die Aufnahmen zu dieser Liste gehören.
 
 plan-too_few_visible = { $n } von { $total } Objektpunkten sind von { $least } { $given ->
@@ -137,7 +137,7 @@ plan-station_sees_too_few = Standpunkt { $station } sieht { $n } von { $total } 
     .why = Das betrifft { $stations } von { $all_stations } Standpunkten.
     .do = { $given ->
         [yes] Prüfen, ob Standpunkte und Objekt dasselbe System haben
-       *[no] Mehr Punkte, mehr Raum für Standpunkte oder ein weiteres Objektiv verwenden
+       *[no] Mehr Punkte, mehr Raum für Standpunkte oder ein Objektiv mit größerem Bildwinkel verwenden
      }.
 
 plan-too_few_rays = Mit { $stations } Standpunkten haben { $n } von { $total } Objektpunkten weniger als { $least } Strahlen.
@@ -158,18 +158,18 @@ plan-list_missing = Die gedruckte Liste fehlt.
 plan-list_edges = Die Kanten des Objekts fehlen oder haben nicht je zwei Enden.
     .do = Die Liste neu erzeugen.
 
-plan-station_at_itself = Eine Aufnahmestation hat sich selbst als Zielpunkt.
-    .do = Ihre at_X, at_Y und at_Z berichtigen.
+plan-station_at_itself = Ein Aufnahmestandpunkt hat sich selbst als Zielpunkt.
+    .do = at_X, at_Y und at_Z dieses Standpunkts korrigieren.
 
-plan-never_sharp = Aufnahmen sind ab { $near_m } m scharf; Stationen sind höchstens { $far_m } m entfernt.
+plan-never_sharp = Aufnahmen sind ab { $near_m } m scharf; Aufnahmestandpunkte sind höchstens { $far_m } m entfernt.
     .do = { OPTION("f_number") } größer, { OPTION("focus") } anders oder { OPTION("around") } größer wählen.
 
 plan-points_and_aim = { OPTION("points") } gehört zu { OPTION("aim", "worst") }.
     .do = Eines von beiden weglassen.
 
-plan-no_improvement = Keine von { $n } möglichen Stationen senkt eine Standardabweichung.
-    .why = Die Geometrie der Aufnahmen ist nicht die Grenze.
-    .do = Passpunkte, Maßstabsstrecken oder genauere Bildpunkte ergänzen oder { OPTION("step") } oder { OPTION("around") } vergrößern.
+plan-no_improvement = Keine von { $n } möglichen Aufnahmestandpunkten senkt eine Standardabweichung.
+    .why = Die Geometrie der Aufnahmen begrenzt die Genauigkeit nicht.
+    .do = Passpunkte, Maßstabsstrecken oder genauere Bildmessungen ergänzen oder { OPTION("step") } oder { OPTION("around") } vergrößern.
 
 plan-focus_without_scale = { OPTION("focus") } braucht den Maßstab des Blocks; er ist nicht bestimmt.
     .do = Es weglassen.

@@ -1,2 +1,2 @@
 position_left_out = Die Position von { $image } widerspricht den anderen um { $distance } m und wird nicht verwendet.
-    .do = Ihre Koordinaten, ihren Namen und die Lösung des Empfängers prüfen.
+    .do = Koordinaten und Namen der Position und die Lösung des Empfängers prüfen.

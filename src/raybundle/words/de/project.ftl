@@ -21,7 +21,7 @@ project-in_use = Ein anderer Lauf ist in diesem Projekt aktiv.
     .do = Auf ihn warten oder ein anderes { OPTION("out") } wählen.
 
 project-table_not_writable = Die Tabelle [{ $table }] lässt sich nicht schreiben, ohne eine andere zu ändern.
-    .do = Sie von Hand schreiben, mit einfachen Überschriften und einzeiligen Texten.
+    .do = Die Tabelle von Hand schreiben, mit einfachen Überschriften und einzeiligen Texten.
 
 project-no_run = Das ist kein Projektordner, oder darin wurde kein Lauf begonnen.
     .do = Zuerst den Befehl ausführen, der die Aufgaben beginnt.

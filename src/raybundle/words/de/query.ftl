@@ -1,7 +1,7 @@
-query-image_without_part = Das Bild { $image } hat an der Ausgleichung nicht teilgenommen.
+query-image_without_part = Das Bild { $image } ging nicht in die Ausgleichung ein.
     .do = Es weglassen.
 
-query-unknown_own = { $name } ist keine Unbekannte einer teilnehmenden Beobachtungsart.
+query-unknown_own = { $name } ist keine Unbekannte einer Beobachtungsart dieser Ausgleichung.
     .do = KIND:NAME angeben, z. B. plane:floor.
 
 query-unknown = { $name } ist keine Unbekannte dieser Ausgleichung.

@@ -12,7 +12,7 @@ rank-parallel_rays = Die Strahlen zu { $n } { $n ->
         [one] Objektpunkt
        *[other] Objektpunkten
      } sind parallel oder fallen zusammen: { LIST($points, most: 10) }.
-    .do = Sie von einem weiteren Standpunkt messen.
+    .do = Diese Punkte von einem weiteren Standpunkt messen.
 
 rank-undetermined_together = Die Beobachtungen bestimmen diese Unbekannten gemeinsam nicht:
     .do = { $parameter ->

@@ -1,5 +1,5 @@
 raster-height_unit_missing = Die Einheit der Höhen ist unbekannt; die Koordinaten sind in { $unit }.
-    .do = Sie in die Datei schreiben, zum Beispiel mit gdal_edit.py -units m.
+    .do = Die Einheit in die Datei schreiben, zum Beispiel mit gdal_edit.py -units m.
 
 raster-dem_unit_missing = Die Einheit der Höhen ist unbekannt; die Koordinaten sind in { $unit }.
     .do = { OPTION("dem_unit", "m") }, { OPTION("dem_unit", "ft") } oder { OPTION("dem_unit", "us-ft") } angeben.
@@ -14,7 +14,7 @@ raster-geoid_unknown = { $geoid } ist kein bekanntes Höhensystem.
     .do = EPSG:5773 (EGM96), EPSG:3855 (EGM2008) oder das des Landes angeben.
 
 raster-geoid_differs = Die Höhen der Datei sind { $own }, nicht { $geoid }.
-    .do = { OPTION("geoid") } weglassen oder die Datei berichtigen.
+    .do = { OPTION("geoid") } weglassen oder die Datei korrigieren.
 
 raster-degrees = Das Raster ist in Grad ({ $system }); nötig ist ein ebenes System.
     .do = { OPTION("crs", "EPSG:CODE") } angeben.
@@ -29,7 +29,7 @@ raster-unit_unknown = Die Einheit { $unit } der Höhen ist unbekannt.
     .do = m, ft oder us-ft in die Datei schreiben.
 
 raster-unit_differs = Die Höhen der Datei sind in { $own }, nicht in { $unit }.
-    .do = { OPTION("dem_unit") } oder die Datei berichtigen.
+    .do = { OPTION("dem_unit") } oder die Datei korrigieren.
 
 raster-too_many_cells = Das Gebiet hat { $n } Zellen; höchstens { $most } werden gelesen.
     .do = Das Raster verkleinern, zum Beispiel mit gdalwarp -tr 5 5.

@@ -5,4 +5,4 @@ record-not_a_text = Ein Eintrag des Protokolls ist ein Text.
     .do = Den Wert in Anführungszeichen schreiben.
 
 record-too_long = Der Eintrag { $name } des Protokolls hat { $n } Zeichen; höchstens { $most } sind möglich.
-    .do = Ihn kürzen.
+    .do = Den Eintrag kürzen.

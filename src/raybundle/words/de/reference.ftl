@@ -4,4 +4,4 @@ reference-unknown = { $kind ->
         [point] Der Punkt
        *[sensor] Der Sensor
      } { $name } fehlt in { $where }.
-    .do = Den Verweis berichtigen oder in { $where } ergänzen.
+    .do = Den Verweis korrigieren oder in { $where } ergänzen.

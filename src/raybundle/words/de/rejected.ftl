@@ -6,6 +6,6 @@ rejected-kind = { $kind ->
         [behind_camera] Punkte hinter der Kamera
         [rays_diverge] Divergierende Strahlen
         [single_ray] Punkte mit nur einem verbliebenen Strahl
-        [residual] Große Residuen
+        [residual] Große Verbesserungen
        *[given] Vorgabe
      }: { $n }

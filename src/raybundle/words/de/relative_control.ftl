@@ -13,4 +13,4 @@ relative_control-excluded = { $n } { $n ->
        *[other] sind
     } ausgeschlossen.
 
-relative_control-open = Ohne Passpunkte in { $axes } gilt die Verschiebung eines Streifens als auf { $plan_m } m in der Lage, { $height_m } m in der Höhe gut.
+relative_control-open = Ohne Passpunkte in { $axes } gilt die Verschiebung eines Streifens als auf { $plan_m } m in der Lage, { $height_m } m in der Höhe bekannt.

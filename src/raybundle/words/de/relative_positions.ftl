@@ -1,6 +1,6 @@
 relative_positions = Die Positionen stimmen untereinander besser überein, als ihre Standardabweichungen angeben.
     .why = { $control ->
-     [yes] Ihr gemeinsamer Versatz folgt aus den Passpunkten.
+     [yes] Der gemeinsame Versatz der Positionen folgt aus den Passpunkten.
      *[no] Die angegebenen Standardabweichungen gelten für ihren gemeinsamen Versatz, den keine Verbesserung zeigt.
     }
     .do = { $control ->

@@ -12,14 +12,14 @@ repeated_structure-ambiguous = Wiederholte Strukturen: { PERCENT($after) } % der
      [one] Ein Paar von Aufnahmen ähnlicher Teile ist weggelassen: { LIST($names, most: 4) } (vorher { PERCENT($before) } %).
      *[other] { $pairs } Paare von Aufnahmen ähnlicher Teile sind weggelassen: { LIST($names, most: 4) } (vorher { PERCENT($before) } %).
     } Aufnahmen können am falschen Teil des Objekts orientiert sein.
-    .do = Ihre Positionen mit den wirklichen Standpunkten vergleichen; sie dichter aufnehmen oder codierte Zielmarken anbringen.
+    .do = Die Positionen der Aufnahmen mit den wirklichen Standpunkten vergleichen; dichter aufnehmen oder codierte Zielmarken anbringen.
 
 repeated_structure-groups = Wiederholte Strukturen: { $groups } Gruppen von Aufnahmen zeigen vielleicht verschiedene, ähnliche Teile.
     .why = Zwischen ihnen haben { PERCENT($barren) } % der gemeinsamen Fläche keinen gemeinsamen Punkt (Grenze { PERCENT($limit) } %{ $known ->
      [yes] , innerhalb der Gruppen { PERCENT($within) } %
      *[no] { "" }
     }).
-    .do = Ihre Positionen mit den wirklichen Standpunkten vergleichen; Aufnahmen zwischen den Gruppen machen oder codierte Zielmarken anbringen.
+    .do = Die Positionen der Aufnahmen mit den wirklichen Standpunkten vergleichen; Aufnahmen zwischen den Gruppen machen oder codierte Zielmarken anbringen.
 
 repeated_structure-group = Gruppe von { $n } { $n ->
      [one] Aufnahme

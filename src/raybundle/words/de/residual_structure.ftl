@@ -1,9 +1,9 @@
-residual_structure = Residuen benachbarter Bildpunkte sind korreliert ({ NUM($correlation, decimals: 2) }, am meisten in { $ids }).
+residual_structure = Verbesserungen benachbarter Bildpunkte sind korreliert ({ NUM($correlation, decimals: 2) }, am meisten in { $ids }).
     .why = Standardabweichungen sind mindestens um den Faktor { NUM($factor, decimals: 1) } zu klein{ $few ->
         [yes] ; Serien von { $least_images } Aufnahmen oder mehr zeigen meist { $usual_low } bis { $usual_high }
        *[no] { "" }
      }. Die innere Orientierung hat sich womöglich zwischen den Bildern geändert (Bildstabilisator, Fokussierung, Zoom).
-    .do = Beim Fotografieren Objektiv und Fokussierung fixieren und die Residuen im Bericht prüfen.
+    .do = Beim Fotografieren Objektiv und Fokussierung fixieren und die Verbesserungen im Bericht prüfen.
 
 residual_structure-shared = Bildpunkte haben gemeinsame, langsam veränderliche Fehler; Standardabweichungen sind bis zu { NUM($largest, digits: 2) }-mal zu klein.
     .why = Die Standardabweichungen setzen unabhängige Fehler voraus.

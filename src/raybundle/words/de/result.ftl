@@ -8,7 +8,7 @@ result-foreign_files = Der Ordner enthält { $n } { $n ->
      [one] Datei, die keine Ausgleichung geschrieben hat
      *[other] Dateien, die keine Ausgleichung geschrieben hat
     }: { LIST($names, most: 3) }.
-    .do = Sie verschieben oder einen anderen Namen wählen.
+    .do = Diese Dateien verschieben oder einen anderen Namen wählen.
 
 result-no_result = Dies ist kein Ergebnisordner: result.json fehlt.
     .do = Den Ordner angeben, den die Ausgleichung geschrieben hat ({ OPTION("out") }).

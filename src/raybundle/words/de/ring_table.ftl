@@ -5,7 +5,7 @@ ring_table-row = { $value } ist keine Nummer mit einem Code.
     .do = Zwei ganze Zahlen schreiben.
 
 ring_table-code_out_of_range = Der Code { $ring } liegt nicht zwischen 1 und { $largest }.
-    .do = Den Code oder die Zahl der Bits berichtigen.
+    .do = Den Code oder die Zahl der Bits korrigieren.
 
 ring_table-empty = Die Tabelle enthält keine Zielmarke.
     .do = Eine Zielmarke je Zeile schreiben: ihre Nummer und ihren Code.
@@ -17,4 +17,4 @@ ring_table-id_twice = Die Nummer { $id } kommt zweimal vor.
     .do = Eine der beiden Zeilen löschen.
 
 ring_table-ring_twice = Der Ring des Codes { $ring } gehört schon zur Nummer { $id }.
-    .do = Den Code berichtigen oder die Zeile löschen.
+    .do = Den Code korrigieren oder die Zeile löschen.

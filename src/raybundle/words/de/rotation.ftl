@@ -5,7 +5,7 @@ rotation-quaternion = { $kind ->
      } { $name }: Das Quaternion hat keine Richtung.
     .do = Die Datei neu exportieren.
 
-rotation-not_orthogonal = Die Rotationsmatrix ist nicht orthogonal mit Determinante 1.
+rotation-not_orthogonal = Die Drehmatrix ist nicht orthogonal mit Determinante 1.
     .do = Die Datei neu exportieren.
 
 rotation-too_large = Eine Drehung überschreitet { $limit_rad } rad.

@@ -1,13 +1,13 @@
 rpc-not_of_rasterio = Ein Objekt vom Typ { $kind } ist kein RPC von rasterio ({ $detail }).
     .do = dataset.rpcs angeben.
 
-rpc-wrong_shape = RPC: { $name } hat die Form ({ $shape }) oder Werte, die nicht endlich sind.
-    .do = Endliche Zahlen der Form ({ $needed }) angeben.
+rpc-wrong_shape = RPC: { $name } hat die Dimension ({ $shape }) oder Werte, die nicht endlich sind.
+    .do = Endliche Zahlen der Dimension ({ $needed }) angeben.
 
 rpc-not_positive = RPC: { $name } ist { $values }.
     .do = Werte über 0 angeben.
 
-rpc-centre_out_of_range = RPC: Breite { $latitude_deg }°, Länge { $longitude_deg }° der Mitte sind nicht gültig.
+rpc-centre_out_of_range = RPC: Geographische Breite { $latitude_deg }°, Länge { $longitude_deg }° der Mitte sind nicht gültig.
     .why = Die Grenzen sind 90° und 360°.
     .do = Prüfen, ob beide vertauscht sind.
 
@@ -27,7 +27,7 @@ rpc-no_ground_point = Der Bildpunkt Zeile { NUM($image_line, decimals: 2) }, Spa
 rpc-points_far_away = { $n } von { $total } Punkten liegen weit außerhalb der Szene; Punkt { $point } um das { NUM($ratio, digits: 4) }-fache ihrer Ausdehnung.
     .why = { $point } liegt bei { NUM($longitude_deg, decimals: 6) }°, { NUM($latitude_deg, decimals: 6) }°, die Mitte bei { NUM($centre_longitude_deg, decimals: 6) }°, { NUM($centre_latitude_deg, decimals: 6) }° (Grenze { $limit } Ausdehnungen).
     .do = { $exchanged ->
-        [yes] Länge und Breite tauschen, in den Punkten oder im RPC
+        [yes] Geographische Länge und Breite tauschen, in den Punkten oder im RPC
        *[no] Prüfen, ob Punkte und Szene zusammengehören, sowie Folge und Einheiten der Spalten
      }.
 
@@ -38,8 +38,8 @@ rpc-small_denominator = RPC: Der Nenner der { $axis ->
     .why = Der Punkt liegt bei { NUM($longitude_deg, decimals: 6) }°, { NUM($latitude_deg, decimals: 6) }°, { NUM($height_m, decimals: 1) } m; das RPC gilt von { $low_m } bis { $high_m } m.
     .do = Prüfen, ob der Punkt in der Szene liegt, oder das RPC neu beschaffen.
 
-rpc-point_shape = Die Punkte haben die Form ({ $shape }).
-    .do = Ein Feld der Form (n, 3) angeben: Länge, Breite, Höhe.
+rpc-point_shape = Die Punkte haben die Dimension ({ $shape }).
+    .do = Ein Feld der Dimension (n, 3) angeben: geographische Länge, Breite, Höhe.
 
 rpc-height_range = Der Höhenbereich ist { $low_m } bis { $high_m } m.
     .do = Einen Bereich von mindestens 1 m angeben.
@@ -50,7 +50,7 @@ rpc-no_fit = Kein RPC ohne Nullstelle in einem Nenner passt zu diesem Modell.
 
 rpc-inaccurate_fit = Das beste RPC weicht um { $misfit_px } px von diesem Modell ab (Grenze { $limit_px } px).
     .why = { $polar ->
-        [yes] Die Szene reicht bis zur Breite { NUM($latitude_deg, decimals: 3) }°, nahe an einen Pol, wo Längen mehrdeutig sind.
+        [yes] Die Szene reicht bis zur geographischen Breite { NUM($latitude_deg, decimals: 3) }°, nahe an einen Pol, wo geographische Längen mehrdeutig sind.
        *[no] Das Bild oder der Höhenbereich ist zu groß, oder das Modell ist nicht glatt.
      }
     .do = Das strenge Modell oder einen Teil des Bildes verwenden.
@@ -64,7 +64,7 @@ rpc-corrected = RPC { $kind ->
         [shift] um Verschiebung korrigiert
         [drift] um Drift korrigiert
         *[other] affin korrigiert
-    }: Residuen { NUM($x_px, digits: 2) }, { NUM($y_px, digits: 2) } px (RMS, { $n } { $n ->
+    }: Verbesserungen { NUM($x_px, digits: 2) }, { NUM($y_px, digits: 2) } px (RMS, { $n } { $n ->
         [one] Passpunkt
         *[other] Passpunkte
     }).
@@ -80,21 +80,21 @@ rpc-ground_errors = Genauigkeit am Boden (68 %, je Achse): ERR_BIAS { NUM($bias_
     }.
 
 rpc-points_contradict = { $n } von { $of } Passpunkten widersprechen den anderen: { $names } (bis { NUM($largest_px, digits: 2) } px).
-    .why = Sie werden nicht verwendet.
+    .why = Diese Passpunkte werden nicht verwendet.
     .do = Koordinaten, Höhen und Bildmessungen prüfen.
 
 rpc-points_outside = { $n } { $n ->
         [one] Passpunkt liegt
         *[other] Passpunkte liegen
     } außerhalb des Bildes oder der Höhen des RPC: { $names }.
-    .why = Der RPC gilt dort nicht.
+    .why = Das RPC gilt dort nicht.
     .do = Höhen und Bildkoordinaten prüfen.
 
 rpc-shift_large = Die Verschiebung ist das { NUM($ratio, digits: 2) }-fache des vom Anbieter angegebenen Fehlers.
     .why = Passpunkte oder RPC gehören vielleicht zu einer anderen Szene oder einem anderen Datum.
     .do = Koordinatensystem und Höhenbezug der Passpunkte prüfen.
 
-rpc-residuals_large = Die Residuen sind das { NUM($ratio, digits: 2) }-fache des angegebenen Sigma von { $sigma_px } px.
+rpc-residuals_large = Die Verbesserungen sind das { NUM($ratio, digits: 2) }-fache des angegebenen Sigma von { $sigma_px } px.
     .why = Die Standardabweichungen sind um diesen Faktor vergrößert.
     .do = Angegebenes Sigma und Messungen prüfen.
 
@@ -111,11 +111,11 @@ rpc-error_sources = 1 m Höhenfehler verschiebt einen Punkt um { NUM($east, digi
             *[no] vom Anbieter angegeben
         }.
 
-rpc-refitted = Neu angepasster RPC: höchstens { NUM($largest_px, digits: 2) } px vom korrigierten.
+rpc-refitted = Neu angepasstes RPC: höchstens { NUM($largest_px, digits: 2) } px vom korrigierten.
 
 rpc-other_image = Das RPC gehört nicht zu diesem Bild von { $width_px } x { $height_px } px.
     .why = Das RPC umfasst die Spalten { $first_column } bis { $last_column } und die Zeilen { $first_row } bis { $last_row }.
-    .do = Das RPC dieses Bildes angeben; für ein verkleinertes oder beschnittenes Bild Verschiebungen und Maßstäbe anpassen.
+    .do = Das RPC dieses Bildes angeben; für ein verkleinertes oder beschnittenes Bild Verschiebungen und Skalierungen anpassen.
 
 rpc-projection_not_finite = RPC: Seine Abbildung ist innerhalb der Szene nicht endlich.
     .do = Die Datei neu beschaffen; sie ist beschädigt.
@@ -154,7 +154,7 @@ rpc-geotiff_needs_picture = Ein GeoTIFF mit RPC braucht das Bild der Szene, das 
     .do = Das Raster als Szene angeben oder NAME_RPC.TXT, NAME.RPB oder NAME.geom schreiben.
 
 rpc-file_precedes_tag = { $name } liegt im selben Ordner; GDAL würde ihr RPC statt des Tags lesen.
-    .do = Sie verschieben oder einen anderen Namen wählen.
+    .do = Die Datei verschieben oder einen anderen Namen wählen.
 
 rpc-name_ending = { $ending ->
      [blank] Der Name hat keine Endung

@@ -8,19 +8,19 @@ rtklib-columns = Die Spalten sind { $names }.
     .do = Die Lösung als { $needed } schreiben.
 
 rtklib-line = Eine Zeile beginnt mit Datum und Zeit oder Woche und Sekunde, nicht mit { $text }.
-    .do = Die Zeile berichtigen.
+    .do = Die Zeile korrigieren.
 
 rtklib-date = { $text } ist kein gültiges Datum mit Zeit.
-    .do = Die Zeile berichtigen.
+    .do = Die Zeile korrigieren.
 
 rtklib-baselines = Die Datei hat Basislinien von einer Basisstation.
-    .do = Die Lösung als Breite, Länge und Höhe schreiben.
+    .do = Die Lösung als geographische Breite, Länge und Höhe schreiben.
 
 rtklib-not_decimal_degrees = { $value }: Die Winkel sind nicht in Dezimalgrad.
     .do = Dezimalgrad schreiben.
 
-rtklib-beyond_degrees = Eine Breite oder Länge liegt außerhalb ± 90° oder ± 180°.
+rtklib-beyond_degrees = Eine geographische Breite oder Länge liegt außerhalb ± 90° oder ± 180°.
     .do = Prüfen, ob es die richtige Datei ist.
 
-rtklib-track = Die Datei ist eine Spur von { $n } Epochen ohne Bezug zu Aufnahmen.
+rtklib-track = Die Datei ist eine Trajektorie von { $n } Epochen ohne Bezug zu Aufnahmen.
     .do = Die Lösung der Auslösezeiten angeben (NAME_events.pos).

@@ -28,7 +28,7 @@ scene-file_elsewhere = { $name } ist nicht der Name einer Datei im Ordner dieser
 scene-keys_exclusive = Dieser Schlüssel und { $other } schließen einander aus.
     .do = Einen der beiden löschen.
 
-scene-crs_superfluous = Die Tabelle hat Länge und Breite, die kein Koordinatensystem brauchen.
+scene-crs_superfluous = Die Tabelle hat geographische Länge und Breite, die kein Koordinatensystem brauchen.
     .do = Diesen Schlüssel löschen.
 
 scene-crs_missing = Das Koordinatensystem der Positionen X, Y, Z fehlt.
@@ -109,22 +109,22 @@ scene-none_here = Hier ist keine Szene: kein Bild mit RPC und keine Datei mit RP
 scene-none_corrected = Keine von { $n } { $n ->
         [one] Szene
        *[other] Szenen
-     } lässt sich verbessern:
-    .do = Szenen oder Passpunkte wie unten beschrieben berichtigen.
+     } lässt sich korrigieren:
+    .do = Szenen oder Passpunkte wie unten beschrieben korrigieren.
 
-scene-not_corrected = Szene { $scene } ist nicht verbessert:
+scene-not_corrected = Szene { $scene } ist nicht korrigiert:
 
 scene-name_twice = Zwei Szenen heißen { $name }.
     .do = Eine umbenennen.
 
 scene-rpc_missing = Die Szene hat keine RPC.
-    .do = Sie berechnen: raybundle rpc fit.
+    .do = Die RPC berechnen: raybundle rpc fit.
 
 scene-height_range_missing = Der Höhenbereich ist unbekannt: Die Szene hat keine RPC.
     .do = { OPTION("heights", "LOW", "HIGH") } angeben.
 
 scene-original_rpc = Die Datei der ursprünglichen RPC existiert schon; sie wird nie überschrieben.
-    .do = Sie verschieben oder eine neue Datei schreiben: { OPTION("out", "FILE") }.
+    .do = Die Datei verschieben oder eine neue Datei schreiben: { OPTION("out", "FILE") }.
 
 scene-no_geotiff = Dies ist kein GeoTIFF; RPC lassen sich nur in ein GeoTIFF schreiben.
     .do = Eine neue Datei schreiben: { OPTION("out", "FILE") }.
@@ -143,7 +143,7 @@ scene-outside_map = Die Szene zeigt keinen Teil des Kartengebiets.
     .do = { OPTION("extent") } anders wählen.
 
 scene-map_too_large = Die Karte hat { $width_px } x { $height_px } px mit { $bands } Kanälen, zu viele für den Speicher.
-    .do = Sie in eine Datei schreiben: { OPTION("out", "FILE.tif") }.
+    .do = Die Karte in eine Datei schreiben: { OPTION("out", "FILE.tif") }.
 
 scene-no_data_type = { OPTION("nodata", $value) } ist kein Wert vom Typ { $type } der Pixel.
     .do = Einen Wert dieses Typs angeben.
@@ -158,7 +158,7 @@ scene-no_tie_points = { $n } { $n ->
     .why = Paare mit gemeinsamem Gelände: { $pairs }.
     .do = Prüfen, ob die Szenen denselben Ort zu ähnlicher Jahreszeit mit ihren eigenen RPC zeigen, oder Passpunkte markieren: { OPTION("control") }.
 
-scene-middle = Szene { $scene }: Mitte bei { NUM($longitude_deg, decimals: 3) }° Länge, { NUM($latitude_deg, decimals: 3) }° Breite.
+scene-middle = Szene { $scene }: Mitte bei { NUM($longitude_deg, decimals: 3) }° geographischer Länge, { NUM($latitude_deg, decimals: 3) }° Breite.
 
 scene-control_far_away = In dieser Szene markierte Passpunkte liegen weit außerhalb.
     .do = Das Koordinatensystem und die Nummern der Passpunkte prüfen.
@@ -183,14 +183,14 @@ scene-all_zero = Das Bild hat keinen Grauwert über 0.
 scene-no_texture = Das Bild hat keine Textur.
     .do = Prüfen, ob es ein Bild des Geländes ist.
 
-scene-outside_system = Die Szene bei { NUM($longitude_deg, decimals: 4) }° Länge, { NUM($latitude_deg, decimals: 4) }° Breite liegt außerhalb von { $system }.
+scene-outside_system = Die Szene bei { NUM($longitude_deg, decimals: 4) }° geographischer Länge, { NUM($latitude_deg, decimals: 4) }° Breite liegt außerhalb von { $system }.
     .do = Ein anderes Koordinatensystem angeben: { OPTION("crs") }.
 
-scene-not_covered = Das Raster deckt die Szene nicht, bei { NUM($longitude_deg, decimals: 5) }° Länge, { NUM($latitude_deg, decimals: 5) }° Breite.
+scene-not_covered = Das Raster deckt die Szene nicht, bei { NUM($longitude_deg, decimals: 5) }° geographischer Länge, { NUM($latitude_deg, decimals: 5) }° Breite.
     .do = Das Höhenraster dieses Gebiets angeben.
 
 scene-control_without_system = Die Passpunkte haben kein Koordinatensystem, und { NUM($x, digits: 8) }, { NUM($y, digits: 8) } sind keine Grad nahe den Szenen.
-    .why = Die Szenen liegen bei { NUM($longitude_deg, decimals: 4) }° Länge, { NUM($latitude_deg, decimals: 4) }° Breite.
+    .why = Die Szenen liegen bei { NUM($longitude_deg, decimals: 4) }° geographischer Länge, { NUM($latitude_deg, decimals: 4) }° Breite.
     .do = Das Koordinatensystem angeben: { OPTION("crs", "EPSG:...") }.
 
 scene-name_taken = Eine andere Szene hat denselben Namen.

@@ -1,11 +1,11 @@
 scene_control-height_unit = Die Passpunkthöhen sind wohl in { $unit } statt in Metern angegeben.
-    .why = Aus { $shift_px } px Bildverschiebung und { NUM($rms_px, digits: 2) } px Residuen werden { $shift_then_px } px und { NUM($rms_then_px, digits: 2) } px.
+    .why = Aus { $shift_px } px Bildverschiebung und { NUM($rms_px, digits: 2) } px Verbesserungen werden { $shift_then_px } px und { NUM($rms_then_px, digits: 2) } px.
     .do = Die Höhen in Metern angeben ({ $unit } mal { NUM($factor, digits: 10) }).
 
 scene_control-image_axes = Die Passpunkte drehen oder strecken das Bild um { PERCENT($share) } % mit dem Bias { $model } (Grenze { PERCENT($limit) } %).
     .why = { $cause ->
         [none] Ein RPC hat keinen solchen Fehler.
-       *[other] Ein RPC hat keinen solchen Fehler. Mit der folgenden Berichtigung passen die Punkte auf { $rms_px } px.
+       *[other] Ein RPC hat keinen solchen Fehler. Mit der folgenden Korrektur passen die Punkte auf { $rms_px } px.
      }
     .do = { $cause ->
         [exchanged] x_px und y_px tauschen
@@ -16,7 +16,7 @@ scene_control-image_axes = Die Passpunkte drehen oder strecken das Bild um { PER
      }.
 
 scene_control-other_images = Die Datei enthält keinen Bildpunkt der Szene { $scene }.
-    .do = Die Bildnamen darin berichtigen; sie lauten { LIST($others, most: 5) }.
+    .do = Die Bildnamen darin korrigieren; sie lauten { LIST($others, most: 5) }.
 
 scene_control-geographic_columns = Die Spalten { $columns } sind WGS 84 mit ellipsoidischen Höhen, kein anderes System.
     .do = { OPTION("crs") } und { OPTION("undulation") } weglassen oder die Spalten in X, Y, Z umbenennen.
@@ -34,7 +34,7 @@ scene_control-point_twice = Der Punkt { $point } kommt zweimal vor.
     .do = Einen löschen oder anders benennen.
 
 scene_control-point_missing = Der Punkt { $point } fehlt in { $table }.
-    .do = Ihn dort ergänzen oder seinen Namen berichtigen.
+    .do = Den Punkt dort ergänzen oder seinen Namen korrigieren.
 
 scene_control-attribute_not_a_number = Attribut { $name }: { $value } ist keine Zahl.
     .do = Eine Zahl angeben.
@@ -44,13 +44,13 @@ scene_control-no_image_attributes = Der Punkt hat keine Attribute x_px und y_px.
      [0] Er hat keine Attribute.
      *[other] Seine Attribute sind { LIST($names, most: 12) }.
     }
-    .do = Sie ergänzen oder eine Tabelle { LIST($columns, most: 6) } als { OPTION("image_points", "FILE.csv") } angeben.
+    .do = Die Attribute ergänzen oder eine Tabelle { LIST($columns, most: 6) } als { OPTION("image_points", "FILE.csv") } angeben.
 
 scene_control-not_a_point = Die Geometrie ist { $kind }, nicht Point.
     .do = Die Passpunkte als Punkte speichern.
 
 scene_control-coordinate_count = Koordinaten des Punktes: { $n }; nötig: 2 oder 3.
-    .do = Länge, Breite und Höhe angeben.
+    .do = Geographische Länge, Breite und Höhe angeben.
 
 scene_control-no_layer = Die Datei hat keine Ebene mit { $points ->
      [yes] Punkten

@@ -2,6 +2,6 @@ scene_prior-rpc = Die RPC von { $ids } haben keine Genauigkeit (ERR_BIAS); angen
     .why = Ohne Passpunkte ist das Ergebnis nur so gut wie diese Annahme.
     .do = Passpunkte angeben: { OPTION("control") }.
 
-scene_prior-orbit = { $ids } hat keine RPC; die Lage aus der Orbitdatei gilt als auf { $sigma_rad } rad gut.
+scene_prior-orbit = { $ids } hat keine RPC; die Lagewinkel aus der Orbitdatei gelten als auf { $sigma_rad } rad bekannt.
     .why = Ohne Passpunkte ist das Ergebnis nur so gut wie diese Annahme.
     .do = Passpunkte angeben: { OPTION("control") }.

@@ -1,6 +1,6 @@
 section-outside = Linie { $number } liegt außerhalb des Höhenrasters.
     .why = Das Raster reicht in X von { NUM($left, digits: 10) } bis { NUM($right, digits: 10) }, in Y von { NUM($bottom, digits: 10) } bis { NUM($top, digits: 10) }.
-    .do = { OPTION("line") } berichtigen.
+    .do = { OPTION("line") } korrigieren.
 
 section-too_many_places = Linie { $number } hätte { $n } Stellen; höchstens { $most } sind möglich.
     .do = { OPTION("step") } größer wählen.

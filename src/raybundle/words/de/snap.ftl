@@ -4,7 +4,7 @@ snap-no_reference = Ein Bildausschnitt braucht denselben Punkt in einem anderen 
 snap-unknown_kind = Die Art { $kind } ist unbekannt.
     .do = ellipse, corner, cross, patch oder auto verwenden.
 
-snap-image_type = In einem Bild vom Typ { $kind } und der Form ({ $shape }) lässt sich nicht messen.
+snap-image_type = In einem Bild vom Typ { $kind } und der Dimension ({ $shape }) lässt sich nicht messen.
     .do = Ein Graustufenbild mit 8 oder 16 Bit angeben.
 
 snap-outside = x = { $x_px }, y = { $y_px } liegt außerhalb des Bildes von { $width_px } x { $height_px } px.

@@ -5,7 +5,7 @@ station-shared_with_parameters = Das Bild { $image } teilt seinen Standpunkt und
     .do = Den gemeinsamen Standpunkt oder per_image der Kamera entfernen.
 
 station-orientations_differ = Die Bilder { $images } teilen einen Standpunkt, haben aber verschiedene äußere Orientierungen.
-    .do = Jedem Bild die Orientierung des Rigs geben und die Versätze als Parameter der montierten Kameras angeben.
+    .do = Jedem Bild die Orientierung des Kameraverbunds geben und die Versätze als Parameter der montierten Kameras angeben.
 
 station-partly_held = Die Bilder { $images } teilen einen Standpunkt, und nur einige sind festgehalten.
     .do = Alle oder keines festhalten.

@@ -1,2 +1,2 @@
-stations-no_crs = Standpunkte auf einer Karte brauchen das Koordinatensystem des Blocks.
+stations-no_crs = Standpunkte in Landeskoordinaten brauchen das Koordinatensystem des Blocks.
     .do = { OPTION("crs", "EPSG:25832") } angeben.

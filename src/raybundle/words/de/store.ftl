@@ -1,6 +1,6 @@
 store-not_confirmed = Das Projekt nennt den Speicher { $url }, der von diesem Rechner noch nicht verwendet wurde.
-    .why = Ein Projektordner anderer könnte jeden Speicher nennen.
-    .do = Ihn einmal mit { OPTION("store") } bestätigen (für { $worker }: die URL anstelle des Projekts) oder { OPTION("store", "project") } verwenden.
+    .why = Ein fremder Projektordner könnte jeden Speicher nennen.
+    .do = Den Speicher einmal mit { OPTION("store") } bestätigen (für { $worker }: die URL anstelle des Projekts) oder { OPTION("store", "project") } verwenden.
 
 store-copies_no_folder = Der Ordner für Kopien, { $folder }, ist nicht möglich: { $place } ist eine Datei.
     .do = { $variable } auf einen Ordner setzen.
@@ -16,10 +16,10 @@ store-copies_not_writable = Kopien von Produkten lassen sich nicht schreiben ({ 
      } und denselben Befehl erneut ausführen.
 
 store-occupied = An { $place } gibt es schon einen anderen Ordner.
-    .do = Ihn verlegen und denselben Befehl erneut ausführen.
+    .do = Den Ordner verlegen und denselben Befehl erneut ausführen.
 
 store-no_bucket = Den Bucket gibt es nicht, oder er ist schreibgeschützt.
-    .do = Ihn anlegen oder einen anderen Ort wählen.
+    .do = Den Bucket anlegen oder einen anderen Ort wählen.
 
 store-foreign_token = Das Objekt namens token dort gehört nicht zu raybundle.
     .do = Einen anderen Ort wählen.
@@ -67,7 +67,7 @@ store-not_separate = Der Speicher liegt im Ordner { $kind ->
         [result] des Ergebnisses
        *[input] der Eingaben
      } ({ $place }).
-    .do = Ihm einen eigenen Ordner geben.
+    .do = Dem Speicher einen eigenen Ordner geben.
 
 store-not_writable = Der Speicher lässt sich nicht anlegen oder beschreiben ({ $detail }).
     .do = Einen Ordner mit Schreibrecht angeben.

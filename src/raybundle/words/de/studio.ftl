@@ -8,7 +8,7 @@ studio-not_started = Das Studio von { $folder } endete mit Status { $status }{ $
         [0] { " " }ohne Ausgabe
        *[other] : { $detail }
      }
-    .do = Auf der Kommandozeile raybundle studio { $folder } ausführen und den gezeigten Fehler beheben.
+    .do = Auf der Befehlszeile raybundle studio { $folder } ausführen und den gezeigten Fehler beheben.
 
 studio-no_figure = Es gibt keine Abbildung { $number }; es sind { $n }, ab 0 gezählt.
     .do = { $n ->
@@ -25,7 +25,7 @@ studio-no_photographs = Kein Ordner und keine Datei mit Aufnahmen ist angegeben.
 studio-nothing_to_run = In diesem Ordner können keine Schritte laufen; sein Block lässt sich ausgleichen.
     .do = Einen Projektordner von orient, einen Ergebnisordner von calibrate oder einen Ordner mit Aufnahmen öffnen.
 
-studio-busy = Ein Lauf oder eine Ausgleichung ist im Gang.
+studio-busy = Ein Lauf oder eine Ausgleichung läuft bereits.
     .do = Anhalten oder das Ende abwarten.
 
 studio-port_in_use = Port { $port } ist nicht verwendbar ({ $detail }).

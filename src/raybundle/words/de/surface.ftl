@@ -8,7 +8,7 @@ surface-precision = Standardabweichung eines Punktes: { NUM($median, digits: 2) 
         *[no] { $unit } (Median)
     }.
 
-surface-precision_of_axes = Mediane Standardabweichung: X { $x }, Y { $y }, Z { $z }, längs des Strahls { $along_ray } { $unit }.
+surface-precision_of_axes = Median der Standardabweichungen: X { $x }, Y { $y }, Z { $z }, längs des Strahls { $along_ray } { $unit }.
 
 surface-shares = Varianz längs des Strahls: Rauschen { $noise } %, Rauheit { $roughness } %, Orientierung { $orientation } %.
 
@@ -57,7 +57,7 @@ surface-too_few_photographs = { $n } { $n ->
 
 surface-photographs_lost = { $n } von { $photographs } ausgeglichenen Aufnahmen sind nicht verwendbar.
     .why = Die Oberfläche hat Lücken, wo nur sie etwas zeigen.
-    .do = Ihren Ordner mit { OPTION("photos", "ORDNER") } angeben.
+    .do = Den Ordner der Aufnahmen mit { OPTION("photos", "ORDNER") } angeben.
 
 surface-nothing_measured = { $region ->
         [yes] Im Gebiet wurde nichts gemessen

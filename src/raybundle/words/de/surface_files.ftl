@@ -37,7 +37,7 @@ surface_files-block_size = Die Orientierung der Höhen hat Blöcke von { $cells 
     .do = surface mit denselben Einstellungen neu ausführen.
 
 surface_files-node_count = Die Datei hat { $nodes } Knoten; zu Höhen mit { $rows } Zeilen und { $columns } Spalten gehören { $needed }.
-    .why = Sie gehört zu einer anderen Oberfläche.
+    .why = Die Datei gehört zu einer anderen Oberfläche.
     .do = surface mit denselben Einstellungen neu ausführen.
 
 surface_files-not_finite = Die Datei enthält einen Wert, der keine endliche Zahl ist.
@@ -65,7 +65,7 @@ surface_files-units_differ = Die Einheiten sind verschieden: hier { $unit ->
     .do = Oberflächen von Ergebnissen mit gleicher Einheit verwenden.
 
 surface_files-cells_differ = Die Oberfläche hat Zellen von { $cell }, { $other } von { $other_cell }.
-    .do = Beide mit gleich großen Zellen rechnen.
+    .do = Beide mit gleich großen Zellen berechnen.
 
 surface_files-entry_missing = Die Datei hat keinen Eintrag { $name }.
     .do = surface mit denselben Einstellungen neu ausführen.
@@ -89,21 +89,21 @@ surface_files-vertical_datums_differ = Die Höhenbezüge sind verschieden: { $sy
        *[other] { $other_datum }
     }).
     .why = Differenzen dieser Höhen enthielten den Unterschied der Höhenbezüge.
-    .do = Beide Oberflächen aus Ergebnissen in einem System von Lage und Höhe rechnen: { OPTION("crs", "EPSG:PLAN+HEIGHT") } von orient.
+    .do = Beide Oberflächen aus Ergebnissen in einem System von Lage und Höhe berechnen: { OPTION("crs", "EPSG:PLAN+HEIGHT") } von orient.
 
 surface_files-one_in_map = { $map ->
-        [yes] Diese Oberfläche ist in einer Karte, { $other } auf einer Ebene des Objekts
-       *[no] Diese Oberfläche ist auf einer Ebene des Objekts, { $other } in einer Karte
+        [yes] Diese Oberfläche ist in Landeskoordinaten, { $other } auf einer Ebene des Objekts
+       *[no] Diese Oberfläche ist auf einer Ebene des Objekts, { $other } in Landeskoordinaten
     }.
-    .why = Ihre Höhen haben verschiedene Bezüge.
-    .do = Beide Oberflächen in einer Karte rechnen oder über derselben Ebene mit denselben Passpunkten.
+    .why = Die Höhen der beiden Oberflächen haben verschiedene Bezüge.
+    .do = Beide Oberflächen in Landeskoordinaten berechnen oder über derselben Ebene mit denselben Passpunkten.
 
 surface_files-systems_differ = Die Oberflächen sind in verschiedenen Koordinatensystemen: { $system } und { $other }.
-    .do = Beide in einem Koordinatensystem rechnen.
+    .do = Beide in einem Koordinatensystem berechnen.
 
 surface_files-plane_unknown = Die Ebene dieser Oberfläche oder von { $other } ist nicht bekannt.
-    .do = Beide Oberflächen neu rechnen, über derselben Ebene mit denselben Passpunkten.
+    .do = Beide Oberflächen neu berechnen, über derselben Ebene mit denselben Passpunkten.
 
 surface_files-planes_differ = Die Ebenen dieser Oberfläche und von { $other } weichen um { $off_cells } Zellen ab (Grenze { $limit_cells }).
-    .why = Ihre Höhen haben verschiedene Bezüge.
-    .do = Beide Oberflächen über derselben Ebene (gemeinsame Punkte oder eine Karte) mit denselben Passpunkten rechnen.
+    .why = Die Höhen der beiden Oberflächen haben verschiedene Bezüge.
+    .do = Beide Oberflächen über derselben Ebene (gemeinsame Punkte oder Landeskoordinaten) mit denselben Passpunkten berechnen.

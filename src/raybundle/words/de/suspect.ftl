@@ -4,5 +4,5 @@ suspect-value = { $name } { $component } ({ observations-kind }) widerspricht de
 
 suspect-others = Statt { $name } kann { LIST($names, most: 10) } falsch sein; die Beobachtungen können diese Werte nicht trennen.
 
-suspect-beside = Wenn { $name } berichtigt ist, verwirft der Test { LIST($names, most: 10) } nicht mehr.
-    .do = Zuerst { $name } berichtigen, dann neu ausgleichen.
+suspect-beside = Wenn { $name } korrigiert ist, verwirft der Test { LIST($names, most: 10) } nicht mehr.
+    .do = Zuerst { $name } korrigieren, dann neu ausgleichen.

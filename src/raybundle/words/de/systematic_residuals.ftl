@@ -1,4 +1,4 @@
-systematic_residuals = Mittlere Residuen über dem Format weichen von null ab ({ $n ->
+systematic_residuals = Mittlere Verbesserungen über dem Format weichen von null ab ({ $n ->
         [one] Kamera
        *[other] Kameras
      } { $ids }).
@@ -8,4 +8,4 @@ systematic_residuals = Mittlere Residuen über dem Format weichen von null ab ({
      }
     .do = Eine Kalibrierung angeben oder verkantete und konvergente Aufnahmen machen.
 
-systematic_residuals-camera = Kamera { $camera }: { $cells } von { $tested } Zellen, { NUM($rms_px, digits: 2) } px rms ({ PERCENT($share) } % der Residuen), höchstens { NUM($largest_px, digits: 2) } px.
+systematic_residuals-camera = Kamera { $camera }: { $cells } von { $tested } Zellen, { NUM($rms_px, digits: 2) } px rms ({ PERCENT($share) } % der Verbesserungen), höchstens { NUM($largest_px, digits: 2) } px.

@@ -16,17 +16,17 @@ table-no_header = Die erste Zeile enthält Werte ({ LIST($header, most: 3) }) un
     .do = Eine Kopfzeile mit { LIST($needed, most: 20) } schreiben.
 
 table-unknown_column = Die Spalte { $name } ist unbekannt.
-    .do = Sie umbenennen oder löschen; Spalten sind { LIST($needed, most: 20) }, freiwillig { LIST($optional, most: 20) }.
+    .do = Die Spalte umbenennen oder löschen; Spalten sind { LIST($needed, most: 20) }, wahlweise { LIST($optional, most: 20) }.
 
 table-column_twice = Die Spalte { $name } kommt zweimal vor.
     .do = Eine der beiden löschen oder umbenennen.
 
 table-columns_missing = Fehlende Spalten: { $names }.
     .why = Die Datei hat { LIST($header, most: 12) }.
-    .do = Sie ergänzen; nötig sind { LIST($needed, most: 20) }.
+    .do = Die Spalten ergänzen; nötig sind { LIST($needed, most: 20) }.
 
 table-empty_line = Die Zeile ist leer.
-    .do = Sie löschen.
+    .do = Die Zeile löschen.
 
 table-cell_count = Zellen dieser Zeile: { $n }; Spalten der Kopfzeile: { $needed }.
     .why = Die Zeile ist { $row }.
@@ -60,7 +60,7 @@ table-csv_and_parquet = Die Tabelle ist doppelt: { $csv } liegt im selben Ordner
     .do = Eine der beiden Dateien anderswohin verschieben.
 
 table-columns_together = Die Spalten { $names } brauchen die Spalten { $missing }.
-    .do = Sie ergänzen oder { $names } löschen.
+    .do = Die fehlenden Spalten ergänzen oder { $names } löschen.
 
 table-three_angles = Drei Winkel einer Art und einer Einheit sind nötig.
     .do = { LIST($choices, most: 6) } angeben oder dieselben mit _gon oder _rad.

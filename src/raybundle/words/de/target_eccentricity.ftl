@@ -1,1 +1,1 @@
-target_eccentricity = Die Mitten von { $n } runden Zielmarken wurden um ihre Exzentrizität verbessert, bis zu { NUM($largest_px, digits: 2) } px.
+target_eccentricity = Die Mitten von { $n } runden Zielmarken wurden um ihre Exzentrizität korrigiert, bis zu { NUM($largest_px, digits: 2) } px.

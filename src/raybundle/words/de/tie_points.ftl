@@ -8,8 +8,8 @@ tie_points-no_ray = Punkte ohne Strahl: { LIST($points, most: 10) }.
 
 tie_points-single_ray = Punkte mit einem einzigen Strahl: { LIST($points, most: 10) }.
 
-tie_points-no_base = Die { $n } passenden Paare von Aufnahmen haben keine Basis: Sie unterscheiden sich nur durch eine Drehung.
-    .why = Aufnahmen von einer Stelle ergeben keine Tiefe.
+tie_points-no_base = Die { $n } passenden Paare von Aufnahmen haben keine Basis und unterscheiden sich nur durch eine Drehung.
+    .why = Aus Aufnahmen vom selben Standpunkt lässt sich keine Tiefe bestimmen.
     .do = Zwischen Aufnahmen seitlich gehen, um ein Zehntel der Entfernung zum Objekt oder mehr.
 
 tie_points-too_few_common = Keine zwei Aufnahmen haben genug gemeinsame Verknüpfungspunkte für eine relative Orientierung.

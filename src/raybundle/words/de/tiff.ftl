@@ -1,5 +1,5 @@
 tiff-ends_early = Die TIFF-Datei endet vor Byte { $byte }.
-    .do = Sie neu kopieren.
+    .do = Die Datei erneut kopieren.
 
 tiff-no_tiff = Die Datei ist keine TIFF-Datei.
     .do = Eine TIFF-Datei angeben oder das Bild in TIFF umwandeln.
@@ -14,10 +14,10 @@ tiff-directory_damaged = Im TIFF-Verzeichnis fehlen Größen oder Positionen der
     .do = Die Datei erneut kopieren.
 
 tiff-too_few_tiles = Die TIFF-Datei hat { $n } Streifen oder Kacheln; nötig sind { $needed }.
-    .do = Sie erneut kopieren.
+    .do = Die Datei erneut kopieren.
 
 tiff-pixels_end_early = Die Pixel der TIFF-Datei enden zu früh.
-    .do = Sie erneut kopieren.
+    .do = Die Datei erneut kopieren.
 
 tiff-pixels_unreadable = Die Pixel sind nicht dekodierbar (Kompression { $compression }, Kanäle { $bands }, Bit { $bits }).
     .do = Die Datei umwandeln, zum Beispiel mit gdal_translate -co COMPRESS=NONE.

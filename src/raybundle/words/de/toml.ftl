@@ -1,5 +1,5 @@
 toml-invalid = Das ist kein gültiges TOML: { $detail }.
-    .do = Diese Zeile berichtigen.
+    .do = Diese Zeile korrigieren.
 
 toml-keys_exclude = { $first } und { $second } schließen einander aus.
     .do = Eines von beiden löschen.

@@ -21,15 +21,15 @@ trajectory-position_twice = Die Position { $name } gehört zu { $first } und zu 
 
 trajectory-no_photograph_found = Keine der { $n } Aufnahmen hat hier eine Position.
     .why = Die erste Aufnahme ist { $photograph }, der erste Name der Datei { $name }.
-    .do = Die Namen berichtigen.
+    .do = Die Namen korrigieren.
 
-trajectory-needs_local_frame = Die Positionen sind Länge und Breite; nötig ist ein lokales System.
+trajectory-needs_local_frame = Die Positionen sind geographische Länge und Breite; nötig ist ein lokales System.
     .do = Das lokale System des Blocks angeben.
 
 trajectory-north_needs_frame = Drehungen gegen geographisch Nord brauchen ein Koordinatensystem.
     .do = Das lokale System des Blocks angeben.
 
-trajectory-no_crs = Die Datei hat Gitterkoordinaten ohne Koordinatensystem.
+trajectory-no_crs = Die Datei hat ebene Koordinaten ohne Koordinatensystem.
     .do = { OPTION("crs", "EPSG:25832") } oder die Spalten longitude_deg, latitude_deg, height_m angeben.
 
 trajectory-no_position = Die Datei enthält keine Position.
@@ -39,13 +39,13 @@ trajectory-count = Tabelle { $table }: { $times } Zeiten und { $n } Einträge.
     .do = Von beiden gleich viele angeben, mindestens zwei.
 
 trajectory-not_finite = Die Tabelle { $table } hat eine Zeit oder einen Wert, der keine endliche Zahl ist.
-    .do = Die Tabelle berichtigen.
+    .do = Die Tabelle korrigieren.
 
 trajectory-time_order = Tabelle { $table }: Zeit { $time_s } s (Eintrag { $entry }) folgt auf { $before_s } s.
     .do = Die Einträge nach der Zeit ordnen und doppelte löschen.
 
-trajectory-zero_quaternion = Eine Quaternion der Lage hat die Länge null.
-    .do = Die Tabelle der Lagen berichtigen.
+trajectory-zero_quaternion = Ein Quaternion der Lagewinkel hat die Länge null.
+    .do = Die Tabelle der Lagewinkel korrigieren.
 
 trajectory-not_covered = Die Tabelle { $table } umfasst { $start_s } bis { $end_s } s, die Zeilen aber { $first_s } bis { $last_s } s.
     .why = Die Tabelle ist abgeschnitten, oder ihre Anfangszeit gehört zu einer anderen Szene.
@@ -58,5 +58,5 @@ trajectory-gap = Die Tabelle { $table } hat im Bild eine Lücke von { $gap_s } s
 trajectory-degree = { $name } = { $degree } ist nicht möglich.
     .do = 0, 1, 2 oder -1 für keine angeben.
 
-trajectory-parameter_count = Die Korrekturparameter haben die Form ({ $shape }); nötig sind { $needed }.
+trajectory-parameter_count = Die Korrekturparameter haben die Dimension ({ $shape }); nötig sind { $needed }.
     .do = Für jeden Parameter einen Wert angeben.

@@ -1,26 +1,26 @@
-transform-wrong_shape = Feld { $name } einer Transformation: Form ({ $shape }) oder nicht endliche Werte.
-    .do = Endliche Zahlen der Form ({ $needed }) angeben.
+transform-wrong_shape = Feld { $name } einer Transformation: Dimension ({ $shape }) oder nicht endliche Werte.
+    .do = Endliche Zahlen der Dimension ({ $needed }) angeben.
 
 transform-observed_unknown = observed = { $value } ist unbekannt.
     .do = "follow" oder "stay" angeben.
 
-transform-scale_not_positive = Der Maßstab der Transformation ist { $scale }.
+transform-scale_not_positive = Der Maßstabsfaktor der Transformation ist { $scale }.
     .do = Einen Wert über 0 angeben.
 
 transform-translation_not_finite = Die Translation der Transformation ist { $translation }.
     .do = Drei endliche Zahlen angeben.
 
 transform-scene = Die Satellitenszene { $scene } lässt sich nicht transformieren.
-    .why = Ihr Modell liefert Länge, Breite und Höhe.
+    .why = Das Modell der Szene liefert geographische Länge, Breite und Höhe.
     .do = Einen Block ohne Satellitenszenen transformieren.
 
 transform-geodetic_frame = Das Objektsystem hat einen festen Ort auf der Erde und lässt sich nicht transformieren.
     .do = Den Ort aus dem Block entfernen (place=None).
 
-transform-rotation_not_orthogonal = Die Drehung der Transformation ist nicht orthogonal: R R' weicht um { NUM($off, digits: 2) } von 1 ab (Grenze { $limit }).
+transform-rotation_not_orthogonal = Die Drehmatrix der Transformation ist nicht orthogonal: R R' weicht um { NUM($off, digits: 2) } von 1 ab (Grenze { $limit }).
     .do = Eine orthogonale Matrix mit Determinante +1 angeben.
 
-transform-rotation_mirrored = Die Drehung der Transformation ist eine Spiegelung.
+transform-rotation_mirrored = Die Drehmatrix der Transformation enthält eine Spiegelung.
     .do = Eine orthogonale Matrix mit Determinante +1 angeben.
 
 transform-sigmas_correlated = { $name } lässt sich nicht transformieren: Standardabweichungen von { $parameters } würden korreliert.
@@ -33,4 +33,4 @@ transform-calibration_incomplete = { $name } lässt sich nicht drehen: Die Kalib
     .do = Mit diesem Parameter kalibrieren oder ohne Drehung transformieren.
 
 transform-row_not_possible = { $row } kann nicht transformiert werden ({ $detail }).
-    .do = Diese Zeile vor der Transformation löschen oder den jetzigen Rahmen beibehalten.
+    .do = Diese Zeile vor der Transformation löschen oder das jetzige Koordinatensystem beibehalten.

@@ -1,5 +1,5 @@
 two_cameras = Kamera { $camera }: { $n } und { $others } Aufnahmen haben verschiedene innere Orientierungen.
-    .why = c weicht um { NUM($dc_px, decimals: 1) } px ab, der Hauptpunkt um { NUM($dx0_px, decimals: 1) }, { NUM($dy0_px, decimals: 1) } px; { $by ->
+    .why = c weicht um { NUM($dc_px, decimals: 1) } px ab, der Bildhauptpunkt um { NUM($dx0_px, decimals: 1) }, { NUM($dy0_px, decimals: 1) } px; { $by ->
         [names] Aufnahmen, deren Name nicht mit { $name } beginnt,
         [order] Aufnahmen nach { $name }
        *[values] die der zweiten Gruppe

@@ -3,5 +3,5 @@ up_ambiguous = Die Lotrichtung ist nicht eindeutig: Der Satz ist nur mit { PERCE
      [aerial] aus der Luft
      *[oblique] schräg aus der Luft
     } (Grenze { PERCENT($limit) } %).
-    .why = Er wird so behandelt, nach der Haltung der Kamera.
+    .why = Er wird so behandelt, nach der angenommenen Kamerahaltung.
     .do = Liegt das Ergebnis auf der Seite, { OPTION("up", "terrestrial") }, { OPTION("up", "aerial") } oder zwei Punkte angeben, B lotrecht über A: { OPTION("up", "A,B") }.

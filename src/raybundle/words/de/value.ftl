@@ -1,5 +1,5 @@
 value-too_large = { $value } überschreitet { $largest }, die größte lesbare Zahl.
-    .do = Die Zahl oder ihre Einheit berichtigen.
+    .do = Die Zahl oder ihre Einheit korrigieren.
 
 value-not_finite = { $value } ist keine endliche Zahl.
     .do = Eine endliche Zahl angeben.
@@ -36,7 +36,7 @@ value-list_empty = Die Liste ist leer.
     .do = Prüfen, ob die Datei vollständig ist.
 
 value-not_above = { $value } ist nicht größer als { $limit }.
-    .do = Den Wert berichtigen.
+    .do = Den Wert korrigieren.
 
 value-zero = Der Wert ist 0.
     .do = Einen Wert ungleich 0 angeben.
@@ -45,10 +45,10 @@ value-unit_unknown = Die Einheit { $unit } wird nicht unterstützt.
     .do = Eine von { LIST($known, most: 9) } verwenden.
 
 value-no_time = { $value } ist keine Datums- und Zeitangabe.
-    .do = Sie wie 2021-11-07T10:29:11.950343Z schreiben.
+    .do = Die Zeit wie 2021-11-07T10:29:11.950343Z schreiben.
 
 value-size_out_of_range = { $value } liegt außerhalb des Bereichs: Eine Zahl ist 0 oder dem Betrag nach { $least } bis { $most }.
-    .do = Die Zahl oder ihre Einheit berichtigen.
+    .do = Die Zahl oder ihre Einheit korrigieren.
 
 value-no_length = { $value } ist keine Länge.
     .do = Eine Länge wie 5mm, 0.5cm oder 0.2in angeben.

@@ -1,3 +1,3 @@
-weak_convergence = Keine Konvergenz: Schritte haben nach { $iterations } Iterationen noch { NUM($step_sigmas, digits: 1) } Standardabweichungen.
+weak_convergence = Keine Konvergenz: Schritte betragen nach { $iterations } Iterationen noch { NUM($step_sigmas, digits: 1) } Standardabweichungen.
     .why = Eine Unbekannte ist kaum bestimmt.
     .do = Prüfen, welche Standardabweichungen groß sind, und dort Beobachtungen ergänzen.

@@ -1,7 +1,7 @@
 xml-invalid = Das ist kein gültiges XML: { $detail }.
     .do = { $cut ->
-        [yes] Die Datei neu beschaffen: Ihr Ende fehlt
-       *[no] Diese Zeile berichtigen
+        [yes] Die Datei neu beschaffen: Das Ende fehlt
+       *[no] Diese Zeile korrigieren
      }.
 
 xml-element_missing = Das Element { $path } fehlt.
@@ -14,7 +14,7 @@ xml-attribute_not_a_number = Attribut { $name }: { $value } ist keine endliche Z
     .do = Eine Zahl bis höchstens { $largest } angeben.
 
 xml-doctype = Der Dokumenttyp (DOCTYPE) wird aus Sicherheitsgründen abgelehnt.
-    .do = Ihn aus der Datei löschen.
+    .do = Den Dokumenttyp aus der Datei löschen.
 
 xml-empty = Die Datei hat kein Wurzelelement; erwartet wird { $root }.
     .do = Prüfen, ob es die richtige Datei ist.

@@ -1,5 +1,5 @@
 yaml-indentation = Die Zeile ist weniger eingerückt als ihr Block.
-    .do = Die Einrückung berichtigen.
+    .do = Die Einrückung korrigieren.
 
 yaml-second_document = Hier beginnt ein zweites Dokument.
     .do = Jedes Dokument in einer eigenen Datei angeben.
@@ -11,7 +11,7 @@ yaml-open_list = Eine hier begonnene Liste hat kein Ende.
     .do = Prüfen, ob die Datei vollständig ist.
 
 yaml-no_entry = Hier wird ein Eintrag KEY: VALUE erwartet.
-    .do = Diese Zeile berichtigen.
+    .do = Diese Zeile korrigieren.
 
 yaml-list_form = Die Liste hat eine falsche Form.
     .do = Die Elemente durch Kommas trennen und die Liste schließen.

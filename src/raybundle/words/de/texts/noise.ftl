@@ -2,12 +2,12 @@ noise-in_parts = die Normalgleichungen werden in Teilen reduziert
 
 noise-singular_points = manche Bildpunkte bestimmen ihre Objektpunkte nicht
 
-noise-few_directions = die Residuen bestimmen nur { $n } Richtungen glatter Fehler ({ $least } nötig)
+noise-few_directions = die Verbesserungen bestimmen nur { $n } Richtungen glatter Fehler ({ $least } nötig)
 
 noise-no_statistics = die Statistik ist abgeschaltet
 
 noise-no_redundancy = es gibt keine Redundanz
 
-noise-rig = Bilder teilen die äußere Orientierung eines Rigs
+noise-rig = Bilder teilen die äußere Orientierung eines Kameraverbunds
 
 noise-no_format = das Sensormodell { $models } hat kein ebenes Format

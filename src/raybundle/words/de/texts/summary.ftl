@@ -99,7 +99,7 @@ summary-oriented = Orientiert: { $oriented } von { $of } { $of ->
             *[other] { $parts } weitere Teile sind nicht damit verbunden.
         }
 
-summary-image_points = Standardabweichung einer Bildkoordinate: { NUM($sigma_px, decimals: 3) } px (aus Residuen).
+summary-image_points = Standardabweichung einer Bildkoordinate: { NUM($sigma_px, decimals: 3) } px (aus Verbesserungen).
 
 summary-scenes = Satellitenszenen im Block: { $oriented } von { $of }.
 
