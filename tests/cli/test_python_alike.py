@@ -44,7 +44,7 @@ def test_empirical(control, tmp_path, capsys):
     assert rb.empirical(control, model="dlt-brown", without="K3,P1").advice is None
     with pytest.raises(InputError, match=r'without=.*model="dlt-brown".*empirical\.excluded_needs_model'):
         rb.empirical(control, without=("K3",))
-    with pytest.raises(InputError, match="model = 'cubic' is not one of 'auto', 'affine'"):
+    with pytest.raises(InputError, match=r"model = 'cubic' .*auto, affine.*setting\.not_one_of"):
         rb.empirical(control, model="cubic")
 
 
@@ -90,5 +90,5 @@ def test_sheets(tmp_path):
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b/a.svg").read_bytes()
     with pytest.raises(InputError, match=r"codes=.*count=.*option\.one_of"):
         rb.write_target_sheet("aicon12", tmp_path / "c.svg")
-    with pytest.raises(InputError, match=r"dot_radius = 0 .*greater than 0\. \[setting\.too_small\]"):
+    with pytest.raises(InputError, match=r"dot_radius = 0 .*greater than 0\..*\[setting\.too_small\]"):
         rb.write_target_sheet("aicon12", tmp_path / "c.svg", count=3, dot_radius=0)
