@@ -35,7 +35,9 @@ def commands(data: Path, work: Path) -> dict[str, list[list[str]]]:
         "orient sceaux-castle": [orient("sceaux-castle")],
         "orient castle-p19": [orient("castle-p19")],
         "orient copr-uav": [orient("copr-uav")],
-        "surface sceaux-castle": [orient("sceaux-castle"), ["surface", str(work / "sceaux-castle"), "--free-scale", "--density", "4"]],
+        "surface sceaux-castle": [
+            orient("sceaux-castle"), ["surface", str(work / "sceaux-castle"), "--free-scale", "--density", "4"]
+        ],
         "calibrate": [
             ["calibrate", str(data / "calibration/camcal-photos/images"), "--out",
              str(work / "calibrate")],

@@ -153,7 +153,7 @@ def test_unconnected_parts_are_named():
     with pytest.raises(DatumDefect, match=r"2 parts[\s\S]*block\.parts_without_datum") as error:
         adjust(two)
     assert f"images {a.images.ids[0]}" in str(error.value)
-    assert f"Images b{a.images.ids[0]}" in str(error.value)
+    assert f"images b{a.images.ids[0]}" in str(error.value)
 
 
 def wrong_control():
