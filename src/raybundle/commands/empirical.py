@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free
-from raybundle.io.reading.words import quoted
 from raybundle.settings import PIXELS, made, path_of, setting
 
 if TYPE_CHECKING:
@@ -157,6 +156,8 @@ def read_points(path: Path) -> ControlPoints:
     roles = table.text.get("role", ("",) * table.rows)
     for k, role in enumerate(roles):
         if role not in {"", "control", "check"}:
+            from raybundle.io.reading.words import quoted  # noqa: PLC0415  (NumPy is loaded with it)
+
             raise InputError(
                 "value.not_supported",
                 value=quoted(role),

@@ -18,7 +18,6 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.commands.begin import measuring_folder
 from raybundle.commands.opening import hand_over
 from raybundle.errors import InputError
-from raybundle.io.reading.words import quoted
 from raybundle.report.show import Page, show_page
 from raybundle.report.write import write_result
 from raybundle.results.folder import ResultFolder
@@ -77,6 +76,8 @@ def show(
     what = what or ("report" if isinstance(result, Adjustment) else "studio")
     if what != "studio":
         if not isinstance(result, Adjustment):
+            from raybundle.io.reading.words import quoted  # noqa: PLC0415  (NumPy is loaded with it)
+
             raise InputError("studio.page_of_folder", page=quoted(what))
         return show_page(result, path, what=what)
     folder = _folder_of(result, path)

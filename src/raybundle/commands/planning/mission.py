@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
-from raybundle.io.reading.words import quoted
 from raybundle.missions.defaults import OVERLAP
 from raybundle.numerics.counting import counted
 from raybundle.settings import ANY, METRES, POSITIVE, Range, made, option, setting, settings_of
@@ -170,6 +169,8 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
     if unknown:
         raise InputError("format.unknown", format=unknown[0], known=list(mission_formats))
     if not re.fullmatch(r"[\w][\w .-]{0,60}", s.name):
+        from raybundle.io.reading.words import quoted  # noqa: PLC0415  (NumPy is loaded with it)
+
         raise InputError("mission.name", name=quoted(s.name[:60]))
     check_new_folder(s.out)
     task, lenient, remarks = _task(s)
