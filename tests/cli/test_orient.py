@@ -114,7 +114,7 @@ def test_every_bad_file_costs_that_file_and_is_named_with_its_reason(orient, pho
     for name, pattern in reasons.items():
         assert re.search(pattern, named[name]), (name, named[name])
     for name, reason in lost.items():
-        assert f"   {name}: {reason}" in told.out
+        assert f"{name}: {reason}" in " ".join(told.out.split())
     rows = (tmp_path / "project/result/images.csv").read_text(encoding="utf-8")
     assert sum(readable(name) in rows for name in good) >= 3
 
@@ -186,8 +186,8 @@ def test_windows_of_one_picture_are_not_oriented_without_a_word(orient, photos, 
     told = orient(photos)
     if told.status == 0:
         found = json.loads((tmp_path / "project/result/result.json").read_text())["warnings"]
-        assert {"not_determinable", "held_not_determinable"} <= {w["code"] for w in found}
-        assert "fault: " in told.out
+        assert "held_not_determinable" in {w["code"] for w in found}
+        assert "[held_not_determinable" in told.out
     else:
         assert told.status == 3, told.all
         assert told.err.strip()

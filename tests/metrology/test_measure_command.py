@@ -435,7 +435,7 @@ def test_a_photograph_that_takes_no_part_is_named_with_its_reason(field, tmp_pat
     assert {w["ids"][0] for w in result["warnings"] if w["code"] == "image_left_out"} == {"broken.jpg", "wall.jpg"}
     assert {x["code"] for x in result["images"]["not_oriented"]} == {"photograph.copy", "not_oriented.few_targets"}
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8").replace("\u00a0", " ")
-    words = {"en": "0 named targets were detected", "de": "0 Zielmarken mit Namen erkannt"}
+    words = {"en": "0 named targets were detected", "de": "mit Namen in der Aufnahme erkannt"}
     assert words[language] in page
 
 

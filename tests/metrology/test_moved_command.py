@@ -44,7 +44,7 @@ def rows(path):
 def test_what_moved_is_told_and_written(epochs, tmp_path, capsys):
     assert main(["moved", *map(str, epochs), "--out", str(tmp_path / "m"), "--progress", "none"]) == 0
     said = capsys.readouterr().out
-    assert "2 of 59 common points displaced: 17, 5" in said
+    assert "2 of 140 common points displaced: 17, 5" in said
     table = {r["point"]: r for r in rows(tmp_path / "m/points.csv")}
     assert {p for p, r in table.items() if r["moved"]} == set(MOVED)
     for point, by in MOVED.items():
