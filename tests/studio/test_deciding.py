@@ -230,7 +230,7 @@ def test_marks_made_by_hand_are_counted_apart(client, studio, desk):
     [
         ({"by": "w", "limit": 1e6}, 409, "selection.nothing_beyond"),
         ({"by": "beauty", "limit": 1}, 409, "[selection.unknown_quantity]"),
-        ({"by": "w", "limit": "x"}, 400, "limit = x"),
+        ({"by": "w", "limit": "x"}, 400, "limit 'x'"),
         ({"by": "w", "limit": 1, "id": ""}, 400, "an action has an id"),
     ],
 )
