@@ -223,7 +223,7 @@ def test_an_image_of_another_size_is_refused(damaged, tmp_path, capsys):
     write_rpc_text(scene_rpc(PITCH["ahead"], SIZE // 8), damaged / "ahead_RPC.TXT")
     status, said = quick(damaged, tmp_path / "project", capsys)
     assert status == 2
-    assert f"an image of {SIZE} x {SIZE} px and an RPC for columns 0 to {SIZE // 8}" in said
+    assert f"columns 0 to {SIZE // 8} and rows 0 to {SIZE // 8}" in said
 
 
 def test_control_that_contradicts_a_scene_is_noticed(pair, damaged, project, capsys):

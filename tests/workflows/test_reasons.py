@@ -45,7 +45,7 @@ def test_reasons_of_earlier_projects_are_texts():
 
 def test_a_reason_is_read_in_other_languages_and_by_other_processes():
     again = pickle.loads(pickle.dumps(FEW))  # noqa: S301  (our own)
-    assert again.by(Reader("de")).startswith("4 gemeinsame Punkte")
+    assert again.by(Reader("de")).startswith("Das Bild hat 4 gemeinsame Punkte")
 
 
 def test_a_reason_has_its_code_in_result_json():
@@ -60,7 +60,7 @@ def test_reasons_are_details_of_an_error_behind_their_names():
         "photograph.too_few_usable", n=0, least=2, details=excluded([(f"{k}.jpg", FEW) for k in range(25)], ["seen"])
     )
     lines = str(error).splitlines()
-    assert lines[1].startswith("  0.jpg: 4 points in common")
+    assert lines[1].startswith("  0.jpg: The image has 4 points in common")
     assert [d.code for d in error.message.details[20:]] == ["reason.more", "reason.text"]
     assert error.message.details[20].values == {"n": 5}
 
