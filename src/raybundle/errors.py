@@ -135,9 +135,14 @@ def message(code: str, /, *, details: Iterable[Message] = (), **values: Value) -
     return Message(code=code, values=plain(values), details=tuple(details))
 
 
-def note(code: str, /, **values: Value) -> Message:
+def note(code: str, /, *, details: Iterable[Message] = (), **values: Value) -> Message:
     """What was done, found or chosen, as a message."""
-    return Message(code=code, values=plain(values), severity=Severity.NOTE)
+    return replace(message(code, details=details, **values), severity=Severity.NOTE)
+
+
+def warning(code: str, /, *, details: Iterable[Message] = (), **values: Value) -> Message:
+    """What makes part of a result weaker than it looks, as a message."""
+    return replace(message(code, details=details, **values), severity=Severity.WARNING)
 
 
 def content(code: str | Message, values: Mapping[str, Value]) -> str | Message:
@@ -224,10 +229,7 @@ def joined_texts(*texts: Text) -> Text:
 
 def text_of_error(error: RaybundleError) -> str:
     """An error as a reason in a list, with its place; its words where it has no message."""
-    if error.message is None:
-        return str(error)
-    place = error.place if isinstance(error, InputError) else Place()
-    return Text.of(replace(error.message, place=place if place.text() else None))
+    return str(error) if error.message is None else Text.of(as_detail(error))
 
 
 def without_file(text: str, file: Path) -> str:
@@ -239,6 +241,11 @@ def without_file(text: str, file: Path) -> str:
         place = replace(first.place, file="")
         first = replace(first, place=place if place.text() else None)
     return Text.of(first, *others)
+
+
+def code_of(text: str) -> str:
+    """The code of the message of a text; empty where it has only words."""
+    return text.message.code if isinstance(text, Text) else ""
 
 
 def text_json(text: str) -> dict[str, Any]:
@@ -267,7 +274,7 @@ def named(name: str, text: str) -> Message:
 
 def phrase(code: str, /, **values: Value) -> Text:
     """A text of a report, of the catalogue's entry and its values, for whatever reader."""
-    return Text.of(note(code, **values))
+    return Text.of(Message(code=code, values=plain(values), severity=Severity.NOTE))
 
 
 def printable(text: str) -> str:

@@ -20,7 +20,7 @@ LONGEST = 100
 KIN = frozenset(
     """
     InputError NotSolvable DatumDefect RankDefect TooFewObservations NoConvergence NoOrientation TasksWaiting Notice
-    worded Message message note phrase
+    worded Message message note warning phrase
     """.split()  # noqa: SIM905  (read like a text)
 )
 RESERVED = frozenset(
@@ -70,7 +70,7 @@ def text_calls():
         if name in {"Notice", "Message"}:
             if any(k.arg == "message" for k in node.keywords):
                 yield f"{file}:{node.lineno}"
-        elif node.args and coded(name, node) is None and name not in {"message", "note"}:
+        elif node.args and coded(name, node) is None and name not in {"message", "note", "warning"}:
             first = node.args[0]
             if isinstance(first, ast.JoinedStr | ast.BinOp) or (
                 isinstance(first, ast.Constant) and isinstance(first.value, str)

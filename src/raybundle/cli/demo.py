@@ -80,7 +80,7 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
     report(of_adjustment(
         adjustment, [result, result / "report.html", out / "block", out / "truth"],
         done=[simulated, *interior_errors(simulation.truth, adjustment), *_point_errors(simulation, adjustment)],
-        details=[_given(simulation, survey.scale_bar_sigma), *_interior(simulation, adjustment)],
+        details=[_given(simulation, survey.scale_bar_sigma), *interior_lines(simulation.truth, adjustment)],
     ))  # fmt: skip
 
 
@@ -123,16 +123,17 @@ def interior_errors(truth: Block, a: Adjustment) -> list[Message]:
     return [note("demo.interior", n=len(ratios), ratio=abs(ratios[worst]), symbol=worst)]
 
 
-def _interior(simulation: Simulation, adjustment: Adjustment) -> list[str]:
-    truth = simulation.truth.cameras[0].values
+def interior_lines(truth: Block, a: Adjustment) -> list[str]:
+    """Truth, estimate, sigma and their ratio for each parameter."""
+    true = truth.cameras[0].values
     lines = [f" {'parameter':12}{'truth':>16}{'estimate':>16}{'sigma':>12}{'error / sigma':>16}"]
-    for interior in adjustment.interior:
+    for interior in a.interior:
         for p in interior.parameters.values():
             if p.std is None or not p.std > 0:
                 continue
-            true, value, std = together((truth[p.symbol], p.value, p.std), p.std)
-            ratio = (p.value - truth[p.symbol]) / p.std
-            lines.append(f" {p.symbol:4}{p.unit:8}{true:>16}{value:>16}{std:>12}{ratio:>16.2f}")
+            texts = together((true[p.symbol], p.value, p.std), p.std)
+            ratio = (p.value - true[p.symbol]) / p.std
+            lines.append(f" {p.symbol:4}{p.unit:8}{texts[0]:>16}{texts[1]:>16}{texts[2]:>12}{ratio:>16.2f}")
     return lines
 
 

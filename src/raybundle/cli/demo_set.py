@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raybundle.cli.common import facts, significant
-from raybundle.cli.demo import rigid_difference, together
+from raybundle.cli.demo import interior_lines, rigid_difference
 from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.demonstrations import set_names
 from raybundle.errors import InputError, Message, note
@@ -93,20 +93,6 @@ def compared(truth: Block, a: Adjustment) -> list[Message]:
     rms = 1000 * math.sqrt(float((error**2).mean()))
     std = 1000 * math.sqrt(float(covariance.diagonal(axis1=1, axis2=2).mean()))
     return [*interior_errors(truth, a), note("demo.points", kind=name, rms_mm=rms, stated_mm=std)]
-
-
-def interior_lines(truth: Block, a: Adjustment) -> list[str]:
-    """Truth, estimate, sigma and their ratio for each parameter."""
-    true = truth.cameras[0].values
-    lines = [f" {'parameter':12}{'truth':>16}{'estimate':>16}{'sigma':>12}{'error / sigma':>16}"]
-    for interior in a.interior:
-        for p in interior.parameters.values():
-            if p.std is None or not p.std > 0:
-                continue
-            texts = together((true[p.symbol], p.value, p.std), p.std)
-            ratio = (p.value - true[p.symbol]) / p.std
-            lines.append(f" {p.symbol:4}{p.unit:8}{texts[0]:>16}{texts[1]:>16}{texts[2]:>12}{ratio:>16.2f}")
-    return lines
 
 
 def place_lines(truth: Block, a: Adjustment) -> list[str]:

@@ -11,7 +11,7 @@ from raybundle.cli.common import FOLDER, NEW_FOLDER, SeveralNames, common_option
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, report
 from raybundle.commands.moved import MovedSettings, faults_in, run_moved
-from raybundle.errors import Message, Severity, note
+from raybundle.errors import Message, Severity, note, warning
 from raybundle.settings import made
 from raybundle.words.numbers import probability
 
@@ -86,12 +86,10 @@ def _warnings(done: Congruence) -> list[Message]:
     """What the tests object to."""
     found: list[Message] = []
     if done.after[1] < done.significance:
-        values = {"p": float(done.after[1])}
-        found.append(Message(code="epochs.stable_points_differ", values=values, severity=Severity.WARNING))
+        found.append(warning("epochs.stable_points_differ", p=float(done.after[1])))
     if done.scale:
         ppm = [1e6 * (t.scale - 1) for t in done.transforms]
-        values = {"names": list(done.epochs[1:]), "scale_ppm": ppm}
-        found.append(Message(code="epochs.free_scale", values=values, severity=Severity.WARNING))
+        found.append(warning("epochs.free_scale", names=list(done.epochs[1:]), scale_ppm=ppm))
     return found
 
 

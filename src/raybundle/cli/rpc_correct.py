@@ -9,14 +9,14 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import Summary, gravest_first, report
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.scenes.correct import (
     RpcCorrectSettings,
     check_outputs,
     correction_of,
     write_correction,
 )
-from raybundle.errors import Message, Severity, Value, message_of_text, note
+from raybundle.errors import Message, message_of_text, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def _summary(found: Correction, done: Correction) -> Summary:
     remarks = [m for r in found.remarks for m in getattr(r, "messages", (message_of_text(r),))]
     texts = [f"{found.ids[k]}: {why}" for k, why in found.beyond.items()]
     return Summary(
-        done=first, notices=gravest_first([*_warnings(found), *remarks]), files=done.written,
+        done=first, notices=[*_warnings(found), *remarks], files=done.written,
         details=[*texts, *_models(advice), *_terms(found), *_errors(done)],
     )  # fmt: skip
 
@@ -79,9 +79,6 @@ def _summary(found: Correction, done: Correction) -> Summary:
 def _warnings(found: Correction) -> list[Message]:
     """What the points have against the correction."""
     advice, fit = found.advice, found.fit
-
-    def warning(code: str, **values: Value) -> Message:
-        return Message(code=code, values=values, severity=Severity.WARNING)
 
     notices: list[Message] = []
     if advice.set_aside:

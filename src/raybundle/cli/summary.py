@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import click
 
-from raybundle.errors import Message, Severity, excluded, note
+from raybundle.errors import Message, Severity, excluded, note, warning
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -33,7 +33,7 @@ class Summary:
     done: Sequence[Message]
     """What was done and how good it is: a line each."""
     notices: Sequence[Message | Coded] = ()
-    """Faults, warnings and notes, the gravest first."""
+    """Faults, warnings and notes."""
     next_step: Message | None = None
     """What to do where nothing is wrong; else that is the remedy of the gravest notice."""
     files: Sequence[object] = ()
@@ -59,7 +59,7 @@ def of_adjustment(
         next_step = note("summary.next_scale")
     return Summary(
         done=(*(done or (summary.adjusted(a),)), summary.accuracy(a)), next_step=next_step, files=files,
-        notices=gravest_first([*notices, *as_told(a.notices)]), details=(*summary.details(a), *details),
+        notices=(*notices, *as_told(a.notices)), details=(*summary.details(a), *details),
     )  # fmt: skip
 
 
@@ -68,19 +68,14 @@ def not_usable(refused: Sequence[tuple[str, str]]) -> list[Message]:
     if not refused:
         return []
     names = [name for name, _ in refused]
-    return [
-        Message(
-            code="photographs.not_usable", values={"n": len(names), "names": names}, severity=Severity.WARNING,
-            details=tuple(excluded(refused)),
-        )
-    ]  # fmt: skip
+    return [warning("photographs.not_usable", n=len(names), names=names, details=excluded(refused))]
 
 
 def lines(summary: Summary, *, verbose: bool) -> list[str]:
     """What a terminal shows, at most eight lines without --verbose."""
     from raybundle.words import headline, reader  # noqa: PLC0415  (Fluent is loaded with it)
 
-    grave = list(_grave(summary.notices))
+    grave = _grave(summary.notices)
     shown = grave if verbose else grave[:SHOWN]
     found = [m.headline() for m in summary.done]
     if verbose:
@@ -118,14 +113,11 @@ def _message(notice: Message | Coded) -> Message:
     return notice if isinstance(notice, Message) else notice.data
 
 
-def gravest_first(notices: Sequence[Message | Coded]) -> list[Message | Coded]:
-    """Notices in the order of their severity."""
+def _grave(notices: Iterable[Message | Coded]) -> list[Message | Coded]:
+    """Faults and warnings, the gravest first."""
     order = list(Severity)
-    return sorted(notices, key=lambda n: order.index(_message(n).severity))
-
-
-def _grave(notices: Iterable[Message | Coded]) -> Iterable[Message | Coded]:
-    return (n for n in notices if _message(n).severity is not Severity.NOTE)
+    grave = (n for n in notices if _message(n).severity is not Severity.NOTE)
+    return sorted(grave, key=lambda n: order.index(_message(n).severity))
 
 
 def _line(notice: Message | Coded, *, whole: bool = False) -> str:

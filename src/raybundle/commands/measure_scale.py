@@ -8,7 +8,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.errors import InputError, message
+from raybundle.errors import InputError, code_of, message
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment, Notice
@@ -154,7 +154,7 @@ def controlled(block: Block, path: Path, unit: float) -> tuple[Block, tuple[Noti
     import numpy as np  # noqa: PLC0415
 
     from raybundle.block.transform import transform_block  # noqa: PLC0415
-    from raybundle.io.geo.control_files import NO_TOLERANCE, ControlDefaults, assumed_words, read_control  # noqa: PLC0415
+    from raybundle.io.geo.control_files import ControlDefaults, read_control  # noqa: PLC0415
     from raybundle.metrology.misfit import in_one_line, misfit  # noqa: PLC0415
     from raybundle.metrology.misfit_words import control_contradicted, control_wrong  # noqa: PLC0415
     from raybundle.metrology.notices import (  # noqa: PLC0415
@@ -195,11 +195,12 @@ def controlled(block: Block, path: Path, unit: float) -> tuple[Block, tuple[Noti
     assumed = np.ones(len(given.ids), bool) if given.stated is None else ~given.stated
     own, remarks = unit * given.sigma, list(given.remarks)
     told: list[Notice] = [*control_wrong(found, path.name, names)]
-    told += [tolerances_ignored(path.name)] if NO_TOLERANCE in remarks else []
-    remarks = [r for r in remarks if r != NO_TOLERANCE]
+    tolerances = [r for r in remarks if code_of(r) == "control_file.tolerance_unused"]
+    told += [tolerances_ignored(path.name)] if tolerances else []
+    remarks = [r for r in remarks if r not in tolerances]
     if assumed[full].any() and off > CONTROL_M:
         own = np.where(assumed[:, None], off, own)
-        remarks = [r for r in remarks if assumed_words(usual) not in r]
+        remarks = [r for r in remarks if code_of(r) != "control_file.sigma_assumed"]
         told.append(control_assumed(path.name, 1000 * off))
     told += control_remarks(remarks)
     out = {n for n, f in zip(names, fits.tolist(), strict=True) if not f}

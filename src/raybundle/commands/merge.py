@@ -7,7 +7,7 @@ from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raybundle.errors import InputError, Message, NotSolvable, as_detail
+from raybundle.errors import InputError, Message, NotSolvable, as_detail, note
 from raybundle.io.folders import check_free
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import Range, made, setting
@@ -92,7 +92,6 @@ def _with_dots_alike(
 ) -> tuple[list[Block], list[dict[str, str]], list[Message]]:
     """Blocks in which dots without a code are called alike where they are one by their place; what each was called."""
     from raybundle.block.joined import frame_of  # noqa: PLC0415
-    from raybundle.commands.merge_tests import remark  # noqa: PLC0415
     from raybundle.metrology.dots import Dots  # noqa: PLC0415
 
     first = frame_of(blocks)
@@ -108,7 +107,7 @@ def _with_dots_alike(
         return found, called, []
     rest = sum(len(c) for c in called) - len(known.by_place)
     others = [n for n, c in zip(names, called, strict=True) if c]
-    return found, called, [remark("join.dots_renumbered", n=len(known.by_place), others=rest, names=others)]
+    return found, called, [note("join.dots_renumbered", n=len(known.by_place), others=rest, names=others)]
 
 
 def _carriers(
@@ -121,7 +120,7 @@ def _carriers(
     import numpy as np  # noqa: PLC0415
 
     from raybundle.block.joined import frame_of  # noqa: PLC0415
-    from raybundle.commands.merge_tests import check_cameras, check_frames, remark, stayed_of  # noqa: PLC0415
+    from raybundle.commands.merge_tests import check_cameras, check_frames, stayed_of  # noqa: PLC0415
 
     first = frame_of([m.block for m in members])
     base = members[first]
@@ -132,7 +131,7 @@ def _carriers(
         progress("testing common points", 0.0)
         base.shape  # noqa: B018  (adjusted once, for all)
     except (InputError, NotSolvable) as error:
-        return found, [remark("join.block_not_adjusted", details=[as_detail(error)], name=base.name)], []
+        return found, [note("join.block_not_adjusted", details=[as_detail(error)], name=base.name)], []
     for k, member in enumerate(members):
         if k == first:
             continue
@@ -149,5 +148,5 @@ def _carriers(
         found[k] = carry
         cautions += check_frames(base, member, list(carry))
         if tested.after[1] < s.significance:
-            remarks.append(remark("join.points_beyond_sigma", name=member.name, F=tested.after[0]))
+            remarks.append(note("join.points_beyond_sigma", name=member.name, F=tested.after[0]))
     return found, remarks, cautions

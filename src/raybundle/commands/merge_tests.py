@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isinf
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.errors import InputError, Message, NotSolvable, Severity, Value, as_detail, message
+from raybundle.errors import InputError, Message, NotSolvable, Severity, Value, as_detail, message, note, warning
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment, InteriorResult
@@ -102,7 +102,7 @@ def measured_once(blocks: Sequence[Block], names: Sequence[str]) -> list[Message
         fewest, name = min((len(first.images), one), (len(second.images), two))
         if len(alike) >= fewest:
             raise InputError("join.same_measurement", n=len(alike), first=one, second=two, names=alike, name=name)
-        cautions.append(caution("join.same_photographs", n=len(alike), first=one, second=two, names=alike))
+        cautions.append(warning("join.same_photographs", n=len(alike), first=one, second=two, names=alike))
     return cautions
 
 
@@ -115,10 +115,10 @@ def stayed_of(base: Member, member: Member, significance: float) -> Congruence |
 
     try:
         if len(set(member.shape.ids) & set(base.shape.ids)) < LEAST:
-            return remark("join.too_few_to_test", name=member.name, base=base.name, least=LEAST)
+            return note("join.too_few_to_test", name=member.name, base=base.name, least=LEAST)
         tested = congruence([base.shape, replace(member.shape, free_scale=True)], significance=significance)
     except (InputError, NotSolvable) as error:
-        return remark("join.points_not_tested", details=[as_detail(error)], name=member.name)
+        return note("join.points_not_tested", details=[as_detail(error)], name=member.name)
     moved = int(tested.moved.sum())
     if 2 * moved > len(tested.ids):
         raise InputError("join.points_moved", moved=moved, n=len(tested.ids), name=member.name, base=base.name)
@@ -144,20 +144,20 @@ def check_frames(base: Member, member: Member, stayed: Sequence[str]) -> list[Me
         both = set(one.ids) & set(other.ids)
         found = between(one, other, [i for i in stayed if i in both], placed=whole and other_whole)
     except (InputError, NotSolvable) as error:
-        return [caution("join.scales_not_tested", details=[as_detail(error)], base=base.name, name=member.name)]
+        return [warning("join.scales_not_tested", details=[as_detail(error)], base=base.name, name=member.name)]
     if is_other_unit(found.factor):
         raise InputError(_other_unit(base, member, found))
     scales = [base.gives_scale, member.gives_scale]
     if found.scale[1] < LEVEL:
         return [
-            caution(
+            warning(
                 "join.scales_contradict", details=scales, name=member.name, base=base.name, factor=found.factor,
                 sigma=found.sigma,
             )
         ]  # fmt: skip
     if found.frame is not None and found.frame[1] < LEVEL:
         return [
-            caution(
+            warning(
                 "join.frames_contradict", name=member.name, base=base.name, F=found.frame[0],
                 shift_m=float((found.shift**2).sum() ** 0.5), turn_mrad=1e3 * found.turn,
             )
@@ -175,16 +175,6 @@ def _other_unit(base: Member, member: Member, found: Between) -> Message:
     )  # fmt: skip
 
 
-def caution(code: str, /, *, details: Iterable[Message] = (), **values: Value) -> Message:
-    """A message that part of the merged block is weaker than it might be taken for."""
-    return replace(message(code, details=details, **values), severity=Severity.WARNING)
-
-
-def remark(code: str, /, *, details: Iterable[Message] = (), **values: Value) -> Message:
-    """A message about what was done or chosen."""
-    return replace(message(code, details=details, **values), severity=Severity.NOTE)
-
-
 def check_cameras(base: Member, member: Member) -> list[Message]:
     """Cautions where cameras that are said to be the same differ by more than chance.
 
@@ -198,7 +188,7 @@ def check_cameras(base: Member, member: Member) -> list[Message]:
             {i.camera: i for i in m.as_free.interior if i.image is None} for m in (member, base)
         )  # fmt: skip
     except (InputError, NotSolvable) as error:
-        return [caution("join.cameras_not_compared", details=[as_detail(error)], name=member.name, base=base.name)]
+        return [warning("join.cameras_not_compared", details=[as_detail(error)], name=member.name, base=base.name)]
     cautions: list[Message] = []
     for camera in [c for c in mine if c in theirs]:
         a, b = theirs[camera], mine[camera]

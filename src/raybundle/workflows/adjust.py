@@ -35,8 +35,8 @@ from raybundle.errors import (
     NotSolvable,
     RankDefect,
     Value,
+    as_detail,
     message,
-    message_of_text,
 )
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, in_rounds, silent
@@ -303,7 +303,7 @@ def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adj
             raise
         return _replaced(
             fresh, "approximate_values_replaced.unsolvable",
-            details=(error.message or message_of_text(str(error)),),
+            details=(as_detail(error),),
         )  # fmt: skip
     if result.sigma0 > DOUBTED and afresh:
         fresh = _afresh(block, options, progress)

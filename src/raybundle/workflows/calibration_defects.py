@@ -8,7 +8,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
-from raybundle.errors import InputError, Message, NotSolvable, message, message_of_text
+from raybundle.errors import InputError, Message, NotSolvable, as_detail, message
 from raybundle.numerics.arrays import Array
 
 COMMON = 6
@@ -76,8 +76,7 @@ def explained(error: NotSolvable | InputError, block: Block) -> NotSolvable | In
     if why is not None:
         return NotSolvable(why)
     if isinstance(error, NotSolvable):
-        detail = error.message or message_of_text(str(error))
-        return error.worded(message("calibration.not_possible", details=[detail]))
+        return error.worded(message("calibration.not_possible", details=[as_detail(error)]))
     return error
 
 

@@ -16,7 +16,7 @@ from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows, without_images
 from raybundle.calibration.given import calibration_notices, held_notices
-from raybundle.errors import Message, NoConvergence, NotSolvable, Text, message, message_of_text, phrase
+from raybundle.errors import Message, NoConvergence, NotSolvable, Text, as_detail, message, phrase
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress
@@ -217,7 +217,7 @@ def _without_control(placed: Georeferenced, whole: Georeferenced, error: NotSolv
     left = with_rows(free, rows)
     notice = Notice(
         code="control_left_out.unsolvable", values={"n": len(names)}, ids=tuple(names),
-        details=(error.message or message_of_text(str(error)),),
+        details=(as_detail(error),),
     )  # fmt: skip
     return _with_block(whole, left), [notice]
 
@@ -276,6 +276,5 @@ def undetermined_component(placed: Georeferenced, error: NotSolvable) -> list[No
     """The photographs of a part that nothing determines, each left out by name."""
     images = placed.block.images
     names = [n for n, o in zip(images.ids, images.oriented, strict=True) if o]
-    detail = error.message or message_of_text(str(error))
-    reason = Text.of(message("excluded.part", photographs=len(names)), detail)
+    reason = Text.of(message("excluded.part", photographs=len(names)), as_detail(error))
     return [excluded_image(n, reason) for n in names]

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from raybundle.errors import InputError, message_of_text
+from raybundle.errors import InputError, as_detail
 from raybundle.io.reading.words import number_of
 from raybundle.numerics.arrays import Array
 from raybundle.workflows.height_grid import HeightPlane
@@ -33,8 +33,7 @@ def region_asked(
         except InputError as error:
             if error.file is not None:
                 raise
-            details = [error.message] if error.message else [message_of_text(str(error))]
-            raise InputError("surface.region_invalid", given=given, details=details) from None
+            raise InputError("surface.region_invalid", given=given, details=[as_detail(error)]) from None
     found = SurfaceRegion.of(plane, areas_in(wkt, [], extent) if extent is not None else areas)
     left, bottom, right, top = found.extent.tolist()
     if min(right - left, top - bottom) < apart:

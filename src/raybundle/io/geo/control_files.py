@@ -18,7 +18,7 @@ import numpy as np
 
 from raybundle.block import ROLES, Role
 from raybundle.block.frames import in_file_frames
-from raybundle.errors import InputError, Text, Value, message, note
+from raybundle.errors import InputError, Text, message, note, phrase
 from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.gcp_rows import GCP_COLUMNS, GcpRow, content_lines, gcp_rows
 from raybundle.io.geo.parsed_systems import parse_crs
@@ -30,7 +30,6 @@ from raybundle.numerics.arrays import Array, Index, Mask
 XYZ, SIGMA, NORMAL = ("X", "Y", "Z"), ("sX", "sY", "sZ"), ("nX", "nY", "nZ")
 COLUMNS = ("point", *XYZ, *SIGMA, "role", "radius", *NORMAL, "tolerance")
 """Of a table of control"""
-NO_TOLERANCE = Text.of(note("control_file.tolerance_unused"))
 CHANCE = 0.01
 """Probability below which heights that agree to the last digit are not taken for measured."""
 MEASUREMENTS = "measurements"
@@ -261,8 +260,8 @@ def named_apart(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
 
 def assumed_words(defaults: ControlDefaults) -> str:
     """What is said of coordinates whose file states no standard deviation."""
-    values: dict[str, Value] = {"plan": defaults.plan, "height": defaults.height, "unit": defaults.unit or "none"}
-    return Text.of(note("control_file.sigma_assumed", **values))
+    unit = defaults.unit or "none"
+    return phrase("control_file.sigma_assumed", plan=defaults.plan, height=defaults.height, unit=unit)
 
 
 def _default_sigma(xyz: Array, defaults: ControlDefaults) -> Array:
@@ -351,7 +350,7 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
     if (np.isfinite(xyz) & ~given).any():
         remarks = (assumed_words(defaults),)
     if any(table.text.get("tolerance", ())):  # people have one file for both
-        remarks = (*remarks, NO_TOLERANCE)
+        remarks = (*remarks, phrase("control_file.tolerance_unused"))
     beside = path.with_name(f"{path.stem}-{MEASUREMENTS}.csv")
     file = measurements or (beside if beside.is_file() else None)
     control = ControlFile(

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
-from raybundle.errors import Message, RaybundleError, Severity, note
+from raybundle.errors import Message, RaybundleError, Severity
 from raybundle.io.scenes.base import Scene, read_scene
 from raybundle.scenes.model_agreement import ModelAgreement, ModelsContradict, model_agreement
 from raybundle.scenes.rpc import Rpc
@@ -31,10 +30,8 @@ def remarks_of(scene: Scene) -> tuple[Message, ...]:
     try:
         check_agreement(scene)
     except ModelsContradict as contradiction:
-        return (
-            *scene.remarks,
-            replace(note("scene.rpc_preferred", **contradiction.agreement.values), severity=Severity.WARNING),
-        )
+        values = contradiction.agreement.values
+        return (*scene.remarks, Message(code="scene.rpc_preferred", values=values, severity=Severity.WARNING))
     return scene.remarks
 
 

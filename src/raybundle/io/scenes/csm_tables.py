@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import Message, Value, note
+from raybundle.errors import Message, Severity, Value
 from raybundle.io.reading.trees import Json
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import Ellipsoid
@@ -142,7 +142,7 @@ def _bridged(group: Json, times: Array, R: Array, pixel_rad: float) -> tuple[Arr
         }  # fmt: skip
         if not measured or error > UNKNOWN_PX * pixel_rad:
             group.fail("isd.attitude_gap", **values, measured=measured, limit_px=UNKNOWN_PX)
-        remarks.append(note("isd.attitude_gap_bridged", **values))
+        remarks.append(Message(code="isd.attitude_gap_bridged", values=values, severity=Severity.NOTE))
     at = np.linspace(times[0], times[-1], len(times))
     return at, slerp(times, R, at), remarks
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.result import Notice
-from raybundle.errors import NoOrientation, message_of_text
+from raybundle.errors import NoOrientation, as_detail, message_of_text
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.verify import VerifiedPair
@@ -59,7 +59,7 @@ def match(i: Inputs, means: Means) -> Matched:
         if still is None:
             raise
         notice = still.notice(masked=i.masked)
-        first = error.message or message_of_text(str(error))
+        first = as_detail(error)
         other = message_of_text(notice.message) if notice.message else notice.data
         raise NoOrientation(
             replace(first, details=(*first.details, other)), images=error.images, undetermined=error.undetermined
