@@ -9,7 +9,7 @@ from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import NotSolvable, message
 from raybundle.orientation.assembly import approximate_values
-from raybundle.placing.image_doubts import origin_words
+from raybundle.placing.image_doubts import origin_message
 from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
 
@@ -150,4 +150,4 @@ def test_images_with_points_under_wrong_names_have_the_axes_of_the_others():
 
 @pytest.mark.parametrize("kind", ["testfield", "ring"])
 def test_right_images_are_counted_from_their_corner(kind):
-    assert origin_words(simulated(kind)) is None
+    assert origin_message(simulated(kind)) is None

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Block, Distances, Stations
-from raybundle.errors import Message, Text, message
+from raybundle.errors import Message, message
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.length_units import factor_unit
 
@@ -26,12 +27,14 @@ TINY = 1e-3
 """Extent of positions over that of the photographs' own from which on they may be degrees: 1 degree is 111 km."""
 
 
+Group = Literal["bars", "positions", "control"]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Conflict:
     """A group of given values without which the block is adjusted well."""
 
-    group: str
-    """bars, control, positions"""
+    group: Group
     count: int
     sigma0: float
     """without the group"""
@@ -50,7 +53,7 @@ def conflicts(block: Block, solved: Callable[[Block], Adjustment | None], withou
     without_control  the block whose control points are tie points
     """
     control = int(block.points.is_control.any(axis=1).sum())
-    tries: list[tuple[str, int, Block]] = []
+    tries: list[tuple[Group, int, Block]] = []
     if len(block.distances):
         tries.append(("bars", len(block.distances), block.having(Distances.empty())))
     if len(block.stations.image):
@@ -85,11 +88,6 @@ def conflict_message(found: list[Conflict], sigma0: float) -> Message:
         "groups_contradict", groups=len(found), solved=solved, sigma0=sigma0 if solved else None,
         details=[_group_message(c, others[0] if others else "none") for c in found],
     )  # fmt: skip
-
-
-def conflict_words(found: list[Conflict], sigma0: float) -> str:
-    """The text of `conflict_message`."""
-    return Text.of(conflict_message(found, sigma0))
 
 
 def conflict_notice(found: list[Conflict], sigma0: float) -> Notice:

@@ -14,7 +14,7 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Block, Role, Stations
 from raybundle.block.select import with_rows
-from raybundle.errors import InputError, Message, NotSolvable, Text, Value, message
+from raybundle.errors import InputError, Message, NotSolvable, Value, message
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import robust_similarity, similarity
@@ -143,11 +143,6 @@ def doubt_message(doubt: Doubt, sigma0: float) -> Message:
     if len(doubt.names) == FEWEST:
         return Message(code="control_contradicts.one_of_few", values=alone)
     return Message(code="control_contradicts.unexplained", values=alone)
-
-
-def words(doubt: Doubt, sigma0: float) -> str:
-    """The text of `doubt_message`."""
-    return Text.of(doubt_message(doubt, sigma0))
 
 
 def notice(doubt: Doubt, sigma0: float) -> Notice:

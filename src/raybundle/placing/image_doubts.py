@@ -14,7 +14,7 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT
 from raybundle.block import Block, Camera
 from raybundle.block.select import with_rows
-from raybundle.errors import Message, Text, Value, message
+from raybundle.errors import Message, Value, message
 from raybundle.numerics.arrays import Array, Index
 
 MENDED = 2.0
@@ -87,12 +87,6 @@ def _without_image(
     return []
 
 
-def unit_words(block: Block) -> str | None:
-    """The text of `unit_message`."""
-    found = unit_message(block)
-    return None if found is None else Text.of(found)
-
-
 def unit_message(block: Block) -> Message | None:
     """That image points seem to be in mm; None where they do not."""
     o, camera = block.observations, block.images.camera[block.observations.image]
@@ -108,12 +102,6 @@ def unit_message(block: Block) -> Message | None:
                 width_px=c.width_px, height_px=c.height_px,
             )  # fmt: skip
     return None
-
-
-def origin_words(block: Block) -> tuple[str, tuple[str, ...]] | None:
-    """The text of `origin_message`, and the images."""
-    found = origin_message(block)
-    return None if found is None else (Text.of(found[0]), found[1])
 
 
 def origin_message(block: Block) -> tuple[Message, tuple[str, ...]] | None:

@@ -44,9 +44,9 @@ from raybundle.observations import observation_kinds
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
 from raybundle.placing.approximate_scale import start_scale_notices
 from raybundle.placing.bar_doubts import BarDoubt, bar_doubt_notice, doubted_bars
-from raybundle.placing.conflicts import Conflict, conflict_notice, conflict_words, conflicts
-from raybundle.placing.control_doubts import as_ties, doubted_control, notice, words
-from raybundle.placing.image_doubts import image_doubt_notices, origin_words, unit_words
+from raybundle.placing.conflicts import Conflict, conflict_message, conflict_notice, conflicts
+from raybundle.placing.control_doubts import as_ties, doubt_message, doubted_control, notice
+from raybundle.placing.image_doubts import image_doubt_notices, origin_message, unit_message
 from raybundle.placing.mirrored_images import mirrored_image_notices
 from raybundle.workflows.noise_in_parts import in_parts, without_fields
 
@@ -90,10 +90,10 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bars = None if isinstance(error, DatumDefect) else _doubted_bars(block, options)
         result = _without(bars, options, progress)
         if result is None:
-            text = _explained(error, block, options, twins, identical)
-            if not text:
+            cause = _explained(error, block, options, twins, identical)
+            if cause is None:
                 raise
-            raise error.worded(text) from error  # in no variable: its traceback would keep it, and all it was made of
+            raise error.worded(cause) from error  # in no variable: its traceback would keep it, and all it was made of
     else:
         result = _without(bars, options, progress) or result
     if twins and not result.converged:
@@ -141,31 +141,28 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
 def _explained(
     error: NotSolvable, block: Block, options: AdjustmentOptions, twins: list[tuple[str, str]],
     identical: Sequence[Notice],
-) -> str | Message:  # fmt: skip
-    """An error with what may be behind it; "" where there is nothing to add."""
-    why: list[str | Message] = [n.data for n in ([_twin_notice(twins)] if twins else identical)]
+) -> Message | None:  # fmt: skip
+    """An error with what may be behind it; None where there is nothing to add."""
+    why: list[Message] = [n.data for n in ([_twin_notice(twins)] if twins else identical)]
     if not why and not isinstance(error, DatumDefect):
-        if (unit := unit_words(block)) is not None:
+        if (unit := unit_message(block)) is not None:
             return _joined(unit, error)
-        if (origin := origin_words(block)) is not None:
+        if (origin := origin_message(block)) is not None:
             return _joined(origin[0], error)
     found = [] if why or isinstance(error, DatumDefect) else _conflicts(block, options)
     if found:
-        return conflict_words(found, float("nan"))
-    if not why and isinstance(error, RankDefect) and (torn := _control_words(block, options)):
-        return _joined(*torn, error)
+        return conflict_message(found, float("nan"))
+    if not why and isinstance(error, RankDefect) and (torn := _of_control(block, options)) is not None:
+        return _joined(torn, error)
     if not why and isinstance(error, NoConvergence):
-        why.extend(_control_words(block, options))
-    return _joined(error, *why) if why else ""
+        why += filter(None, [_of_control(block, options)])
+    return _joined(error, *why) if why else None
 
 
-def _joined(*parts: str | Message | NotSolvable) -> str | Message:
-    """Parts of an explanation: the first message with the others as details; a text where one has only words."""
-    found = [p.message if isinstance(p, NotSolvable) else p for p in parts]
-    messages = [p for p in found if isinstance(p, Message)]
-    if len(messages) == len(parts):
-        return replace(messages[0], details=(*messages[0].details, *messages[1:]))
-    return "\n  ".join(p.text() if isinstance(p, Message) else str(p) for p in parts)
+def _joined(first: Message | NotSolvable, *others: Message | NotSolvable) -> Message:
+    """The first message with the others as its details."""
+    head, *rest = (as_detail(p) if isinstance(p, NotSolvable) else p for p in (first, *others))
+    return replace(head, details=(*head.details, *rest))
 
 
 def _without(bars: BarDoubt | None, options: AdjustmentOptions, progress: Progress) -> Adjustment | None:
@@ -242,12 +239,12 @@ def _plainly(block: Block, options: AdjustmentOptions) -> Adjustment:
     return _adjust(block, options, silent)
 
 
-def _control_words(block: Block, options: AdjustmentOptions) -> list[str]:
+def _of_control(block: Block, options: AdjustmentOptions) -> Message | None:
     """What control has to do with it that nothing can be adjusted."""
     if not block.points.is_control.any() or _held(block):
-        return []
+        return None
     doubt = doubted_control(block, None, options, _plainly)
-    return [] if doubt is None else [words(doubt, float("nan"))]
+    return None if doubt is None else doubt_message(doubt, float("nan"))
 
 
 def _solver(options: AdjustmentOptions) -> Callable[[Block], Adjustment | None]:
@@ -280,7 +277,7 @@ def _conflicts(block: Block, options: AdjustmentOptions) -> list[Conflict]:
         return []
     control = np.flatnonzero(block.points.is_control.any(axis=1))
     found = conflicts(block, _solver(options), as_ties(block, control) if len(control) else block)
-    return found if any(c.group != "control points" for c in found) else []
+    return found if any(c.group != "control" for c in found) else []
 
 
 def _adjusted(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
@@ -301,10 +298,7 @@ def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adj
         fresh = _afresh(block, options, progress) if afresh else None
         if fresh is None or fresh.sigma0 > DOUBTED:
             raise
-        return _replaced(
-            fresh, "approximate_values_replaced.unsolvable",
-            details=(as_detail(error),),
-        )  # fmt: skip
+        return _replaced(fresh, "approximate_values_replaced.unsolvable", details=(as_detail(error),))
     if result.sigma0 > DOUBTED and afresh:
         fresh = _afresh(block, options, progress)
         if fresh is not None and fresh.sigma0 < 0.5 * result.sigma0:
