@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 import raybundle as rb
+from raybundle import words
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.cli.main import main
@@ -75,7 +76,7 @@ def test_the_page_has_the_verdict_the_warnings_and_whom_it_is_for(measured):
     _, out = measured
     text = (out / "surface.html").read_text().replace("\N{NO-BREAK SPACE}", " ")
     assert 'class="verdict attention"' in text
-    assert "Not to be used yet: 1 matter to settle first." in text
+    assert words.headline("front.faults", {"n": 1}) in text
     for words in (FAULT, *CAUTIONS, "heights are relative"):
         assert words in text, words
     assert "what was chosen" not in text  # remarks stay in the report of the result
@@ -115,7 +116,7 @@ def test_the_command_tells_the_fault_and_the_gravest_cautions_and_names_its_page
     told = capsys.readouterr().out
     assert re.search(r"Median standard deviation: X [\d.]+, .* along the ray [\d.]+ mm", told)
     assert "warning: heights are relative" in told  # of all points, before what is of single marks
-    assert "adjustment: Not to be used yet" in told
+    assert "adjustment: Do not use yet" in told
     assert re.search(r"Surface: [\d ]+ points from 3 depth maps", told.replace("\u202f", " "))
     assert str(warned / "surface/surface_3d.html") in told
     shares = [int(v) for v in re.findall(r"(?:noise|roughness|orientation) (\d+) %", told)]
@@ -219,7 +220,7 @@ def test_the_page_in_print(half, warned, tmp_path):
     assert tmp_path / "s/surface.pdf" in done.pages.files
     text = "".join(p.extract_text() for p in pypdf.PdfReader(tmp_path / "s/surface.pdf").pages)
     assert "North front" in text
-    assert "Not to be used yet" in " ".join(text.split())
+    assert "Do not use yet" in " ".join(text.split())
 
 
 @pytest.mark.parametrize("shares", [(0.55, 0.29, 0.16), (1 / 3, 1 / 3, 1 / 3), (0.005, 0.99, 0.005), (1.0, 0.0, 0.0)])

@@ -107,6 +107,8 @@ class Language:
 
     def cell(self, english: str) -> str:
         """A cell of a table: a name, as a rule, or a number."""
+        if isinstance(english, Text):
+            return self.text(english)
         if self._book is None or isinstance(english, Said) or english in self.names:
             return english
         return self._book.cells.get(english) or self.text(english)

@@ -142,7 +142,7 @@ front-area_of_one = in mindestens drei Aufnahmen, innerhalb der Objektpunkte; in
 
 front-std_of_coordinate = Einer Koordinate, { $median ->
         [yes] Median
-        *[no] quadratisches Mittel
+        *[no] RMS
     } über die Objektpunkte:
 
 front-quotient = Mittlere Standardabweichung { NUM($mean) } { $unit }, Ausdehnung { NUM($extent) } { $length_unit }{ $share ->
@@ -153,14 +153,14 @@ front-quotient = Mittlere Standardabweichung { NUM($mean) } { $unit }, Ausdehnun
 front-check_rms = Differenz einer Koordinate an { $n } { $n ->
         [one] Kontrollpunkt
         *[other] Kontrollpunkten
-    } (quadratisches Mittel):
+    } (RMS):
 
 front-leave_one_out = Kreuzvalidierung der Passpunkte
 
 front-leave_one_out_rms = Differenz einer Koordinate an { $n } { $n ->
         [one] Passpunkt
         *[other] Passpunkten
-    }, jeder weggelassen (quadratisches Mittel):
+    }, jeder weggelassen (RMS):
 
 front-minus_given = d: ausgeglichen minus gegeben. Passpunkte nahmen teil, Kontrollpunkte nicht.
 
@@ -169,7 +169,7 @@ front-largest_differences = Die { $most } größten Differenzen von { $n } { $ro
         *[check] Kontrollpunkten
     }; alle: { $file_name }.
 
-front-leave_one_out_row = Kreuzvalidierung der Passpunkte, quadratisches Mittel
+front-leave_one_out_row = Kreuzvalidierung der Passpunkte, RMS
 
 front-leave_one_out_meaning = Kreuzvalidierung: Differenz ohne den Passpunkt, in erster Näherung.
 
@@ -184,11 +184,11 @@ front-role = { $role ->
         *[check] Kontrolle
     }
 
-front-rms_of = quadratisches Mittel von { $n }
+front-rms_of = RMS von { $n }
 
 front-held = fest
 
-front-rms = quadratisches Mittel
+front-rms = RMS
 
 front-median = Median
 

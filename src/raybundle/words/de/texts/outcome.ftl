@@ -29,7 +29,7 @@ outcome-length_errors = { $n } { $independent ->
     } { $n ->
         [one] Länge
         *[other] Längen
-    }: größte Abweichung { NUM($largest_mm, digits: 2) } mm ({ $start } – { $end }), quadratisches Mittel { NUM($rms_mm, digits: 2) } mm{ $independent ->
+    }: größte Abweichung { NUM($largest_mm, digits: 2) } mm ({ $start } – { $end }), RMS { NUM($rms_mm, digits: 2) } mm{ $independent ->
         [yes] .
         *[no] ; Maßstabsstrecken, kein Test.
     }
@@ -55,7 +55,7 @@ outcome-only_control = { $part ->
         [horizontal] Lage
         *[vertical] Höhe
     }: { NUM($wanted, digits: 4) } { $wanted_unit } gefordert, nicht beurteilt: keine Kontrollpunkte.
-    .why = Kreuzvalidierung der Passpunkte: { NUM($rms) } { $rms_unit } (quadratisches Mittel).
+    .why = Kreuzvalidierung der Passpunkte: { NUM($rms) } { $rms_unit } (RMS).
 
 outcome-no_check_points = { $part ->
         [horizontal] Lage

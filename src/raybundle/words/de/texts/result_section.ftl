@@ -13,7 +13,7 @@ result_section-severities = Fehler: vor der Verwendung klären. Warnung: Ein Tei
 
 result_section-median = Median { NUM($median, digits: 2) } { $unit }.
 
-result_section-check_rms = Differenz einer Koordinate (quadratisches Mittel), { $n } { $n ->
+result_section-check_rms = Differenz einer Koordinate (RMS), { $n } { $n ->
         [one] Punkt
         *[other] Punkte
     }

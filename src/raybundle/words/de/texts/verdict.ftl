@@ -1,9 +1,9 @@
 verdict-points_rms = { $n } { $n ->
         [one] Objektpunkt
         *[other] Objektpunkte
-    }, Standardabweichung { NUM($sigma, digits: 2) } { $unit } (quadratisches Mittel je Koordinate).
+    }, Standardabweichung { NUM($sigma, digits: 2) } { $unit } (RMS je Koordinate).
 
-verdict-points_median = { $n } Objektpunkte, Standardabweichung einer Koordinate { NUM($sigma, digits: 2) } { $unit } (Median; quadratisches Mittel { NUM($rms, digits: 2) }).
+verdict-points_median = { $n } Objektpunkte, Standardabweichung einer Koordinate { NUM($sigma, digits: 2) } { $unit } (Median; RMS { NUM($rms, digits: 2) }).
 
 verdict-few_points = { $n } von { $of } Punkten { $n ->
         [one] trägt
@@ -13,7 +13,7 @@ verdict-few_points = { $n } von { $of } Punkten { $n ->
 verdict-points_plan = { $n } { $n ->
         [one] Objektpunkt
         *[other] Objektpunkte
-    }, Standardabweichung in X und Y { NUM($sigma, digits: 2) } { $unit } (quadratisches Mittel); Höhen sind relativ.
+    }, Standardabweichung in X und Y { NUM($sigma, digits: 2) } { $unit } (RMS); Höhen sind relativ.
 
 verdict-points_relative = { $n } { $n ->
         [one] Objektpunkt
@@ -22,12 +22,12 @@ verdict-points_relative = { $n } { $n ->
 
 verdict-relative = Relative Präzision 1 : { $relative } (Mittel).
 
-verdict-at_check_points = Kontrollpunkte: { NUM($rms, digits: 2) } { $unit } (quadratisches Mittel).
+verdict-at_check_points = Kontrollpunkte: { NUM($rms, digits: 2) } { $unit } (RMS).
 
 verdict-at_lengths = { $n } unabhängige { $n ->
         [one] Länge
         *[other] Längen
-    }: { NUM($rms_mm, digits: 2) } mm (quadratisches Mittel).
+    }: { NUM($rms_mm, digits: 2) } mm (RMS).
 
 verdict-no_statistics = Koordinaten ohne Standardabweichungen: Die Statistik ist ausgeschaltet.
 
@@ -107,12 +107,12 @@ verdict-each_axis = { $axes ->
         [xyz] { $a } { NUM($x) }; { $b } { NUM($y) }; { $c } { NUM($z) }
         [xy] { $a } { NUM($x) }; { $b } { NUM($y) }
         [z] { $c } { NUM($z) }
-        *[other] quadratisches Mittel { NUM($all) }
+        *[other] RMS { NUM($all) }
     } { $unit }.
 
 verdict-not_computed = Standardabweichungen wurden nicht berechnet. Mit Statistik erneut ausgleichen.
 
-verdict-std_rms = Standardabweichung der Objektpunkte (quadratisches Mittel):
+verdict-std_rms = Standardabweichung der Objektpunkte (RMS):
 
 verdict-std_largest = Größte: { NUM($largest) } { $unit } ({ $axis } von Punkt { $point }).
 
@@ -139,7 +139,7 @@ verdict-not_tested = Die Genauigkeit ist nicht unabhängig kontrolliert (keine K
 verdict-check_points = { $n } { $n ->
         [one] Kontrollpunkt
         *[other] Kontrollpunkte
-    }, ausgeglichen minus gegeben (quadratisches Mittel):
+    }, ausgeglichen minus gegeben (RMS):
 
 verdict-check_ratio = Das ist das { NUM($ratio, digits: 2) }-Fache des erwarteten Werts: { $meaning ->
         [larger] signifikant mehr (siehe Warnungen)
@@ -187,7 +187,7 @@ verdict-control_residual = { $kind ->
         [distance] Maßstabsstrecken
         [station] Projektionszentren
         *[control] Passpunktkoordinaten
-    }: Residuen { NUM($rms) } (quadratisches Mittel), größtes { NUM($largest) } { $unit } ({ $n } beobachtet{ $held ->
+    }: Residuen { NUM($rms) } (RMS), größtes { NUM($largest) } { $unit } ({ $n } beobachtet{ $held ->
         [0] {""}
         *[other] , { $held } festgehalten
     }).
