@@ -227,8 +227,9 @@ def test_scenes_are_not_compared_with_photographs():
         assert found["class_name"] == "none"
     view = view_of(free())
     facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
-    assert facts[0].remark.startswith(view.adjustment.network.precision_class)
-    assert "class" in dict(verdict(view).statements)["Precision"]
+    name = view.adjustment.network.precision_class.partition(" ")[0]
+    assert facts[0].remark.messages[0].values == {"name": name}
+    assert "verdict.precision_class" in {m.code for _, text in verdict(view).statements for m in text.messages}
     assert figures(free())["sized"]
 
 

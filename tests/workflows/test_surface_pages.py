@@ -8,7 +8,6 @@ from dataclasses import replace
 import pytest
 
 import raybundle as rb
-from raybundle import words
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.cli.main import main
@@ -20,7 +19,7 @@ from raybundle.io.geo.told_systems import system_with_heights
 from raybundle.report.write import write_result
 from raybundle.results.notices import as_its_result
 from raybundle.results.record import Record
-from raybundle.words import COMMAND_LINE, reading
+from raybundle.words import COMMAND_LINE, Reader, headline, reading
 from raybundle.workflows.rectify import grid_over
 from raybundle.workflows.surface_grids import Grids, area_of_points
 from tests.workflows.half_portal import half_portal
@@ -76,7 +75,7 @@ def test_the_page_has_the_verdict_the_warnings_and_whom_it_is_for(measured):
     _, out = measured
     text = (out / "surface.html").read_text().replace("\N{NO-BREAK SPACE}", " ")
     assert 'class="verdict attention"' in text
-    assert words.headline("front.faults", {"n": 1}) in text
+    assert headline("front.faults", {"n": 1}) in text
     for words in (FAULT, *CAUTIONS, "heights are relative"):
         assert words in text, words
     assert "what was chosen" not in text  # remarks stay in the report of the result
@@ -232,14 +231,13 @@ def test_shares_are_a_hundred_together(shares):
 def test_the_report_of_a_result_names_the_dense_points_beside_it(half, tmp_path):
     adjusted = rb.adjust(read_block(half / "block"))
     write_result(adjusted, tmp_path / "result")
-    assert "Dense points" not in (tmp_path / "result/report.html").read_text()
+    name = "../surface/surface.html"
+    assert name not in (tmp_path / "result/report.html").read_text()
     (tmp_path / "surface").mkdir()
     (tmp_path / "surface/surface.html").write_text("dense")
-    for language, words in (
-        ("en", "Dense points: ../surface/surface.html"),
-        ("de", "Dichte Punkte: ../surface/surface.html"),
-    ):
+    for language in ("en", "de"):
         write_result(adjusted, tmp_path / "result", language=language)
+        words = headline("front.dense_points", {"file_name": name}, Reader(language))
         assert words in (tmp_path / "result/report.html").read_text()
 
 

@@ -65,10 +65,12 @@ class Language:
 
     def text(self, english: str) -> str:
         """A text as the reader reads it."""
+        if isinstance(english, Text):
+            return unbroken(english) if self._book is None else Said(
+                unbroken(english.by(Reader(self.code, flags=reader().flags)))
+            )  # fmt: skip
         if self._book is None or not english or isinstance(english, Said):
             return english
-        if isinstance(english, Text):
-            return Said(unbroken(english.by(Reader(self.code, flags=reader().flags))))
         if english in self._book.exact:
             return Said(self._book.exact[english])
         return Said(self._sound(english.replace(BOUND, "± ")).replace("± ", BOUND))
