@@ -51,7 +51,7 @@ def test_gross_differences_are_a_fault_that_the_headline_hears():
     (notice,) = told(result)
     assert notice.severity.value == "fault"
     assert notice.values["axes"] == ["Y"]
-    assert "to settle before it is used" in verdict(view_of(result)).headline
+    assert verdict(view_of(result)).headline.messages[-1].code == "verdict.faults"
 
 
 def test_differences_that_only_uncorrelated_errors_would_not_make_are_a_caution():

@@ -25,6 +25,6 @@ def test_residuals_below_weights_that_were_taken_from_them_are_no_merit():
         (notice,) = (n for n in result.notices if n.code == "global_test")
         assert notice.data.code == ("global_test.smaller" if praised else "global_test.estimated_weights")
         told = verdict(view_of(result))
-        text = " ".join([told.headline, *(words for _, words in told.statements)])
-        assert ("more precise than stated" in text) is praised
-        assert "fit better" not in text or praised
+        codes = {m.code for text in (told.headline, *(s for _, s in told.statements)) for m in text.messages}
+        assert ("verdict.fit_smaller" in codes) is praised
+        assert "verdict.fits_better" not in codes or praised

@@ -16,15 +16,15 @@ import raybundle as rb
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.cli.main import main
-from raybundle.errors import InputError, phrase
+from raybundle.errors import InputError, note, phrase
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.metrology.notices import of_a_tool
 from raybundle.numerics.natural import natural
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.report.text.metrology_words import outcomes
-from raybundle.report.text.numbers import significant
+from raybundle.report.text.metrology_words import length_figures, outcomes
 from raybundle.report.write import write_result
+from raybundle.words import Reader, headline
 from raybundle.workflows.calibrate import Calibration
 
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[3] / "shared/data"))
@@ -119,8 +119,8 @@ def test_a_report_tells_deviations_lengths_and_who_it_is_for(field, tmp_path):
     assert "Müller &amp; Söhne" in page
     assert "Deviations from nominal coordinates" in page
     assert "Errors of known lengths" in page
-    assert "Not kept: lengths" in page
-    assert "1 of 2 errors beyond what is allowed" in page
+    assert headline("outcome.not_kept", {"name": "lengths"}) in page
+    assert headline("outcome.lengths", {"over": 1, "n": 2}) in page
     assert (tmp_path / "r/report.pdf").read_bytes()[:5] == b"%PDF-"
 
 
@@ -182,7 +182,7 @@ def test_deviations_beyond_their_tolerance_are_told(field, tmp_path, capsys):
     assert main([*words, *more, "--out", str(tmp_path / "r")]) == 4
     page = (tmp_path / "r/report.html").read_text(encoding="utf-8")
     assert "<h1>Part 7</h1>" in page
-    assert "Not as good as was asked for." in page
+    assert headline("front.not_as_required", {}) in page
     assert "1 beyond" in page
     assert 'class="verdict attention"' in page
     assert rb.read_result(tmp_path / "r").result["record"] == {
@@ -296,17 +296,17 @@ def test_lengths_that_took_no_part_are_a_comparison(field, tmp_path):
     bars, lengths = bars_of(truth, ("1", "20", 0)), known_lengths(truth, *SIX)
     done = rb.measure(folder / "free", tmp_path / "m", scale_bar=bars, check_length=lengths)
     page = html.unescape((tmp_path / "m/report.html").read_text(encoding="utf-8")).replace("\u00a0", " ")
-    for wrong in (
-        "the network judges itself", "not tested by anything that the adjustment did not use", "network's own opinion",
-        "Nothing independent was compared", "nothing that took no part was compared", "lengths that nothing controls",
-    ):  # fmt: skip
-        assert wrong not in page
+    for wrong in ("front.not_checked", "verdict.not_tested", "limits.no_comparison", "verdict.scale_unchecked"):
+        assert headline(wrong, {}) not in page
     largest, rms = 1000 * done.lengths.largest, 1000 * done.lengths.rms
     k = done.lengths.known[done.lengths.largest_at]
-    assert f"6 lengths that took no part: largest error {significant(largest, 2)} mm ({k.start} – {k.end})" in page
-    assert f"{significant(rms, 2)} mm rms at 6 lengths that took no part" in page
-    assert "no more than standard deviations explain" in page
-    assert "Usable as it stands." in page
+    errors, test = length_figures(done.lengths)
+    assert errors.values == {
+        "n": 6, "independent": True, "largest_mm": largest, "start": k.start, "end": k.end, "rms_mm": rms
+    }  # fmt: skip
+    assert not test.values["contradicts"]
+    for message in (errors, test, note("verdict.at_lengths", n=6, rms_mm=rms), note("front.usable", n=0)):
+        assert message.text() in page
     told = warnings_of(tmp_path / "m")
     assert "scale_unchecked" not in told
     assert "lengths_contradict" not in told
@@ -317,13 +317,13 @@ def test_lengths_that_took_no_part_are_a_comparison(field, tmp_path):
 
 def test_lengths_that_were_bars_are_no_comparison(field, tmp_path, capsys):
     folder, truth = field
-    words = ["measure", str(folder / "free"), *bar(truth, "1", "20"), "--progress", "none"]
-    words += ["--check-length", "20", "1", repr(float(np.linalg.norm(truth["1"] - truth["20"])))]
-    assert main([*words, "--json", "--out", str(tmp_path / "m")]) == 0
+    command = ["measure", str(folder / "free"), *bar(truth, "1", "20"), "--progress", "none"]
+    command += ["--check-length", "20", "1", repr(float(np.linalg.norm(truth["1"] - truth["20"])))]
+    assert main([*command, "--json", "--out", str(tmp_path / "m")]) == 0
     (served,) = [m for m in json.loads(capsys.readouterr().out)["details"] if m["code"] == "measurement.lengths_served"]
     assert served["values"] == {"n": 1, "independent": False}
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
-    assert "Nothing independent was compared" in page
+    assert headline("limits.no_comparison", {}) in page
     assert "scale_unchecked" in warnings_of(tmp_path / "m")
     assert [r["was_bar"] for r in rows(tmp_path / "m/lengths.csv")] == ["yes"]
 
@@ -350,7 +350,7 @@ def test_what_the_terminal_cautions_of_lengths_stands_everywhere(field, tmp_path
         "de": "so groß wie angegeben",
     }
     assert words[language] in page
-    assert "Usable as it stands" not in page
+    assert headline("front.usable", {"n": 0}, Reader(language)) not in page
 
 
 def test_lengths_that_contradict_together_say_by_what_factor(field, tmp_path):
@@ -409,9 +409,13 @@ def test_points_beyond_their_tolerance_are_named_on_page_one(field, tmp_path):
     scale = bars_of(truth, ("1", "20", 0), ("3", "15", 0))
     done = rb.measure(folder / "free", tmp_path / "m", scale_bar=scale, nominal=tmp_path / "off.csv", by=by, unit=0.001)
     (told,) = outcomes(done.fit, None)
-    assert told.sentence.startswith(f"{len(truth) - 7} within, 7 beyond (9: 27 mm of 2 mm; 8: 24 mm of 2 mm; ")
-    assert told.sentence.count(" mm of 2 mm") == 5
-    assert "9: 27 mm of 2 mm" in (tmp_path / "m/report.html").read_text(encoding="utf-8").replace("\u00a0", " ")
+    counts, *named, more = told.sentence.messages
+    assert counts.values == {"within": len(truth) - 7, "beyond": 7, "undecided": 0}
+    assert [m.values["point"] for m in named[:2]] == ["9", "8"]
+    assert [m.values["deviation_mm"] for m in named[:2]] == pytest.approx([27, 24], abs=0.5)
+    assert {m.values["tolerance_mm"] for m in named} == {2}
+    assert (len(named), more.values) == (5, {"n": 2})
+    assert named[0].text() in (tmp_path / "m/report.html").read_text(encoding="utf-8").replace("\u00a0", " ")
 
 
 @pytest.mark.parametrize("language", ["en", "de"])
@@ -435,8 +439,7 @@ def test_a_photograph_that_takes_no_part_is_named_with_its_reason(field, tmp_pat
     assert {w["ids"][0] for w in result["warnings"] if w["code"] == "image_left_out"} == {"broken.jpg", "wall.jpg"}
     assert {x["code"] for x in result["images"]["not_oriented"]} == {"photograph.copy", "not_oriented.few_targets"}
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8").replace("\u00a0", " ")
-    words = {"en": "0 named targets were detected", "de": "mit Namen in der Aufnahme erkannt"}
-    assert words[language] in page
+    assert headline("not_oriented.few_targets", {"n": 0, "least": 6}, Reader(language)).rstrip(".") in page
 
 
 def test_correlated_parameters_of_a_camera_are_a_remark_here():

@@ -358,20 +358,6 @@ def test_a_sentence_without_translation_stays_english_whole():
 def test_german_of_counts_within_sentences():
     german = language_of("de")
     for english, told in (
-        (
-            "; median 16 mm: 70 % of the variance is that of 1 point",
-            "; Median 16 mm: 70 % der Varianz entfallen auf 1 Punkt",
-        ),
-        (
-            (
-                "Their medians are X 13.0, Y 12.9, Z 18.2 mm: 70 % of the variance is that of 1 point of 11 024, far "
-                "away as a rule."
-            ),
-            (
-                "Ihre Mediane sind X 13,0; Y 12,9; Z 18,2 mm: 70 % der Varianz entfallen auf 1 Punkt von 11 024, in "
-                "der Regel weit entfernt."
-            ),
-        ),
         ("7 that least-squares matching did not measure", "7 ohne Messung durch Kleinste-Quadrate-Zuordnung"),
     ):
         assert german.text(english) == told
@@ -389,9 +375,6 @@ def test_numbers_dates_counts_and_names():
     assert german.text("check points without a measurement that could be used: IMG_1.5, front wall") == (
         "Kontrollpunkte ohne brauchbare Messung: IMG_1.5, front wall"
     )
-    assert "An 3 Kontrollpunkten ist" in german.text(
-        "At 3 check points the rms difference, adjusted minus given, is X 0.1, Y 0.2 mm."
-    )
     for english, told in (
         ("RMSE_H = 23 mm from 6 check points", "RMSE_H = 23 mm aus 6 Kontrollpunkten"),
         ("of 34", "von 34"),
@@ -399,7 +382,6 @@ def test_numbers_dates_counts_and_names():
         ("27 of 73 points", "27 von 73 Punkten"),
     ):
         assert german.text(english) == told
-    assert language_of("de", ["block/"]).text("block/ (everything, to be adjusted again)").startswith("block/ (alles")
     assert german.moment(datetime(2026, 11, 6, 8, 30, tzinfo=UTC)) == "06.11.2026 08:30"
 
 

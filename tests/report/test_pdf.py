@@ -42,6 +42,7 @@ from raybundle.report.parts import (
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from raybundle.report.write import write_result
+from raybundle.words import headline
 from tests.report.test_arrangement import client  # noqa: F401  (a fixture)
 
 pypdf = pytest.importorskip("pypdf")
@@ -210,7 +211,7 @@ def test_a_calibration_begins_with_its_verdict(case, tmp_path):
     assert reader.metadata.title == "Calibration"
     first, second = (squeezed(reader.pages[k].extract_text()) for k in (0, 1))
     assert squeezed(qualities[0].headline) in first
-    assert "1Verdictonthecalibration" in second
+    assert squeezed(f"1{headline('calibration_quality.title', {})}") in second
 
 
 @pytest.mark.usefixtures("client")

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from raybundle import words
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.metrology.congruence import Congruence
@@ -24,6 +25,7 @@ from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from raybundle.results.record import Record
 from raybundle.settings import in_words
+from raybundle.words.render import Reader
 from raybundle.workflows.dropped import Dropped
 
 from .conftest import made
@@ -68,45 +70,22 @@ def test_what_was_dropped_is_counted_in_sentences():
     assert (found["not_measured"], found["contradict_others"]) == (100, 10)
 
 
-def test_a_shortened_notice_ends_in_a_whole_clause():
-    long = "x lies 3071 px from where its other measurements put it and is left out"
-    message = f"the measurement of point {long}; point b is marked there, {'or elsewhere, ' * 9}not; look at it again"
-    adjustment = replace(made("rich"), notices=(Notice(code="gps", message=message, measured=Severity.WARNING),))
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_a_step_is_what_happened_and_the_remedy(language):
+    (values,) = [words.examples("scale_unchecked")]
+    notice = Notice(code="scale_unchecked", values=values, measured=Severity.WARNING)
+    adjustment = replace(made("rich"), notices=(notice,))
     view = view_of(adjustment)
-    ((_, step),) = next_steps(Occasion(view=view, told=verdict(view), delivery=delivery_of(adjustment)))
-    assert step.endswith("is left out (…); look at it again.")
-
-
-HELD = (
-    "camera {0}: the photographs contradict its calibration, which is held: c by 12 times its sigma; F of all 8 "
-    "parameters 41.2, limit 3.8 at 95 %. Held, it moves image points by up to 2.1 px from where the calibration that "
-    "fits has them, with a standard deviation of 0.2 px, and standard deviations are those of a camera that this one "
-    "is not. Look whether the calibration belongs to this camera, focus, zoom and format; if so, give its standard "
-    'deviations (sigma, or its covariance), free it (estimate = "auto"), or leave it out{1}'
-)
-
-
-def hanging(times):
-    """A message whose clauses all refer to the one before."""
-    return f"point a is seen {'again and ' * times}again; it is left out. They say nothing"
-
-
-@pytest.mark.parametrize(
-    ("message", "ends"),
-    [
-        (HELD.format("a", ""), f"(…). {HELD.partition('is not. ')[2].format('', '')}."),
-        (HELD.format("a", " as given by hand"), f"(…). {HELD.partition('is not. ')[2].partition('; if')[0]} (…)."),
-        (hanging(20), f"{hanging(20).capitalize().replace('they', 'They')}."),
-        (hanging(50), "and again (…)."),
-    ],
-)  # fmt: skip
-def test_a_shortened_notice_keeps_what_its_end_refers_to(message, ends):
-    adjustment = replace(made("rich"), notices=(Notice(code="gps", message=message, measured=Severity.WARNING),))
-    view = view_of(adjustment)
-    ((_, step),) = next_steps(Occasion(view=view, told=verdict(view), delivery=delivery_of(adjustment)))
-    said = step.replace("\u00a0", " ")
-    assert said.endswith(ends)
-    assert "(…); if so" not in said
+    occasion = Occasion(
+        view=view, told=verdict(view), delivery=delivery_of(adjustment), language=language_of(language)
+    )  # fmt: skip
+    ((_, step),) = next_steps(occasion)
+    head, do, why = (
+        unbroken(part("scale_unchecked", values, Reader(language)))
+        for part in (words.headline, words.action, words.why)
+    )
+    assert step == f"{head} {do}".strip()
+    assert not why or why not in step
 
 
 def test_entries_of_the_recording_sheet_are_translated(tmp_path):
@@ -158,8 +137,9 @@ def test_a_client_has_one_page_however_many_warnings(case, tmp_path):
     delivery = replace(delivery_of(adjustment), files=("points.csv", "block"))
     write_report(adjustment, tmp_path / "r.pdf", delivery=delivery)
     pages = ["".join(p.extract_text().split()) for p in pypdf.PdfReader(tmp_path / "r.pdf").pages]
-    assert "Handedover" in pages[0]
-    assert "morematters:seethewarnings" in pages[0]
+    heading, more = words.headline("front.handed_over", {}), words.headline("front.more_matters", {"n": 7})
+    assert heading in pages[0]
+    assert "".join(more.partition(" ")[2].split()) in pages[0]
     assert "FORTHESPECIALIST" in pages[1]
 
 

@@ -4,9 +4,11 @@ from dataclasses import replace
 
 import pytest
 
+from raybundle import words
 from raybundle.adjustment.result import Notice
 from raybundle.block import Role
 from raybundle.calibration.quality import calibration_qualities
+from raybundle.errors import phrase
 from raybundle.report.document import write_report
 from raybundle.report.figures.photographs import KEY_CHARACTER, colour_key
 from raybundle.report.figures.svg import CHARACTER, labels_apart
@@ -92,8 +94,8 @@ def test_a_calibration_with_a_fault_says_so_at_its_head(case, tmp_path):
     a = case("free")
     qualities = calibration_qualities(a)
     fault = replace(a, notices=(*a.notices, Notice(code="behind_camera", message="a point is behind the camera")))
-    good = tuple(replace(q, grade="good", headline="Good.") for q in qualities)
+    good = tuple(replace(q, grade="good", headline=phrase("calibration_quality.head_good", px=0.1)) for q in qualities)
     for result, expected in ((a, False), (fault, True)):
         write_report(result, tmp_path / "r.html", qualities=good)
         page = (tmp_path / "r.html").read_text(encoding="utf-8")
-        assert ("to settle before it is used" in page.partition("<section")[0]) == expected
+        assert (words.headline("verdict.faults", {"n": 1}) in page.partition("<section")[0]) == expected

@@ -9,7 +9,7 @@ from raybundle.report.document import write_report
 from raybundle.report.sections.accuracy import accuracy_section
 from raybundle.report.sections.result import result_section
 from raybundle.report.text.numbers import grouped, significant
-from raybundle.report.text.words import free_std, relative_words, verdict
+from raybundle.report.text.words import free_std, relative_values, verdict
 from raybundle.report.view import rms, view_of
 
 MM = {"mm": 1.0, "m": 1000.0, "units": 1.0}
@@ -20,19 +20,20 @@ def rows_of(view):
 
 
 def plain(words):
-    return float(words.replace("\u202f", "").replace("\u2212", "-"))
+    return float(words.replace("\u202f", "").replace(" ", "").replace("\u2212", "-"))
 
 
 @pytest.mark.parametrize("name", ["rich", "one_scale_bar"])
 def test_a_calculator_gets_the_relative_precision_from_what_is_printed(case, name):
     view = view_of(case(name))
-    mean, a, extent, b = re.search(r"deviation (\S+) (\w+) of an extent of (\S+) (\w+)", relative_words(view)).groups()
+    facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
+    mean, a, extent, b = re.search(r" ([\d.]+) (\w+), extent ([\d. ]+) (\w+)", facts[0].remark).groups()
     told = view.adjustment.network.relative_precision
     # both are printed with three digits: half a unit of the last is 0.5 % at most, of the quotient 1 %
     assert plain(extent) * MM[b] / (plain(mean) * MM[a]) == pytest.approx(told, rel=0.01)
-    facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
-    assert relative_words(view) in facts[0].remark
-    assert relative_words(view) in dict(verdict(view).statements)["Precision"]
+    (precision,) = [s for w, s in verdict(view).statements if w.messages[0].code == "label.precision"]
+    for text in (facts[0].remark, precision):
+        assert relative_values(view) in [m.values for m in text.messages]
 
 
 def test_held_coordinates_do_not_make_the_mean_smaller(case):

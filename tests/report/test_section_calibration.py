@@ -2,13 +2,15 @@
 
 from types import SimpleNamespace
 
+from raybundle.errors import phrase
 from raybundle.report.sections.calibration import calibration_section
 
 
 def advised(grade="usable"):
     advice = (SimpleNamespace(words="rolled by 90 degrees", uncertainty_px=0.29, ratio=0.58),)
     return SimpleNamespace(
-        camera="A", grade=grade, headline="Usable", reasons=(), validation=None, typical_px=0.1, uncertainty_px=0.5,
+        camera="A", grade=grade, headline=phrase("calibration_quality.head_weak"), reasons=(), validation=None,
+        typical_px=0.1, uncertainty_px=0.5,
         likely_px=0.4, worst_px=0.9, inside_px=0.9, image_sigma_px=0.1, coverage=0.9, reach=0.9, photographs=9, rolls=1,
         convergence=0.5, unstable=False, advice=advice, couplings=(),
     )  # fmt: skip
@@ -16,12 +18,12 @@ def advised(grade="usable"):
 
 def row_of(quality):
     tables = [p for p in calibration_section((quality,)).parts if p.kind == "table"]
-    return next((c.label for c in t.columns) for t in tables), tables[0].rows[0]
+    return [c.label.messages[0].code.partition(".")[2] for c in tables[0].columns], tables[0].rows[0]
 
 
 def test_what_further_photographs_gain_is_told_as_now_then_and_by_how_much():
     labels, row = row_of(advised())
-    assert list(labels) == ["photographs, in this order", "uncertainty now", "then", "smaller by"]
+    assert labels == ["photographs_in_order", "uncertainty_now", "uncertainty_then", "smaller_by"]
     assert row == ("1. rolled by 90 degrees", "0.50", "0.29", "42 %")
 
 

@@ -218,15 +218,18 @@ def test_scenes_are_not_compared_with_photographs():
     for result in (scenes(), flown()):
         view = view_of(result)
         facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
-        assert facts[0].remark.startswith("mean standard deviation")
-        assert "class" not in dict(verdict(view).statements)["Precision"]
+        assert [m.code for m in facts[0].remark.messages] == ["front.quotient"]
+        codes = {m.code for _, text in verdict(view).statements for m in text.messages}
+        assert "verdict.relative_precision" in codes
+        assert "verdict.precision_class" not in codes
         found = figures(result)
         assert not found["sized"]
         assert found["class_name"] == "none"
     view = view_of(free())
     facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
-    assert facts[0].remark.startswith(view.adjustment.network.precision_class)
-    assert "class" in dict(verdict(view).statements)["Precision"]
+    name = view.adjustment.network.precision_class.partition(" ")[0]
+    assert facts[0].remark.messages[0].values == {"name": name}
+    assert "verdict.precision_class" in {m.code for _, text in verdict(view).statements for m in text.messages}
     assert figures(free())["sized"]
 
 

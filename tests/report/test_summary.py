@@ -16,6 +16,7 @@ from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import delivery_of
 from raybundle.report.sections.front import glance_parts
+from raybundle.report.text.numbers import significant
 from raybundle.report.text.summary import a_priori, noise_messages
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
@@ -58,12 +59,12 @@ def test_the_headline_and_the_key_figure_of_points_are_one_number():
     cofactors *= spread[:, None] * spread
     of_points = replace(result.precision, object_points=cofactors)
     view = view_of(replace(result, precision=of_points))
-    headline = verdict(view).headline
-    (number,) = re.findall(r"standard deviation of (\S+) mm a coordinate in the median", headline)
+    headline = {m.code: m.values for m in verdict(view).headline.messages}
+    number = headline["verdict.points_median"]["sigma"]
     facts = glance_parts(Occasion(view=view, told=verdict(view)), delivery_of(view.adjustment))[0].facts
-    (fact,) = [f for f in facts if f.label == "standard deviation"]
-    assert "median over the object points" in fact.remark
-    assert fact.value == f"{number} mm"
+    (fact,) = [f for f in facts if f.label.messages[0].code == "label.standard_deviation"]
+    assert fact.remark.messages[0].values == {"median": True}
+    assert fact.value == f"{significant(number, 2)} mm"
 
 
 def test_what_calibrate_prints_of_a_model_has_units():

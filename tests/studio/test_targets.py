@@ -6,6 +6,8 @@ from PIL import Image
 from scipy.ndimage import gaussian_filter
 from starlette.testclient import TestClient
 
+from raybundle import words
+from raybundle.calibration.quality import FEW_PHOTOGRAPHS
 from raybundle.commands.calibrate import calibrate
 from raybundle.studio.app import Studio
 from raybundle.studio.desk import Desk
@@ -95,7 +97,8 @@ def test_a_project_is_judged_from_its_adjustment(client):
     assert camera["verdict_is"] == "computed"
     assert camera["verdict"]["cross_validation"] is None
     assert camera["verdict"]["grade"] in {"good", "usable", "weak", "not determinable"}
-    assert camera["verdict"]["reasons"][0].startswith("5 photographs are few")
+    few = words.headline("calibration_quality.few_photographs", {"n": 5, "least": FEW_PHOTOGRAPHS})
+    assert camera["verdict"]["reasons"][0] == few
 
 
 def test_before_the_first_adjustment_nothing_is_judged(client, studio):

@@ -19,7 +19,7 @@ from raybundle.io.geo.told_systems import system_with_heights
 from raybundle.report.write import write_result
 from raybundle.results.notices import as_its_result
 from raybundle.results.record import Record
-from raybundle.words import COMMAND_LINE, reading
+from raybundle.words import COMMAND_LINE, Reader, headline, reading
 from raybundle.workflows.rectify import grid_over
 from raybundle.workflows.surface_grids import Grids, area_of_points
 from tests.workflows.half_portal import half_portal
@@ -75,7 +75,7 @@ def test_the_page_has_the_verdict_the_warnings_and_whom_it_is_for(measured):
     _, out = measured
     text = (out / "surface.html").read_text().replace("\N{NO-BREAK SPACE}", " ")
     assert 'class="verdict attention"' in text
-    assert "Not to be used yet: 1 matter to settle first." in text
+    assert headline("front.faults", {"n": 1}) in text
     for words in (FAULT, *CAUTIONS, "heights are relative"):
         assert words in text, words
     assert "what was chosen" not in text  # remarks stay in the report of the result
@@ -115,7 +115,7 @@ def test_the_command_tells_the_fault_and_the_gravest_cautions_and_names_its_page
     told = capsys.readouterr().out
     assert re.search(r"Median standard deviation: X [\d.]+, .* along the ray [\d.]+ mm", told)
     assert "warning: heights are relative" in told  # of all points, before what is of single marks
-    assert "adjustment: Not to be used yet" in told
+    assert "adjustment: Do not use yet" in told
     assert re.search(r"Surface: [\d ]+ points from 3 depth maps", told.replace("\u202f", " "))
     assert str(warned / "surface/surface_3d.html") in told
     shares = [int(v) for v in re.findall(r"(?:noise|roughness|orientation) (\d+) %", told)]
@@ -219,7 +219,7 @@ def test_the_page_in_print(half, warned, tmp_path):
     assert tmp_path / "s/surface.pdf" in done.pages.files
     text = "".join(p.extract_text() for p in pypdf.PdfReader(tmp_path / "s/surface.pdf").pages)
     assert "North front" in text
-    assert "Not to be used yet" in " ".join(text.split())
+    assert "Do not use yet" in " ".join(text.split())
 
 
 @pytest.mark.parametrize("shares", [(0.55, 0.29, 0.16), (1 / 3, 1 / 3, 1 / 3), (0.005, 0.99, 0.005), (1.0, 0.0, 0.0)])
@@ -231,14 +231,13 @@ def test_shares_are_a_hundred_together(shares):
 def test_the_report_of_a_result_names_the_dense_points_beside_it(half, tmp_path):
     adjusted = rb.adjust(read_block(half / "block"))
     write_result(adjusted, tmp_path / "result")
-    assert "Dense points" not in (tmp_path / "result/report.html").read_text()
+    name = "../surface/surface.html"
+    assert name not in (tmp_path / "result/report.html").read_text()
     (tmp_path / "surface").mkdir()
     (tmp_path / "surface/surface.html").write_text("dense")
-    for language, words in (
-        ("en", "Dense points: ../surface/surface.html"),
-        ("de", "Dichte Punkte: ../surface/surface.html"),
-    ):
+    for language in ("en", "de"):
         write_result(adjusted, tmp_path / "result", language=language)
+        words = headline("front.dense_points", {"file_name": name}, Reader(language))
         assert words in (tmp_path / "result/report.html").read_text()
 
 

@@ -24,6 +24,7 @@ from raybundle.adjustment.structure import (
 from raybundle.block import Camera
 from raybundle.calibration.cross_validation import CrossValidation, cross_validation
 from raybundle.calibration.maps import projection_shifts
+from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.sensors import sensor_models
@@ -75,8 +76,8 @@ class CalibrationQuality:
 
     camera: str
     grade: Grade
-    headline: str
-    """One sentence: is it good, and for what"""
+    headline: Text
+    """Is it good, and for what"""
     reasons: tuple[str, ...]
     """What speaks against it, the gravest first"""
     advice: tuple[Proposal, ...]
@@ -148,17 +149,16 @@ def calibration_quality(
     vital = tuple(s for s in lacking if kinds[s] in {"scale", "principal point"})
     nonsense = any(n.severity is Severity.FAULT for n in doubtful)
     if not vital and (nonsense or error.typical > UNTOLD * float(np.hypot(adjusted.width_px, adjusted.height_px)) / 2):
-        vital = ("the interior orientation as a whole",)
+        vital = ("",)
     grade = _grade(vital, error, reach, validation)
     if lacking and grade == "good":
         grade = "usable"
     unsteady = [n.reason or n.text for n in doubtful]
-    reasons = [*unsteady, *reasons]
     if unsteady and grade == "good":
         grade = "usable"
     return CalibrationQuality(
         camera=camera, grade=grade, headline=_headline(grade, vital, error, sigma, reach),
-        reasons=tuple(reasons), advice=(), unstable=unstable, photographs=len(images), image_sigma_px=sigma,
+        reasons=(*unsteady, *reasons), advice=(), unstable=unstable, photographs=len(images), image_sigma_px=sigma,
         uncertainty_px=error.largest, typical_px=error.typical, worst_px=error.sure, likely_px=error.likely,
         inside_px=error.inside,
         reach=reach, coverage=coverage, rolls=rolls, convergence=convergence,
@@ -267,73 +267,53 @@ def _reasons(
     coverage: float, rolls: int, convergence: float, couplings: tuple[tuple[str, str, float], ...],
     validation: CrossValidation | None, structure: ResidualStructure | None, repeated: RepeatedResiduals | None,
     *, unstable: bool,
-) -> list[str]:  # fmt: skip
-    told: list[str] = []
+) -> list[Text]:  # fmt: skip
+    found: list[Message] = []
     for s in lacking:
         p = interior.parameters[s]
-        why = "" if p.std is None else f": its standard deviation would be {p.std_words()}"
-        told.append(f"{s} ({p.meaning}) is not determinable from these photographs and was held{why}")
+        known, std, unit = p.std is not None, p.std or 0.0, p.in_unit("").strip()
+        found.append(note("calibration_quality.not_determinable", symbol=s, known=known, std=std, unit=unit))
     if photographs < FEW_PHOTOGRAPHS:
-        told.append(f"{photographs} photographs are few; {FEW_PHOTOGRAPHS} to 20 make a calibration")
+        found.append(note("calibration_quality.few_photographs", n=photographs, least=FEW_PHOTOGRAPHS))
     if error.sure > GOOD_PX:
-        told.append(
-            f"the interior orientation may place image points wrongly by {error.sure:.2g} px somewhere in the format "
-            f"({100 * SURE:.0f} % certainty; {error.likely:.2g} px is to be expected)"
-            + ("" if unstable else ": more photographs that converge and are rolled, or more precise image points")
-        )
+        found.append(note(
+            "calibration_quality.uncertain", sure_px=error.sure, certainty=SURE, likely_px=error.likely,
+            unstable=unstable,
+        ))  # fmt: skip
     if reach < REACH:
-        told.append(
-            f"image points reach {100 * reach:.0f} % of the way to the corners of the format; distortion beyond is "
-            "extrapolated"
-        )
+        found.append(note("calibration_quality.reach", reach=reach))
     if coverage < COVERED:
-        told.append(f"image points cover {100 * coverage:.0f} % of the format")
+        found.append(note("calibration_quality.coverage", coverage=coverage))
     if rolls == 1:
-        told.append("the camera was never rolled about its axis by 90 degrees: principal point and decentring lean on "
-                    "the orientations")  # fmt: skip
+        found.append(note("calibration_quality.not_rolled"))
     if convergence < TILT_SPREAD:
-        told.append(
-            f"the viewing axes lie within {np.degrees(convergence):.0f} degrees of their mean: they hardly converge"
-        )
-    for a, b, r in couplings:
-        if abs(r) > COUPLED:
-            other = "the station's position along the viewing axis" if b == "Z" else b
-            told.append(f"{a} is coupled with {other} (correlation {r:+.2f})")
-    return [*told, *_of_validation(validation), *_of_residuals(structure, repeated)]
+        found.append(note("calibration_quality.no_convergence", angle_deg=float(np.degrees(convergence))))
+    found += [
+        note("calibration_quality.coupled", symbol=a, other="station" if b == "Z" else b, correlation=r)
+        for a, b, r in couplings if abs(r) > COUPLED
+    ]  # fmt: skip
+    return [Text.of(m) for m in (*found, *_of_validation(validation), *_of_residuals(structure, repeated))]
 
 
-def _of_validation(validation: CrossValidation | None) -> list[str]:
-    """What photographs that were left out say against a calibration."""
-    told: list[str] = []
+def _of_validation(validation: CrossValidation | None) -> list[Message]:
+    """What photographs that were left out show against a calibration."""
     if validation is not None and validation.contradicts:
-        told.append(
-            f"photographs left out lie {validation.excess:.1f} times farther from their prediction than the "
-            "uncertainty of points and camera explains: the calibration does not carry over; was the camera the same "
-            "in all photographs, and did the object stand still?"
-        )
-    elif validation is not None and validation.few_views:
-        told.append(
-            f"too few views: photographs left out fit {validation.ratio:.1f} times worse than those that took part, as "
-            "the uncertainty of points and camera predicts; photograph the same points more often"
-        )
-    return told
+        return [note("calibration_quality.contradicted", excess=validation.excess)]
+    if validation is not None and validation.few_views:
+        return [note("calibration_quality.few_views", ratio=validation.ratio)]
+    return []
 
 
-def _of_residuals(structure: ResidualStructure | None, repeated: RepeatedResiduals | None) -> list[str]:
-    """What the residuals say against the model of a camera."""
-    told: list[str] = []
+def _of_residuals(structure: ResidualStructure | None, repeated: RepeatedResiduals | None) -> list[Message]:
+    """What the residuals show against the model of a camera."""
+    found: list[Message] = []
     if structure is not None and _structured(structure):
-        told.append(
-            f"neighbouring residuals agree (correlation {structure.correlation:.2f}): the model lacks something; "
-            f"standard deviations are too small by a factor of {structure.factor:.1f} at least"
-        )
+        found.append(note(
+            "calibration_quality.structure", correlation=structure.correlation, factor=structure.factor
+        ))  # fmt: skip
     if repeated is not None and repeated.noticed:
-        told.append(
-            f"residuals at the same place of the format agree from photograph to photograph (correlation "
-            f"{repeated.correlation:.2f}, {repeated.rms_px:.2g} px): the lens or the sensor does something that the "
-            "distortion model lacks, and standard deviations are too small by that"
-        )
-    return told
+        found.append(note("calibration_quality.repeated", correlation=repeated.correlation, rms_px=repeated.rms_px))
+    return found
 
 
 def _grade(lacking: tuple[str, ...], error: _Projection, reach: float, validation: CrossValidation | None) -> Grade:
@@ -346,27 +326,23 @@ def _grade(lacking: tuple[str, ...], error: _Projection, reach: float, validatio
     return "good" if good and validation is not None else "usable"
 
 
-def _headline(grade: Grade, lacking: tuple[str, ...], error: _Projection, sigma: float, reach: float) -> str:
+def _headline(grade: Grade, lacking: tuple[str, ...], error: _Projection, sigma: float, reach: float) -> Text:
     if grade == "not determinable":
-        return (
-            f"Not determinable: {', '.join(lacking)}. Do not use this calibration for other photographs; take the "
-            "photographs named below first."
-        )
-    worth = (
-        f"it places image points to {error.typical:.2g} px (median over the format, {error.largest:.2g} px at worst)"
-    )
-    measured = f"measured here with {sigma:.2g} px"
+        names = [s for s in lacking if s]
+        return phrase("calibration_quality.head_not_determinable", names=names, whole=not names)
+    figures = note(
+        "calibration_quality.head_figures", typical_px=error.typical, largest_px=error.largest, sigma_px=sigma
+    )  # fmt: skip
     if grade == "weak":
-        return f"Weak: {worth}, {measured}. Take it as a start only, and let each adjustment estimate the camera again."
-    inside = "" if reach >= REACH else f" within {100 * reach:.0f} % of the way to the corners"
+        return Text.of(note("calibration_quality.head_weak"), figures)
+    part = note("calibration_quality.head_part", reach=reach) if reach < REACH else None
     if grade == "usable" and reach < REACH and error.inside <= GOOD_PX:
-        return (
-            f"Good within {100 * reach:.0f} % of the way to the corners ({error.inside:.2g} px), usable beyond, where "
-            f"no point was measured: {worth}, {measured}. Measure points in the corners to make it good everywhere."
-        )
-    if grade == "usable":
-        return f"Usable: {worth}, {measured}{inside}. Good for measurements to about {error.sure:.2g} px."
-    return f"Good: {worth}, {measured}{inside}. Hold it for measurements to {max(sigma, error.sure):.2g} px."
+        return Text.of(note("calibration_quality.head_inside", reach=reach, inside_px=error.inside), figures)
+    head = (
+        note("calibration_quality.head_usable", px=error.sure) if grade == "usable"
+        else note("calibration_quality.head_good", px=max(sigma, error.sure))
+    )  # fmt: skip
+    return Text.of(head, figures, *([] if part is None else [part]))
 
 
 def calibration_qualities(result: Adjustment, progress: Progress = silent) -> tuple[CalibrationQuality, ...]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from raybundle.errors import phrase
 from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -102,8 +103,8 @@ def _occasion(done: Surface, result: Path, context: Context, settings: SurfaceSe
     adjustment = as_its_result(done.adjustment, result)
     names = {f.name for f in fields(Record)}
     record = record_of(settings).over(Record(**{k: v for k, v in context.export.record.items() if k in names}))
-    sentence = "the report of the result says by how much"
-    lost = (Outcome(name="wanted accuracy", kept=False, sentence=sentence),) if lost_accuracy(result) else ()
+    sentence = phrase("outcome.see_report")
+    lost = (Outcome(name="accuracy", kept=False, sentence=sentence),) if lost_accuracy(result) else ()
     delivery = delivery_of(adjustment, frame=context.export.frame, record=record, outcomes=lost)
     view = view_of(adjustment, delivery.accuracy)
     language = language_of(settings.language, names_of(adjustment, None, delivery))

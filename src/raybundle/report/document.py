@@ -12,6 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.calibration.quality import CalibrationQuality
+from raybundle.errors import joined_texts
 from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.arrangement import Division, Measure, PartName, arranged, undivided
@@ -97,11 +98,11 @@ def document_of(occasion: Occasion, progress: Progress = silent) -> Document:
         progress(f"report: {chapter.name}", k / len(every))
         made.extend((chapter.part, section_in(section, say)) for section in chapter.make(occasion))
     block, told, qualities = occasion.view.adjustment.given, occasion.told, occasion.qualities
-    head = headline(qualities) + unsettled(occasion.view) if qualities else told.headline
+    head = joined_texts(headline(qualities), *unsettled(occasion.view)) if qualities else told.headline
     return Document(
         title=say.text(title_of(occasion)),
         subtitle=block.about or block.source,
-        headline=say.text(head + not_kept(occasion)),
+        headline=say.text(joined_texts(head, *not_kept(occasion))),
         grade=grade_of(occasion),
         made=tuple(made),
         language=say,

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.geo.parsed_systems import code_of, height_name, parse_crs, system_name
 from raybundle.numerics.arrays import Array
@@ -94,20 +95,21 @@ def system_words(frame: LocalFrame) -> str:
 
 
 def height_words(frame: LocalFrame, *, measured: bool) -> str:
-    """What heights are counted from, as far as anybody said.
+    """The reference of heights, as far as it is known.
 
     measured  whether any height was given, by control or by positions
     """
     system = parse_crs(frame.crs)
     if not measured:
-        return "not said: no height was given, and those of the result are relative"
+        return phrase("front.heights_relative")
+    undulation = frame.undulation_m
     if system.is_compound:
         name = height_name(frame.crs)
-        if frame.undulation_m is not None:
-            return f"{name}; the geoid {frame.undulation_m:g} m above the ellipsoid throughout"
-        return f"{name}; geoid model {frame.geoid_grid}" if frame.geoid_grid else name
-    if frame.undulation_m is not None:
-        return f"above a geoid {frame.undulation_m:g} m above the ellipsoid throughout"
+        if undulation is not None:
+            return phrase("front.heights_of_geoid_value", name=name, undulation_m=undulation)
+        return phrase("front.heights_of_grid", name=name, grid=str(frame.geoid_grid)) if frame.geoid_grid else name
+    if undulation is not None:
+        return phrase("front.heights_above_geoid", undulation_m=undulation)
     if len(system.axis_info) == 3:
-        return "above the ellipsoid"
-    return "not said by the coordinate system; taken as heights above the ellipsoid"
+        return phrase("front.heights_ellipsoidal")
+    return phrase("front.heights_assumed")

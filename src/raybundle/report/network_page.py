@@ -372,7 +372,7 @@ def _remarks(view: View, detail: Detail, images: Index, ellipsoids: int) -> list
         )
     elif view.adjustment.precision is None:
         words.append("Standard deviations were not computed (statistics are off).")
-    words.append(f"Datum: {datum_words(view).rstrip('.')}.")
+    words.append(datum_words(view))
     if view.arbitrary_scale:
         words.append("The scale is arbitrary: lengths have no absolute unit.")
     if not known:

@@ -3,15 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
+
+from raybundle.errors import Text, phrase
+
+Name = Literal["accuracy", "asprs", "tolerances", "lengths"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Outcome:
     """One thing that was asked for."""
 
-    name: str
-    """as "wanted accuracy" """
+    name: Name
     kept: bool | None
     """None: it cannot be judged"""
-    sentence: str
-    """what was found, against what was asked for; no stop at its end"""
+    sentence: Text
+    """what was found, against what was asked for"""
+
+    @property
+    def label(self) -> Text:
+        """Its name in words."""
+        return phrase("outcome.name", name=self.name)

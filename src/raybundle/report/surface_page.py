@@ -118,7 +118,8 @@ def write_surface_page(
     if summary.orthophoto is not None:
         sections.append(_orthophoto(summary.orthophoto, factor, unit, summary.unit))
     sections += [_maps(summary, factor, unit), _errors(summary, factor, unit)]
-    doubts = " ".join(filter(None, (_doubts(summary, lost), "" if rests is None else verdict_sentence(rests))))
+    doubts = _doubts(summary, lost)
+    verdict = "" if rests is None else say.text(verdict_sentence(rests))
     given = sum(1 for m in summary.maps if m.given)
     head = f"{grouped(summary.points)} points from {counted(given, 'depth map')}"
     if summary.points:
@@ -129,7 +130,7 @@ def write_surface_page(
     document = Document(
         title=title or say.text(f"Surface of {name}"),
         subtitle=say.text("Dense points, each with its standard deviations"),
-        headline=say.text(f"{head}. {doubts}".strip()), grade=_grade(summary, rests, lost),
+        headline=f"{say.text(f'{head}. {doubts}'.strip())} {verdict}".strip(), grade=_grade(summary, rests, lost),
         made=tuple(("specialist", section_in(s, say)) for s in sections), divided=False, language=say,
     )  # fmt: skip
     with new_files(*files) as new:

@@ -65,10 +65,12 @@ class Language:
 
     def text(self, english: str) -> str:
         """A text as the reader reads it."""
+        if isinstance(english, Text):
+            return unbroken(english) if self._book is None else Said(
+                unbroken(english.by(Reader(self.code, flags=reader().flags)))
+            )  # fmt: skip
         if self._book is None or not english or isinstance(english, Said):
             return english
-        if isinstance(english, Text):
-            return Said(unbroken(english.by(Reader(self.code, flags=reader().flags))))
         if english in self._book.exact:
             return Said(self._book.exact[english])
         return Said(self._sound(english.replace(BOUND, "± ")).replace("± ", BOUND))
@@ -107,6 +109,8 @@ class Language:
 
     def cell(self, english: str) -> str:
         """A cell of a table: a name, as a rule, or a number."""
+        if isinstance(english, Text):
+            return self.text(english)
         if self._book is None or isinstance(english, Said) or english in self.names:
             return english
         return self._book.cells.get(english) or self.text(english)

@@ -9,12 +9,11 @@ import numpy as np
 
 from raybundle.calibration.cross_validation import CrossValidation
 from raybundle.calibration.quality import CalibrationQuality, Grade
-from raybundle.errors import Text
+from raybundle.errors import Message, Text, joined_texts, note, phrase
 from raybundle.report.chapters import Occasion, chapter
 from raybundle.report.parts import Fact, Facts, Heading, Paragraph, Part, Section, Statements, number, table, text
 from raybundle.report.text.numbers import NONE, fixed, grouped, per_cent, significant
 from raybundle.report.text.words import Grade as ReportGrade
-from raybundle.settings import option
 
 GRADES: dict[Grade, ReportGrade] = {
     "good": "good",
@@ -23,11 +22,6 @@ GRADES: dict[Grade, ReportGrade] = {
     "not determinable": "attention",
 }
 ORDER: tuple[Grade, ...] = ("not determinable", "weak", "usable", "good")
-
-NOT_TOLD = (
-    ("Stability", "Zoom, focus, stabilisation and temperature move a lens. Calibrate with the setting that is used."),
-    ("Edge of the format", "Beyond the farthest image point distortion is extrapolated, whatever its sigma says."),
-)
 
 
 def worst(qualities: Sequence[CalibrationQuality]) -> CalibrationQuality:
@@ -41,106 +35,104 @@ def graver(grade: ReportGrade, quality: CalibrationQuality) -> ReportGrade:
     return order[min(order.index(grade), order.index(GRADES[quality.grade]))]
 
 
-def headline(qualities: Sequence[CalibrationQuality]) -> str:
-    """The first sentence of the report."""
+def grade_code(quality: CalibrationQuality) -> str:
+    """The grade as a value of phrases."""
+    return quality.grade.replace(" ", "_")
+
+
+def headline(qualities: Sequence[CalibrationQuality]) -> Text:
+    """The first sentences of the report."""
     head = worst(qualities)
-    return head.headline if len(qualities) == 1 else f"Camera {head.camera}: {head.headline}"
+    if len(qualities) == 1:
+        return head.headline
+    return joined_texts(phrase("calibration_quality.of_camera", camera=head.camera), head.headline)
 
 
 def calibration_section(qualities: Sequence[CalibrationQuality]) -> Section:
     """Is the calibration good, for what, and what to photograph next."""
     parts: list[Part] = []
     for q in qualities:
-        parts += [Heading(text=f"Camera {q.camera}: {q.grade}"), Paragraph(text=q.headline), Facts(facts=_facts(q))]
+        head = phrase("calibration_quality.camera_grade", camera=q.camera, grade=grade_code(q))
+        parts += [Heading(text=head), Paragraph(text=q.headline), Facts(facts=_facts(q))]
         if q.reasons:
-            parts.append(table((text("what speaks against it"),), ([_sentence(r) for r in q.reasons],)))
+            parts.append(table((text(phrase("calibration_quality.weaknesses")),), (list(q.reasons),)))
         parts += _advice(q)
         parts += _couplings(q)
-    parts += [Heading(text="What this verdict does not tell"), Statements(statements=NOT_TOLD)]
-    return Section(anchor="calibration", title="Verdict on the calibration", parts=tuple(parts))
+    limits = (
+        (phrase("calibration_quality.stability"), phrase("calibration_quality.same_setting")),
+        (phrase("calibration_quality.edge"), phrase("calibration_quality.extrapolated")),
+    )
+    parts += [Heading(text=phrase("calibration_quality.limits")), Statements(statements=limits)]
+    return Section(anchor="calibration", title=phrase("calibration_quality.title"), parts=tuple(parts))
 
 
 def _facts(q: CalibrationQuality) -> tuple[Fact, ...]:
     validation = q.validation
     return (
         Fact(
-            label="uncertainty of projection",
-            value=f"{significant(q.typical_px, 2)} px",
-            remark=f"median over the format at infinity; {significant(q.uncertainty_px, 2)} px at worst. The largest "
-            f"error somewhere in the format: {significant(q.likely_px, 2)} px is to be expected, "
-            f"{significant(q.worst_px, 2)} px are not exceeded with 95 % certainty",
+            label=phrase("label.projection_uncertainty"), value=f"{significant(q.typical_px, 2)} px",
+            remark=Text.of(
+                note("front.uncertainty", largest_px=q.uncertainty_px),
+                note("calibration_quality.largest_error", likely_px=q.likely_px, worst_px=q.worst_px),
+            ),
         ),
         Fact(
-            label="image points", value=f"{significant(q.image_sigma_px, 2)} px",
-            remark="standard deviation of a coordinate of median weight, from the residuals",
+            label=phrase("label.image_points"), value=f"{significant(q.image_sigma_px, 2)} px",
+            remark=phrase("calibration_quality.image_sigma"),
         ),
         Fact(
-            label="cross-validation", value=NONE if validation is None else f"{fixed(validation.ratio, 2)} ×",
-            remark="too few photographs" if validation is None else
-            f"residuals of photographs left out ({significant(validation.rms_px, 2)} px) against those that took part; "
-            f"{validation.folds} folds. {_prediction(validation, unstable=q.unstable)}",
+            label=phrase("label.cross_validation"),
+            value=NONE if validation is None else f"{fixed(validation.ratio, 2)} ×",
+            remark=phrase("calibration_quality.no_validation") if validation is None else
+            Text.of(
+                note("calibration_quality.validation", rms_px=validation.rms_px, folds=validation.folds),
+                _prediction(validation, unstable=q.unstable),
+            ),
         ),
         Fact(
-            label="format", value=per_cent(q.coverage),
-            remark=f"covered by image points of all photographs; {per_cent(q.reach)} of the way to the corners reached",
+            label=phrase("label.format"), value=per_cent(q.coverage),
+            remark=phrase("calibration_quality.covered", reach=q.reach),
         ),
         Fact(
-            label="photographs", value=grouped(q.photographs),
-            remark=f"{q.rolls} of 4 quarter turns about the axis; axes within {math.degrees(q.convergence):.0f}° of "
-            "their mean",
+            label=phrase("label.photographs"), value=grouped(q.photographs),
+            remark=phrase("calibration_quality.views", rolls=q.rolls, angle_deg=math.degrees(q.convergence)),
         ),
     )  # fmt: skip
 
 
-def _prediction(validation: CrossValidation, *, unstable: bool) -> str:
+def _prediction(validation: CrossValidation, *, unstable: bool) -> Message:
     if validation.contradicts:
-        return f"{fixed(validation.excess, 1)} times as far from their prediction as its covariance explains"
-    if unstable:
-        return (
-            "They lie within the covariance of points and camera, which is as wide as the photographs differ: no proof "
-            "that they had one camera"
-        )
-    return "They lie where the covariance of points and camera predicts them"
-
-
-def _sentence(words: str) -> str:
-    if isinstance(words, Text):
-        return words
-    first = words.partition(" ")[0]
-    symbol = len(first) <= 2 and first not in {"a", "an"}  # c, x0, K1: their case is their meaning
-    return f"{words if symbol else words[:1].upper() + words[1:]}."
+        return note("calibration_quality.farther", excess=validation.excess)
+    return note("calibration_quality.as_predicted", unstable=unstable)
 
 
 def _advice(q: CalibrationQuality) -> list[Part]:
     if q.unstable:
-        words = (
-            "More photographs of a camera that changes between them do not help. Switch autofocus, zoom and "
-            "stabilisation off and photograph anew, or calibrate the two groups apart, with the "
-            f"{option('own_camera')} named above."
-        )
-        return [Heading(text="What to do next"), Paragraph(text=words)]
+        return [Heading(text=phrase("front.next")), Paragraph(text=phrase("calibration_quality.unstable"))]
     if not q.advice:
-        return [Paragraph(text="No four further photographs would improve it by a tenth.", note=True)]
-    now = "not determinable" if not np.isfinite(q.uncertainty_px) or q.grade == "not determinable" else (
-        f"{significant(q.uncertainty_px, 2)} px"
+        return [Paragraph(text=phrase("calibration_quality.no_advice"), note=True)]
+    known = bool(np.isfinite(q.uncertainty_px)) and q.grade != "not determinable"
+    now = significant(q.uncertainty_px, 2) if known else NONE
+    remark = (
+        note("calibration_quality.predicted", now_px=q.uncertainty_px) if known
+        else note("calibration_quality.predicted_of_open")
     )  # fmt: skip
     return [
-        Heading(text="What to photograph next"),
+        Heading(text=phrase("calibration_quality.photograph_next")),
         table(
             (
-                text("photographs, in this order"),
-                number("uncertainty now", "px"),
-                number("then", "px"),
-                number("smaller by"),
+                text(phrase("calibration_quality.photographs_in_order")),
+                number(phrase("calibration_quality.uncertainty_now"), "px"),
+                number(phrase("calibration_quality.uncertainty_then"), "px"),
+                number(phrase("calibration_quality.smaller_by")),
             ),
             (
                 [f"{k + 1}. {p.words}" for k, p in enumerate(q.advice)],
-                [NONE if now == "not determinable" else significant(q.uncertainty_px, 2) for _ in q.advice],
+                [now for _ in q.advice],
                 [significant(p.uncertainty_px, 2) for p in q.advice],
                 [per_cent(1 - p.ratio) if p.ratio > 0 else NONE for p in q.advice],
             ),
-            note=f"Predicted: largest uncertainty of projection over the format, now {now}, with this photograph and "
-            "those before it, of the precision of the others. Take them, calibrate again, and look again.",
+            note=Text.of(remark, note("calibration_quality.calibrate_again")),
         ),
     ]
 
@@ -148,19 +140,19 @@ def _advice(q: CalibrationQuality) -> list[Part]:
 def _couplings(q: CalibrationQuality) -> list[Part]:
     if not q.couplings:
         return []
-    names = {"Z": "station along the viewing axis"}
+    station = phrase("calibration_quality.station")
     return [
         table(
-            (text("parameter"), text("coupled with"), number("correlation")),
+            (text(phrase("label.parameter")), text(phrase("calibration_quality.coupled_with")),
+             number(phrase("label.correlation"))),
             (
                 [a for a, _, _ in q.couplings],
-                [names.get(b, b) for _, b, _ in q.couplings],
+                [station if b == "Z" else b for _, b, _ in q.couplings],
                 [fixed(r, 2) for _, _, r in q.couplings],
             ),
-            note="Coupled parameters do no harm to object points measured with the same network; a calibration that is "
-            "carried over to other photographs suffers from them.",
+            note=phrase("calibration_quality.coupling_effect"),
         )
-    ]
+    ]  # fmt: skip
 
 
 @chapter("calibration", after="front")

@@ -1,4 +1,4 @@
-"""The first page, for the client: what it is, whether it is good enough, how precise where, and what to do next."""
+"""The first page, for the client: verdict, key figures, accuracy and next steps."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from raybundle.adjustment.accuracy import Compared
 from raybundle.adjustment.counts import counts
 from raybundle.adjustment.spread import few_hold, of_points
 from raybundle.calibration.quality import CalibrationQuality
+from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import decimals_for
 from raybundle.report.chapters import Occasion, chapter
@@ -34,22 +35,20 @@ from raybundle.report.parts import (
     text,
     whole,
 )
-from raybundle.report.sections.calibration import worst
+from raybundle.report.sections.calibration import grade_code, worst
 from raybundle.report.sections.front_lengths import length_parts
 from raybundle.report.text.front_words import handed_over, next_steps, steps_left, taken_words, verdict_sentence
-from raybundle.report.text.metrology_words import lengths_told
+from raybundle.report.text.metrology_words import length_figures
 from raybundle.report.text.numbers import (
     NONE,
     cells,
-    counted,
     fixed,
     grouped,
     per_cent,
-    plain,
     significant,
     with_sigma,
 )
-from raybundle.report.text.words import free_std, relative_words
+from raybundle.report.text.words import each_axis, free_std, relative_values
 from raybundle.report.view import View, rms
 from raybundle.results.folder import MAP_CONTROL
 
@@ -65,7 +64,7 @@ def front(o: Occasion) -> tuple[Section, ...]:
     """The page that a client reads."""
     d = o.delivery or delivery_of(o.view.adjustment)
     parts = [Statements(statements=head_of(o, d)), *glance_parts(o, d), *next_parts(o, d)]
-    return (Section(anchor="front", title="At a glance", parts=tuple(parts)),)
+    return (Section(anchor="front", title=phrase("front.title"), parts=tuple(parts)),)
 
 
 def glance_parts(o: Occasion, d: Delivery) -> tuple[Part, ...]:
@@ -80,34 +79,34 @@ def glance_parts(o: Occasion, d: Delivery) -> tuple[Part, ...]:
 def head_of(o: Occasion, d: Delivery) -> tuple[tuple[str, str], ...]:
     """Who, what, where and when, the verdict, and what was asked for."""
     r = d.record
-    pairs = [
-        ("Verdict", verdict_sentence(o)),
-        *((f"{x.name[:1].upper()}{x.name[1:]}", f"{x.sentence[:1].upper()}{x.sentence[1:]}.") for x in d.outcomes),
+    pairs: list[tuple[str, str]] = [
+        (phrase("front.verdict"), verdict_sentence(o)),
+        *((x.label, x.sentence) for x in d.outcomes),
         *_lengths(o, d),
-        *((f"ASPRS statement{'' if k == 0 else ', height'}", s) for k, s in enumerate(d.statements)),
-        ("Client", r.client), ("Operator", r.operator), ("Object", r.object), ("Place", r.place),
-        ("Date", r.date or taken_words(o)), ("Instruments", r.instruments), ("Rights", r.rights),
+        *((phrase("front.asprs_statement", height=k > 0), s) for k, s in enumerate(d.statements)),
+        (phrase("front.client"), r.client), (phrase("front.operator"), r.operator), (phrase("front.object"), r.object),
+        (phrase("front.place"), r.place), (phrase("front.date"), r.date or taken_words(o)),
+        (phrase("front.instruments"), r.instruments), (phrase("front.rights"), r.rights),
         *_system(d),
     ]  # fmt: skip
     return tuple((word, sentence) for word, sentence in pairs if sentence)
 
 
-def _lengths(o: Occasion, d: Delivery) -> list[tuple[str, str]]:
-    """What lengths that took no part show, where nobody asked for a limit of their errors."""
+def _lengths(o: Occasion, d: Delivery) -> list[tuple[Text, Text]]:
+    """What independent lengths show, where nobody asked for a limit of their errors."""
     if o.view.lengths is None or any(x.name == "lengths" for x in d.outcomes):
         return []
-    return [("Lengths", f"{lengths_told(o.view.lengths)}.")]
+    return [(phrase("outcome.name", name="lengths"), Text.of(*length_figures(o.view.lengths)))]
 
 
-def _system(d: Delivery) -> list[tuple[str, str]]:
+def _system(d: Delivery) -> list[tuple[Text, str]]:
     """In which system coordinates stand, and what heights are."""
+    label = phrase("front.coordinate_system")
     if d.frame is None:
-        if d.flight is None:
-            return []
-        return [("Coordinate system", "not said: that of the control, without a name; heights as it has them")]
+        return [] if d.flight is None else [(label, phrase("front.system_of_control"))]
     from raybundle.report.map_axes import height_words, system_words  # noqa: PLC0415  (pyproj only where it is used)
 
-    return [("Coordinate system", system_words(d.frame)), ("Heights", height_words(d.frame, measured=d.heights))]
+    return [(label, system_words(d.frame)), (phrase("front.heights"), height_words(d.frame, measured=d.heights))]
 
 
 def _facts(o: Occasion, d: Delivery) -> tuple[Fact, ...]:
@@ -115,11 +114,11 @@ def _facts(o: Occasion, d: Delivery) -> tuple[Fact, ...]:
     n = counts(view.adjustment)
     facts = [
         Fact(
-            label="photographs", value=grouped(n.images_used),
-            remark="" if n.images_used == n.images_given else f"of {grouped(n.images_given)} given",
+            label=phrase("label.photographs"), value=grouped(n.images_used),
+            remark="" if n.images_used == n.images_given else phrase("front.of_given", n=n.images_given),
         ),
         *_flight_facts(d),
-        Fact(label="object points", value=grouped(n.points_used), remark=_rays(view)),
+        Fact(label=phrase("label.object_points"), value=grouped(n.points_used), remark=_rays(view)),
         *(_camera_facts(o.qualities) if o.qualities else (*_precision_facts(view, d), *_tested_facts(view, d))),
     ]  # fmt: skip
     return tuple(facts)
@@ -128,17 +127,19 @@ def _facts(o: Occasion, d: Delivery) -> tuple[Fact, ...]:
 def _camera_facts(qualities: Sequence[CalibrationQuality]) -> list[Fact]:
     """What calibrated cameras are good for: of the worst one."""
     q = worst(qualities)
-    which = "" if len(qualities) == 1 else f"; camera {q.camera}, the worst of {grouped(len(qualities))}"
+    which = note("front.worst_camera", camera=q.camera, n=len(qualities))
     return [
         Fact(
-            label="uncertainty of projection", value=f"{significant(q.typical_px, 2)} px",
-            remark=f"median over the format, {significant(q.uncertainty_px, 2)} px at worst{which}",
+            label=phrase("label.projection_uncertainty"), value=f"{significant(q.typical_px, 2)} px",
+            remark=Text.of(
+                note("front.uncertainty", largest_px=q.uncertainty_px), *([which] if len(qualities) > 1 else [])
+            ),
         ),
         Fact(
-            label="good for measurements to", value=f"{significant(q.worst_px, 2)} px",
-            remark="an error that is not exceeded anywhere in the format, with 95 % certainty",
+            label=phrase("front.good_to"), value=f"{significant(q.worst_px, 2)} px",
+            remark=phrase("front.largest_error"),
         ),
-        Fact(label="format", value=per_cent(q.coverage), remark="covered by image points of all photographs"),
+        Fact(label=phrase("label.format"), value=per_cent(q.coverage), remark=phrase("front.coverage")),
     ]  # fmt: skip
 
 
@@ -150,67 +151,74 @@ def _cameras(o: Occasion) -> list[Part]:
         c = None if interior is None else interior.parameters.get("c")
         pair = (NONE, NONE) if c is None else with_sigma(c.value, math.nan if c.std is None else c.std)
         sizes = (q.image_sigma_px, q.typical_px, q.uncertainty_px)
-        rows.append([q.camera, q.grade, grouped(q.photographs), *pair, *(significant(v, 2) for v in sizes)])
+        grade = phrase("calibration_quality.grade", grade=grade_code(q))
+        rows.append([q.camera, grade, grouped(q.photographs), *pair, *(significant(v, 2) for v in sizes)])
     shape = (
-        whole("camera"), text("verdict"), number("photographs"), number("c", "mm"), number("sigma", "mm"),
-        number("image points", "px"), number("uncertainty, median", "px"), number("at worst", "px"),
+        whole(phrase("label.camera")), text(phrase("front.verdict")), number(phrase("label.photographs")),
+        number("c", "mm"), number("σ", "mm"), number(phrase("label.image_points"), "px"),
+        number(phrase("front.median_uncertainty"), "px"), number(phrase("front.largest_uncertainty"), "px"),
     )  # fmt: skip
-    note = "Uncertainty: of the place of an image point by the calibration alone, over the format, at infinity."
-    return [Heading(text="Cameras"), table(shape, zip(*rows, strict=True), note=note)]
+    remark = phrase("front.uncertainty_meaning")
+    return [Heading(text=phrase("label.cameras")), table(shape, zip(*rows, strict=True), note=remark)]
 
 
 def _rays(view: View) -> str:
     seen = view.rays[view.rays > 0]
-    return f"each in {plain(float(np.median(seen)), 3)} photographs (median)" if len(seen) else ""
+    return phrase("front.rays", n=float(np.median(seen))) if len(seen) else ""
 
 
 def _flight_facts(d: Delivery) -> list[Fact]:
     f = d.flight
     if f is None:
         return []
-    low, high = (_gsd(v) for v in f.gsd_range_m)
+    factor, unit = (100.0, "cm") if f.gsd_m >= 0.01 else (1000.0, "mm")
+    low, high = (factor * v for v in f.gsd_range_m)
+    one, of_one = _area(f.area_one_m2)
+    three, of_three = _area(f.area_three_m2)
     return [
         Fact(
-            label="ground sample distance", value=_gsd(f.gsd_m),
-            remark=f"median over the object points; {low} to {high} for 98 % of them",
+            label=phrase("front.gsd"), value=f"{significant(factor * f.gsd_m)} {unit}",
+            remark=phrase("front.gsd_range", low=low, high=high, unit=unit),
         ),
         Fact(
-            label="flying height", value=f"{significant(f.height_m)} m",
-            remark="above the ground, median over the photographs",
+            label=phrase("front.flying_height"), value=f"{significant(f.height_m)} m",
+            remark=phrase("front.above_ground"),
         ),
         Fact(
-            label="area", value=_area(f.area_three_m2),
-            remark="in three photographs or more, within the extent of the object points; "
-            f"{_area(f.area_one_m2)} in one or more",
+            label=phrase("front.area"), value=f"{significant(three)} {of_three}",
+            remark=phrase("front.area_of_one", area=one, unit=of_one),
         ),
     ]  # fmt: skip
 
 
-def _gsd(metres: float) -> str:
-    return f"{significant(100 * metres)} cm" if metres >= 0.01 else f"{significant(1000 * metres)} mm"
-
-
-def _area(m2: float) -> str:
-    return f"{significant(m2 / HECTARE)} ha" if m2 >= HECTARE else f"{significant(m2)} m²"
+def _area(m2: float) -> tuple[float, str]:
+    return (m2 / HECTARE, "ha") if m2 >= HECTARE else (m2, "m²")
 
 
 def _precision_facts(view: View, d: Delivery) -> list[Fact]:
-    std, network = client_std(view, d), view.adjustment.network
+    std = client_std(view, d)
     facts: list[Fact] = []
     if len(std):
         # as the headline has it
         median = few_hold(free_std(view)) is not None
-        names = zip(d.accuracy.axes.names, (_typical(c, median=median) for c in std.T), strict=False)
-        each = ", ".join(f"{a}\u00a0{significant(m, 2)}" for a, m in names if math.isfinite(m))
-        told = f"of a coordinate, rms over the object points; {each}"
-        told = f"of a coordinate, median over the object points; {each}" if median else told
+        each = np.array([[_typical(c, median=median) for c in std.T]])
         # of each point the rms of its coordinates, as `few_hold` has it: the headline's number, not another beside it
         size = significant(_typical(of_points(std) if median else std, median=median), 2)
-        facts.append(Fact(label="standard deviation", value=f"{size} {view.unit}", remark=told))
-    if network is not None and math.isfinite(network.relative_precision) and d.flight is None:
-        size = grouped(float(f"{network.relative_precision:.2g}"))
-        facts.append(Fact(label="relative precision", value=f"1 : {size}", remark=relative_words(view)))
+        facts.append(Fact(
+            label=phrase("label.standard_deviation"), value=f"{size} {view.unit}",
+            remark=Text.of(note("front.std_of_coordinate", median=median), each_axis(each, view.unit, _axes(d))),
+        ))  # fmt: skip
+    values = relative_values(view)
+    if values is not None and d.flight is None:
+        value = f"1\u00a0:\u00a0{grouped(int(str(values['relative'])))}"
+        facts.append(
+            Fact(label=phrase("label.relative_precision"), value=value, remark=phrase("front.quotient", **values))
+        )
     return facts
+
+
+def _axes(d: Delivery) -> tuple[str, ...]:
+    return tuple(d.accuracy.axes.names)
 
 
 def _typical(std: Array, *, median: bool) -> float:
@@ -237,23 +245,19 @@ def client_std(view: View, d: Delivery) -> Array:
 
 
 def _tested_facts(view: View, d: Delivery) -> list[Fact]:
-    """What independent points say; without check points, control left out."""
+    """Differences at independent points; without check points, at control left out."""
     whole_ = d.accuracy.check if d.accuracy.check.any else d.accuracy.left_out
     if not whole_.any:
         return []
     factor, unit = _unit(view, whole_.difference)
-    each = ", ".join(
-        f"{a}\u00a0{significant(r * factor, 2)}" for a, r in zip(d.accuracy.axes.names, whole_.rms, strict=True)
-        if math.isfinite(r)
-    )  # fmt: skip
+    each = each_axis(whole_.rms * factor, unit, _axes(d))
     n = int(np.isfinite(whole_.difference).any(axis=1).sum())
     value = f"{significant(rms(whole_.difference) * factor, 2)} {unit}"
     if whole_ is d.accuracy.check:
-        label, remark = "check points", f"rms difference of a coordinate at {counted(n, 'check point')}; {each}"
+        label, remark = phrase("label.check_points"), note("front.check_rms", n=n)
     else:
-        label = "leave-one-out of control"
-        remark = f"rms difference of a coordinate of {counted(n, 'control point')}, each had it taken no part; {each}"
-    return [Fact(label=label, value=value, remark=remark)]
+        label, remark = phrase("front.leave_one_out"), note("front.leave_one_out_rms", n=n)
+    return [Fact(label=label, value=value, remark=Text.of(remark, each))]
 
 
 def _unit(view: View, difference: Array) -> tuple[float, str]:
@@ -275,27 +279,22 @@ def _accuracy(view: View, d: Delivery) -> list[Part]:
     factor, unit = _unit(view, np.vstack([c.difference for _, c, _ in listed]))
     columns, decimals = _coordinate_columns(view, d, np.vstack([c.difference for _, c, _ in listed]))
     rows: list[list[str]] = []
-    notes: list[str] = []
+    notes = [note("front.minus_given")]
     most = FEW_ROWS if d.statements else MOST_ROWS
     fine = _fine(d, [(role, c) for role, c, _ in listed], factor)
     for role, c, file in listed:
         rows += _rows(view, role, c, decimals, fine, factor, most)
         n = int(np.isfinite(c.difference).any(axis=1).sum())
         if n > most:
-            notes.append(
-                f"Of {counted(n, f'{role} point')} the {most} with the largest differences; all are in {file}."
-            )
+            notes.append(note("front.largest_differences", role=role, n=n, most=most, file_name=file))
     if accuracy.left_out.any and not accuracy.check.any:
         values = cells((accuracy.left_out.rms * factor).tolist(), fine)
-        rows.append(["leave-one-out of control, rms", "", *[""] * 3, *values])
-        notes.append("Leave-one-out: had the control point taken no part, to first order.")
+        rows.append([phrase("front.leave_one_out_row"), "", *[""] * 3, *values])
+        notes.append(note("front.leave_one_out_meaning"))
     differences = [number(f"d{a}", unit) for a in accuracy.axes.names]
-    note = " ".join(["d: adjusted minus given; control took part, check points did not.", *notes, *_unknown(listed)])
-    shape = (text("point"), text("role"), *columns, *differences)
-    return [
-        Heading(text="Accuracy"),
-        Table(columns=shape, rows=rows, note=note),
-    ]
+    shape = (text(phrase("label.point")), text(phrase("label.role")), *columns, *differences)
+    remark = Text.of(*notes, *_unknown(listed))
+    return [Heading(text=phrase("label.accuracy")), Table(columns=shape, rows=rows, note=remark)]
 
 
 def _fine(d: Delivery, listed: Sequence[tuple[str, Compared]], factor: float) -> int:
@@ -307,11 +306,12 @@ def _fine(d: Delivery, listed: Sequence[tuple[str, Compared]], factor: float) ->
     return int(np.clip(decimals_for(size), 0, 6)) if np.isfinite(size) else 0
 
 
-def _unknown(listed: Sequence[tuple[str, Compared, str]]) -> list[str]:
+def _unknown(listed: Sequence[tuple[str, Compared, str]]) -> list[Message]:
+    """What a dash means, where there is any."""
     lost = any((~np.isfinite(c.given[:, 2]) & np.isfinite(c.given[:, 0])).any() for _, c, _ in listed)
     open_ = any(not c.any for _, c, _ in listed)
-    words = ["was not given"] * lost + ["is not compared, as the datum leaves it open"] * open_
-    return [f"{NONE}: {' or '.join(words)}."] if words else []
+    cause = "both" if lost and open_ else "lost" if lost else "open"
+    return [note("front.dash", cause=cause)] if lost or open_ else []
 
 
 def _coordinate_columns(view: View, d: Delivery, difference: Array) -> tuple[list[Column], list[int]]:
@@ -336,7 +336,7 @@ def _rows(
     shown = known if len(known) <= most else np.sort(known[np.argsort(-size[known], kind="stable")[:most]])
     rows = [
         [
-            view.given.points.ids[int(c.rows[k])], role,
+            view.given.points.ids[int(c.rows[k])], phrase("front.role", role=role),
             *(fixed(float(v), n) for v, n in zip(c.given[k], decimals, strict=True)),
             *_differences(c, k, fine, factor, role),
         ]
@@ -344,13 +344,15 @@ def _rows(
     ]  # fmt: skip
     if not c.any:
         return rows
-    return [*rows, [f"rms of {grouped(len(known))}", role, *[""] * 3, *cells((c.rms * factor).tolist(), fine)]]
+    head = [phrase("front.rms_of", n=len(known)), phrase("front.role", role=role), *[""] * 3]
+    return [*rows, [*head, *cells((c.rms * factor).tolist(), fine)]]
 
 
 def _differences(c: Compared, k: int, fine: int, factor: float, role: str) -> list[str]:
     """Of one point; control that was held has none."""
     shown = cells((c.difference[k] * factor).tolist(), fine)
-    return ["held" if role == "control" and s == 0 else t for s, t in zip(c.sigma[k], shown, strict=True)]
+    held = phrase("front.held")
+    return [held if role == "control" and s == 0 else t for s, t in zip(c.sigma[k], shown, strict=True)]
 
 
 def _standard_deviations(view: View, d: Delivery) -> list[Part]:
@@ -363,45 +365,38 @@ def _standard_deviations(view: View, d: Delivery) -> list[Part]:
         if len(good):
             four = (rms(good), *np.quantile(good, [0.5, 0.95]), good.max())
             rows.append([axis, *(significant(float(v), 2) for v in four)])
-    shape = (text("coordinate"), *(number(n, view.unit) for n in ("rms", "median", "95 % are below", "largest")))
-    note = (
-        "Standard deviations of the object points. Neither control nor check points were given: the network judges "
-        "itself."
-    )
-    if view.lengths is not None:
-        note = "Standard deviations of the object points; what lengths that took no part say of them is told above."
-    note += _weakest(view)
-    return [Heading(text="Precision"), table(shape, zip(*rows, strict=True), note=note)]
+    heads = ("front.rms", "front.median", "front.quantile_95", "front.largest")
+    shape = (text(phrase("label.coordinate")), *(number(phrase(n), view.unit) for n in heads))
+    remark = Text.of(note("front.standard_deviations", lengths=view.lengths is not None), *_weakest(view))
+    return [Heading(text=phrase("label.precision")), table(shape, zip(*rows, strict=True), note=remark)]
 
 
-def _weakest(view: View) -> str:
+def _weakest(view: View) -> list[Message]:
     """Which point has the largest standard deviation, and in how many photographs it is seen: a far one, mostly."""
     if view.std is None or not np.isfinite(view.std).any():
-        return ""
+        return []
     k = int(np.unravel_index(int(np.nanargmax(view.std)), view.std.shape)[0])
-    seen = counted(int(view.rays[k]), "photograph")
-    return f" The largest is that of point {view.given.points.ids[k]}, seen in {seen}."
+    return [note("front.weakest_point", point=view.given.points.ids[k], n=int(view.rays[k]))]
 
 
 def next_parts(o: Occasion, d: Delivery) -> list[Part]:
     """What to do next, and what is handed over all the same."""
     steps, files = next_steps(o), handed_over(d.files)
-    dense = [Paragraph(text=f"Dense points: {d.surface}, of the result that stood here when they were measured.")]
-    dense = dense if d.surface else []
+    dense = [Paragraph(text=phrase("front.dense_points", file_name=d.surface))] if d.surface else []
     if steps:
         every = len(steps) + steps_left(o)
-        rests = tuple(f"{counted(every - k, 'more matter')}: see the warnings." if k < every else ""
-                      for k in range(len(steps) + 1))  # fmt: skip
-        listed_ = f"Handed over: {', '.join(name for name, _ in files)}." if files else ""
+        rests = tuple(phrase("front.more_matters", n=every - k) if k < every else "" for k in range(len(steps) + 1))
+        shown = tuple((phrase("front.severity", level=s), sentence) for s, sentence in steps)
+        names = [name for name, _ in files]
         return [
-            Heading(text="What to do next"), Statements(statements=steps, rests=rests),
-            *([Heading(text="What is handed over"), Paragraph(text=listed_)] if listed_ else []), *dense,
+            Heading(text=phrase("front.next")), Statements(statements=shown, rests=rests),
+            *([Heading(text=phrase("front.handed_over")), Paragraph(text=phrase("front.files", names=names))]
+              if names else []),
+            *dense,
         ]  # fmt: skip
-    settled = "Nothing has to be settled."
-    if any(x.kept is False for x in d.outcomes):
-        settled = "What was asked for is not kept, as told above; the measurement itself has nothing to be settled."
-    told = "; ".join(f"{name} ({words})" for name, words in files)
+    lost = any(x.kept is False for x in d.outcomes)
+    told = [m for name, content in files for m in (note("front.file_name", name=name), *content.messages)]
     return [
-        Heading(text="What is handed over"), Paragraph(text=f"{settled} Handed over: {told}." if told else settled),
-        *dense,
+        Heading(text=phrase("front.handed_over")),
+        Paragraph(text=Text.of(note("front.not_kept_only") if lost else note("front.settled"), *told)), *dense,
     ]  # fmt: skip

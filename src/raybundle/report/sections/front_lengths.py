@@ -1,10 +1,11 @@
-"""Scale bars on the first page: what the others and the photographs say of each."""
+"""Scale bars on the first page, with what the others and the photographs give for each."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from raybundle.numerics.counting import counted, decimals_for
+from raybundle.errors import Text, note, phrase
+from raybundle.numerics.counting import decimals_for
 from raybundle.report.parts import Heading, Part, number, table, text
 from raybundle.report.text.numbers import NONE, fixed, significant
 from raybundle.report.view import View
@@ -36,11 +37,9 @@ def length_parts(view: View) -> list[Part]:
             significant(v * view.factor, 2), without,
         ))  # fmt: skip
     shape = (
-        text("length"), number("given", view.length_unit), number("sigma", view.unit),
-        number("adjusted minus given", view.unit), number("had it taken no part", view.unit),
+        text(phrase("label.length")), number(phrase("label.given"), view.length_unit), number("σ", view.unit),
+        number(phrase("label.adjusted_minus_given"), view.unit), number(phrase("label.leave_one_out"), view.unit),
     )  # fmt: skip
     more = len(group.ids) - len(rows)
-    note = "Lengths took part. Had it taken no part: what the others then say of it, minus given, to first order."
-    if more:
-        note += f" {counted(more, 'more length')}: distances.csv."
-    return [Heading(text="Known lengths"), table(shape, zip(*rows, strict=True), note=note)]
+    notes = [note("front.known_lengths"), *([note("front.more_lengths", n=more)] if more else [])]
+    return [Heading(text=phrase("label.known_lengths")), table(shape, zip(*rows, strict=True), note=Text.of(*notes))]

@@ -1,4 +1,4 @@
-"""Section 1 and 2: key figures, warnings with remedies, limits of the numbers, and the summary table."""
+"""Sections: key figures, warnings with remedies, limits of the numbers, and the summary table."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, Notice, as_told
 from raybundle.adjustment.severity import Severity
 from raybundle.adjustment.spread import few_hold
+from raybundle.errors import Message, Text, Value, note, phrase
 from raybundle.numerics.arrays import Array
-from raybundle.observations import observation_kinds
 from raybundle.report.chapters import Occasion, chapter, section
 from raybundle.report.parts import (
     Column,
@@ -28,9 +28,21 @@ from raybundle.report.parts import (
     table,
     text,
 )
-from raybundle.report.text.numbers import NONE, counted, fixed, grouped, listed, significant, unbroken
-from raybundle.report.text.words import Verdict, datum_words, free_std, held_by, not_told, open_datum, relative_words
+from raybundle.report.text.numbers import NONE, grouped, significant, unbroken
+from raybundle.report.text.words import (
+    Verdict,
+    class_of,
+    datum_words,
+    each_axis,
+    free_std,
+    held_by,
+    limits,
+    open_values,
+    relative_values,
+)
 from raybundle.report.view import View, rms
+
+NOTHING_OPEN: dict[str, Value] = {"which": "nothing", "parts": []}
 
 
 def result_section(view: View, verdict: Verdict) -> Section:
@@ -38,77 +50,66 @@ def result_section(view: View, verdict: Verdict) -> Section:
     parts: list[Part] = [Facts(facts=_key_figures(view)), Statements(statements=verdict.statements)]
     notices = as_told(view.adjustment.notices)
     if notices:
-        parts += [Heading(text="Warnings and remedies"), warnings_table(notices)]
-    parts.append(Heading(text="What these numbers do not tell"))
-    parts.append(Statements(statements=not_told(view)))
-    return Section(anchor="result", title="Result", parts=tuple(parts))
+        parts += [Heading(text=phrase("result_section.warnings")), warnings_table(notices)]
+    parts.append(Heading(text=phrase("result_section.limits")))
+    parts.append(Statements(statements=limits(view)))
+    return Section(anchor="result", title=phrase("result_section.title"), parts=tuple(parts))
 
 
 def warnings_table(notices: Sequence[Notice]) -> Table:
     """Notices in full, one a row."""
-    rows = [[n.severity.value for n in notices], [unbroken(n.text) for n in notices]]
+    severities = [phrase("front.severity", level=n.severity.value) for n in notices]
     marked = [k for k, n in enumerate(notices) if n.severity is Severity.FAULT]
-    columns = (text(""), text("what, how much, and what to do"))
-    note = (
-        "Fault: settle it before the result is used. Caution: part of the result is weaker, or less, than it might "
-        "be taken for. Remark: what was done or chosen."
-    )
-    return table(columns, rows, most=200, rest="result.json", marked=marked, note=note, stays=True)
+    columns = (text(""), text(phrase("result_section.message")))
+    rows = [severities, [unbroken(n.text) for n in notices]]
+    remark = phrase("result_section.severities")
+    return table(columns, rows, most=200, rest="result.json", marked=marked, note=remark, stays=True)
 
 
-def _median(std: Array, unit: str) -> str:
+def _median(std: Array, unit: str) -> list[Message]:
     """The median beside the rms, where few points make that."""
     few = few_hold(std)
     if few is None:
-        return ""
-    return f"; median {significant(few.coordinate, 2)} {unit}: {held_by(few)}"
+        return []
+    return [note("result_section.median", median=few.coordinate, unit=unit), held_by(few)]
 
 
 def _key_figures(view: View) -> tuple[Fact, ...]:
     a, network = view.adjustment, view.adjustment.network
     facts: list[Fact] = []
-    if network is not None and math.isfinite(network.relative_precision):
-        n = grouped(float(f"{network.relative_precision:.2g}"))
-        facts.append(
-            Fact(
-                label="relative precision",
-                value=f"1 : {n}",
-                remark=(f"{network.precision_class}; " if classed(view.given) else "") + relative_words(view),
-            )
-        )
+    values = relative_values(view)
+    if network is not None and values is not None:
+        value = f"1\u00a0:\u00a0{grouped(float(str(values['relative'])))}"
+        known = [note("verdict.precision_class", name=class_of(network))] if classed(view.given) else []
+        remark = Text.of(*known, note("front.quotient", **values))
+        facts.append(Fact(label=phrase("label.relative_precision"), value=value, remark=remark))
     std = free_std(view)
     if len(std):
-        each = ", ".join(f"{axis}\u00a0{significant(rms(std[:, k]), 2)}" for k, axis in enumerate("XYZ"))
-        facts.append(
-            Fact(
-                label="standard deviation of object points",
-                value=f"{significant(rms(std), 2)} {view.unit}",
-                remark=f"rms of a coordinate; {each}{_median(std, view.unit)}",
-            )
-        )
+        each = each_axis(std, view.unit)
+        facts.append(Fact(
+            label=phrase("label.point_standard_deviation"), value=f"{significant(rms(std), 2)} {view.unit}",
+            remark=Text.of(note("front.std_of_coordinate", median=False), each, *_median(std, view.unit)),
+        ))  # fmt: skip
     if np.isfinite(view.check_difference).any():
-        facts.append(
-            Fact(
-                label="check points",
-                value=f"{significant(rms(view.check_difference) * view.factor, 2)} {view.unit}",
-                remark=f"rms difference of a coordinate, {counted(len(view.check_rows), 'point')}",
-            )
-        )
-    sigma0 = significant(a.sigma0) if math.isfinite(a.sigma0) else "none"
-    facts.append(Fact(label="σ₀ a posteriori", value=sigma0, remark=f"a priori 1; {_image_sigma(view)}"))
-    facts.append(
-        Fact(label="redundancy", value=grouped(a.redundancy), remark=f"{grouped(a.observations)} observations")
-    )
+        facts.append(Fact(
+            label=phrase("label.check_points"),
+            value=f"{significant(rms(view.check_difference) * view.factor, 2)} {view.unit}",
+            remark=phrase("result_section.check_rms", n=len(view.check_rows)),
+        ))  # fmt: skip
+    sigma0 = significant(a.sigma0) if math.isfinite(a.sigma0) else NONE
+    facts.append(Fact(label=phrase("result_section.sigma0"), value=sigma0, remark=_image_sigma(view)))
+    observed = phrase("result_section.observations", n=a.observations)
+    facts.append(Fact(label=phrase("label.redundancy"), value=grouped(a.redundancy), remark=observed))
     return tuple(facts)
 
 
-def _image_sigma(view: View) -> str:
+def _image_sigma(view: View) -> Text:
     """The a-posteriori standard deviation of an image coordinate."""
     std = np.sqrt(view.given.observations.cov_px2[view.used, :2])
     if not len(std):
-        return "no image observations"
+        return phrase("result_section.no_image_observations")
     px = float(np.median(std)) * view.scale
-    return f"an image coordinate {significant(px, 2)} px" + ("" if np.ptp(std) < 1e-3 * px else " (median)")
+    return phrase("result_section.image_sigma", px=px, median=bool(np.ptp(std) >= 1e-3 * px))
 
 
 @section("summary", after="result")
@@ -116,75 +117,78 @@ def summary_section(view: View) -> Section:
     """Counts, datum, tests."""
     a = view.adjustment
     rows = [*_counts(view), *_solution(a), *_tests(a)]
-    body = table((text("quantity"), Column(label="value", text=True)), zip(*rows, strict=True), stays=True)
-    note = Paragraph(text=datum_words(view), note=True)
-    return Section(anchor="summary", title="Summary of the adjustment", parts=(body, note))
+    columns = (text(phrase("label.quantity")), Column(label=phrase("label.value"), text=True))
+    body = table(columns, zip(*rows, strict=True), stays=True)
+    remark = Paragraph(text=datum_words(view), note=True)
+    return Section(anchor="summary", title=phrase("result_section.summary"), parts=(body, remark))
 
 
 def _counts(view: View) -> list[tuple[str, str]]:
     a, block = view.adjustment, view.given
     n = counts(a)
-    rejected = f", {grouped(n.rejected)} rejected" if n.rejected else ""
-    observed = f"{grouped(n.image_observations_used)} took part; {grouped(n.image_observations_given)} given{rejected}"
-    rows = [
-        ("block", block.name),
-        ("cameras", grouped(len(block.cameras))),
-        ("images", f"{grouped(n.images_used)} took part; {grouped(n.images_given)} given"),
-        ("object points", f"{grouped(n.points_used)} took part; {grouped(n.points_given)} given"),
-        ("image observations", observed),
-    ]
+    rows: list[tuple[str, str]] = [
+        (phrase("label.block"), block.name),
+        (phrase("label.cameras"), grouped(len(block.cameras))),
+        (phrase("label.images"), phrase("result_section.used", used=n.images_used, given=n.images_given, rejected=0)),
+        (
+            phrase("label.object_points"),
+            phrase("result_section.used", used=n.points_used, given=n.points_given, rejected=0),
+        ),
+        (
+            phrase("label.image_observations"),
+            phrase(
+                "result_section.used", used=n.image_observations_used, given=n.image_observations_given,
+                rejected=n.rejected,
+            ),
+        ),
+    ]  # fmt: skip
     for g in a.groups:
         weighted, held = int((g.sigma > 0).sum()), int((g.sigma == 0).sum())
-        rows.append((
-            observation_kinds[g.kind].quantities,
-            f"{grouped(weighted)} observed" + (f", {grouped(held)} held" if held else ""),
-        ))  # fmt: skip
+        kind = phrase("result_section.quantities", kind=g.kind)
+        rows.append((kind, phrase("result_section.observed", n=weighted, held=held)))
     return [
         *rows,
-        ("observations", grouped(a.observations)),
-        ("unknowns", grouped(a.unknowns)),
-        ("datum constraints", grouped(a.constraints)),
-        ("redundancy", grouped(a.redundancy)),
+        (phrase("label.observations"), grouped(a.observations)),
+        (phrase("label.unknowns"), grouped(a.unknowns)),
+        (phrase("result_section.constraints"), grouped(a.constraints)),
+        (phrase("label.redundancy"), grouped(a.redundancy)),
     ]
 
 
 def _solution(a: Adjustment) -> list[tuple[str, str]]:
     residuals = a.given.residuals if a.options.residuals == "as_block" else a.options.residuals
+    open_ = phrase("result_section.open_parts", **(open_values(a.datum_defect) if a.datum_defect else NOTHING_OPEN))
     return [
-        ("datum", a.datum),
-        ("left open by the observations", listed(open_datum(a.datum_defect), 7) or "nothing"),
-        ("residuals refer to", "the corrected image point" if residuals == "corrected" else "the measured image point"),
+        (phrase("label.datum"), a.datum),
+        (phrase("result_section.not_fixed"), open_),
+        (phrase("result_section.residuals"), phrase("result_section.refer_to", corrected=residuals == "corrected")),
         (
-            "converged",
-            f"{'yes' if a.converged else 'no'}, {counted(a.iterations, 'iteration')}, {fixed(a.seconds, 2)} s",
+            phrase("result_section.convergence"),
+            phrase("result_section.converged", converged=a.converged, n=a.iterations, seconds=a.seconds),
         ),
-        (
-            "condition of the scaled normal matrix, about (by its smallest pivot, which the order changes)",
-            significant(a.condition, 2),
-        ),
+        (phrase("result_section.condition"), significant(a.condition, 2)),
     ]
 
 
 def _tests(a: Adjustment) -> list[tuple[str, str]]:
     lower, value, upper = a.global_test
-    limits = f"{significant(lower, 5)} … {significant(upper, 5)}"
-    if not math.isfinite(lower):
-        outcome = "not possible without redundancy"
-    elif lower <= value <= upper:
-        outcome = f"{limits}: passed"
-    else:
-        outcome = f"{limits}: failed, {'residuals larger' if value > upper else 'residuals smaller'} than stated"
+    outcome = phrase("result_section.untestable")
+    if math.isfinite(lower):
+        verdict = "passed" if lower <= value <= upper else "larger" if value > upper else "smaller"
+        outcome = phrase("result_section.tested", lower=lower, upper=upper, verdict=verdict)
+    sigma0 = significant(a.sigma0, 5) if math.isfinite(a.sigma0) else NONE
+    level = a.options.significance
+    critical = ((name, float(v)) for name, v in (("w", a.critical_w), ("tau", a.critical_tau)))
     return [
-        ("σ₀ a priori, a posteriori", f"1, {significant(a.sigma0, 5) if math.isfinite(a.sigma0) else NONE}"),
-        ("weighted square sum of residuals", significant(a.weighted_square_sum, 6)),
-        ("global test (χ², 95 %, two-sided)", outcome),
-        (
-            "critical value of |w|, family-wise",
-            f"{significant(a.critical_w)} at {fixed(100 * a.options.significance, 0)} %",
-        ),
-        (
-            "critical value of |τ|, family-wise",
-            f"{significant(a.critical_tau)} at {fixed(100 * a.options.significance, 0)} %",
+        (phrase("result_section.sigma0_both"), f"1, {sigma0}"),
+        (phrase("result_section.square_sum"), significant(a.weighted_square_sum, 6)),
+        (phrase("result_section.global_test"), outcome),
+        *(
+            (
+                phrase("result_section.critical", statistic=name),
+                phrase("result_section.at_level", critical=v, level=level) if math.isfinite(v) else NONE,
+            )
+            for name, v in critical
         ),
     ]
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from raybundle.adjustment.accuracy_class import AccuracyClass, Judged, all_kept
-from raybundle.numerics.counting import counted
+from raybundle.errors import Message, Text, Value, note
 from raybundle.report.languages import Said
 from raybundle.report.outcome import Outcome
-from raybundle.report.text.numbers import plain, significant
+from raybundle.report.text.numbers import plain
 
 STANDARD = "ASPRS Positional Accuracy Standards for Digital Geospatial Data, Edition 2, Version 2 (2024)"
 _CLASS = {"horizontal": "Horizontal Positional Accuracy Class", "vertical": "Vertical Accuracy Class"}
@@ -19,53 +19,38 @@ _FOUND = {
 }
 
 
-def length_words(metres: float) -> str:
-    """A length with three digits: in metres from one metre on, else in millimetres."""
-    return f"{significant(metres)} m" if abs(metres) >= 1 else f"{significant(1000 * metres)} mm"
+def length_values(name: str, metres: float) -> dict[str, Value]:
+    """A length as values of a phrase, with its unit: metres from one metre on, else millimetres."""
+    whole = abs(metres) >= 1
+    return {name: metres if whole else 1000 * metres, f"{name}_unit": "m" if whole else "mm"}
 
 
-def given_words(metres: float) -> str:
-    """A length that was given, without zeros at its end."""
-    return f"{plain(metres, 4)} m" if metres >= 1 else f"{plain(1000 * metres, 4)} mm"
-
-
-def judged_words(j: Judged) -> str:
+def judged_figures(j: Judged) -> Message:
     """One part against what is wanted."""
-    name, wanted = _RMSE[j.part], given_words(j.wanted)
-    what = "plan" if j.part == "horizontal" else "height"
+    part, wanted = j.part, length_values("wanted", j.wanted)
     if j.why == "heights":
-        return f"{what}: {wanted} wanted, not judged, as no height was given: those of the result are relative"
+        return note("outcome.no_heights", **wanted)
     if j.why == "precision":
-        return (
-            f"{what}: {wanted} wanted: not kept, as the standard deviations of half of the object points are beyond it "
-            f"(median {length_words(j.stated)})"
-        )
+        return note("outcome.not_precise", part=part, **wanted, **length_values("median", j.stated))
     if j.why == "left out" or (j.why == "none" and math.isfinite(j.left_out)):
-        return (
-            f"{what}: {wanted} wanted, not judged, as no check point is compared in it; control left out is off by "
-            f"{length_words(j.left_out)} rms"
-        )
+        return note("outcome.only_control", part=part, **wanted, **length_values("rms", j.left_out))
     if j.why == "none":
-        return f"{what}: {wanted} wanted, not judged, as no check point is compared in it"
-    size = f"{what}: {name} {length_words(j.found)} at {counted(j.points, 'check point')}, {wanted} wanted"
-    if j.kept is not None:
-        return f"{size}: {'kept' if j.kept else 'not kept'}"
-    if j.why == "unsurveyed":
-        return (
-            f"{size}; not a tested ASPRS statement: check points state no standard deviation of their own, which the "
-            "standard adds to what is found"
-        )
-    if j.why == "untested":
-        return f"{size}; not a tested ASPRS statement, which asks for {j.needed} check points"
-    return f"{size}; not judged: fewer than {j.needed} check points say too little"
+        return note("outcome.no_check_points", part=part, **wanted)
+    verdict = {True: "kept", False: "lost", None: "few"}[j.kept]
+    if j.kept is None and j.why in {"unsurveyed", "untested"}:
+        verdict = j.why
+    return note(
+        "outcome.accuracy", part=part, n=j.points, needed=j.needed, verdict=verdict, **wanted,
+        **length_values("found", j.found),
+    )  # fmt: skip
 
 
 def accuracy_outcome(parts: tuple[Judged, ...], wanted: AccuracyClass) -> Outcome:
     """What became of a wanted accuracy."""
     kept = all_kept(parts)
-    head = {True: "kept: ", False: "not kept: ", None: ""}[kept]
-    name = "ASPRS accuracy class" if wanted.asprs else "wanted accuracy"
-    return Outcome(name=name, kept=kept, sentence=head + "; ".join(judged_words(j) for j in parts))
+    head = [] if kept is None else [note("outcome.kept", kept=kept)]
+    name = "asprs" if wanted.asprs else "accuracy"
+    return Outcome(name=name, kept=kept, sentence=Text.of(*head, *map(judged_figures, parts)))
 
 
 def asprs_statements(parts: tuple[Judged, ...]) -> tuple[Said, ...]:

@@ -1,4 +1,4 @@
-"""What became of tolerances and lengths, in words."""
+"""Whether tolerances and permissible errors of lengths are kept, in words."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from raybundle.errors import Message, Text, note
 from raybundle.metrology.best_fit import BestFit
 from raybundle.metrology.lengths import LengthTest
 from raybundle.report.outcome import Outcome
-from raybundle.report.text.numbers import counted, per_cent, plain, probability, significant
 
 MM = 1000.0
 NAMED = 5
@@ -22,46 +22,40 @@ def outcomes(fit: BestFit | None, lengths: LengthTest | None) -> tuple[Outcome, 
     if fit is not None and np.isfinite(fit.tolerance).any():
         beyond, undecided = (fit.verdict.count(v) for v in ("beyond", "undecided"))
         kept = False if beyond else None if undecided else True
-        told = f"{tolerances_told(fit)}, two standard deviations allowed for"
-        found.append(Outcome(name="tolerances", kept=kept, sentence=told))
+        found.append(Outcome(name="tolerances", kept=kept, sentence=Text.of(*tolerance_figures(fit))))
     if lengths is not None and lengths.kept is not None:
-        over, n = int((np.abs(lengths.error) > lengths.allowed).sum()), len(lengths.known)
-        if over:
-            told = f"{over} of {n} errors beyond what is allowed; {lengths_told(lengths)}"
-        else:
-            told = f"all {n} errors are within what is allowed; {lengths_told(lengths)}"
-        found.append(Outcome(name="lengths", kept=lengths.kept, sentence=told))
+        over = int((np.abs(lengths.error) > lengths.allowed).sum())
+        errors = note("outcome.lengths", over=over, n=len(lengths.known))
+        found.append(Outcome(name="lengths", kept=lengths.kept, sentence=Text.of(errors, *length_figures(lengths))))
     return tuple(found)
 
 
-def tolerances_told(fit: BestFit) -> str:
+def tolerance_figures(fit: BestFit) -> list[Message]:
     """How many points are within, beyond, undecided; those beyond with deviation and tolerance, the worst first."""
     within, beyond, undecided = (fit.verdict.count(v) for v in ("within", "beyond", "undecided"))
-    named = _beyond(fit)
-    return f"{within} within, {beyond} beyond{f' ({named})' if named else ''}, {undecided} undecided"
-
-
-def _beyond(fit: BestFit) -> str:
     rows = [k for k, v in enumerate(fit.verdict) if v == "beyond"]
     rows.sort(key=lambda k: -float(fit.length[k] - fit.tolerance[k]))
-    names = [
-        f"{fit.ids[k]}: {significant(MM * float(fit.length[k]), 2)} mm of {plain(MM * float(fit.tolerance[k]))} mm"
-        for k in rows
-    ]
-    return "; ".join([*names[:NAMED], *(["..."] if len(names) > NAMED else [])])
+    named = [
+        note(
+            "outcome.beyond", point=fit.ids[k], deviation_mm=MM * float(fit.length[k]),
+            tolerance_mm=MM * float(fit.tolerance[k]),
+        )
+        for k in rows[:NAMED]
+    ]  # fmt: skip
+    more = [note("outcome.more_beyond", n=len(rows) - NAMED)] if len(rows) > NAMED else []
+    return [note("outcome.tolerances", within=within, beyond=beyond, undecided=undecided), *named, *more]
 
 
-def lengths_told(t: LengthTest) -> str:
+def length_figures(t: LengthTest) -> list[Message]:
     """The figures of a length test: largest error, rms, share within two standard deviations, F, what follows."""
     k, (F, p) = t.largest_at, t.whole
-    what = counted(int(t.compared.sum()), "length")
-    what = f"{what} that took no part" if t.independent else f"{what} that served as scale bars, which is no test"
-    follows = "more than standard deviations explain" if t.contradicts else "no more than standard deviations explain"
-    return (
-        f"{what}: largest error {significant(MM * t.largest, 2)} mm ({t.known[k].start} – {t.known[k].end}), "
-        f"rms {significant(MM * t.rms, 2)} mm, {per_cent(t.within)} within two standard deviations, F {significant(F)} "
-        f"(p {probability(p)}), {follows}"
-    )
+    return [
+        note(
+            "outcome.length_errors", n=int(t.compared.sum()), independent=t.independent > 0, largest_mm=MM * t.largest,
+            start=t.known[k].start, end=t.known[k].end, rms_mm=MM * t.rms,
+        ),
+        note("outcome.length_test", within=t.within, f=F, p=p, contradicts=bool(t.contradicts)),
+    ]  # fmt: skip
 
 
 def length_of(findings: Sequence[object]) -> LengthTest | None:

@@ -1,27 +1,29 @@
-"""The verdict: what was adjusted, how good it is, and what the numbers do not tell, in plain words."""
+"""The verdict: what was adjusted, how good it is, and the limits of these figures, in plain words."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from raybundle.adjustment.counts import counts
+from raybundle.adjustment.datum import ABOUT_LINE, NAMES, SHORT, open_part
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, NetworkFigures, ObservationGroup
 from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
 from raybundle.adjustment.spread import FewHold, few_hold
+from raybundle.errors import Message, Text, Value, joined_texts, message_of_text, note, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
 from raybundle.observations import observation_kinds
 from raybundle.report.text.metrology_words import MM as LENGTH_MM
-from raybundle.report.text.metrology_words import lengths_told
-from raybundle.report.text.numbers import counted, grouped, listed, significant, unit_text
+from raybundle.report.text.metrology_words import length_figures
+from raybundle.report.text.numbers import unit_text
 from raybundle.report.view import View, rms
-from raybundle.settings import option
 
 Grade = Literal["good", "remarks", "attention"]
 
@@ -31,20 +33,20 @@ class Verdict:
     """The first thing that a reader sees."""
 
     grade: Grade
-    headline: str
-    statements: tuple[tuple[str, str], ...]
+    headline: Text
+    statements: tuple[tuple[Text, Text], ...]
 
 
 def verdict(view: View) -> Verdict:
     """The verdict on an adjustment."""
     statements = [
-        ("Adjusted", _adjusted(view)),
-        ("Precision", _precision(view)),
-        ("Accuracy", _accuracy(view)),
-        ("Fit", _fit(view)),
-        ("Control", _control(view)),
-        ("Blunders", _blunders(view)),
-        ("Cameras", _cameras(view)),
+        (phrase("label.adjusted"), _adjusted(view)),
+        (phrase("label.precision"), _precision(view)),
+        (phrase("label.accuracy"), _accuracy(view)),
+        (phrase("label.fit"), Text.of(*_fit(view))),
+        (phrase("label.control"), Text.of(*_control(view))),
+        (phrase("label.blunders"), Text.of(*_blunders(view))),
+        (phrase("label.cameras"), Text.of(*_cameras(view))),
     ]
     grade = _grade(view)
     return Verdict(grade=grade, headline=_headline(view, grade), statements=tuple(s for s in statements if s[1]))
@@ -69,50 +71,45 @@ def _grade(view: View) -> Grade:
     return "good" if view.compared and Severity.WARNING not in worst else "remarks"
 
 
-def _headline(view: View, grade: Grade) -> str:
-    a = view.adjustment
-    if a.precision is None:
-        return "Coordinates without a stated accuracy: the statistics were switched off."
-    return f"{_gained(view)} {_state(view, grade)}".rstrip()
+def _headline(view: View, grade: Grade) -> Text:
+    if view.adjustment.precision is None:
+        return phrase("verdict.no_statistics")
+    return Text.of(*_gained(view), *_state(view, grade))
 
 
-def _gained(view: View) -> str:
-    """What was determined, and how well, in one sentence."""
+def _gained(view: View) -> list[Message]:
+    """What was determined, and how well."""
     std, network = free_std(view), view.adjustment.network
-    if not len(std):
-        return _resection(view).removeprefix("All object points are held. ")
-    if any(n.code == "levelled" for n in view.adjustment.notices):  # heights that nobody measured have no accuracy
-        size = significant(rms(std[:, :2]), 2)
-        return (
-            f"{counted(len(std), 'object point')} with a standard deviation of {size} {view.unit} rms in X and Y; "
-            "heights are relative."
-        )
-    each = significant(rms(std), 2)
-    n = (
-        ""
-        if network is None or not math.isfinite(network.relative_precision)
-        else f" ({_relative(network.relative_precision)} in the mean)"
-    )
-    if view.arbitrary_scale and network is not None and n:
-        relative = _relative(network.relative_precision)
-        return f"{counted(len(std), 'object point')} with a relative precision of {relative}; no length is absolute."
-    if np.isfinite(view.check_difference).any():
-        n += f", {significant(rms(view.check_difference) * view.factor, 2)} {view.unit} rms at the check points"
-    elif view.lengths is not None:
-        off = significant(view.lengths.rms * LENGTH_MM, 2)
-        n += f", {off} mm rms at {counted(view.lengths.independent, 'length')} that took no part"
-    deviation = f"{each} {view.unit} rms a coordinate"
+    n, unit = len(std), view.unit
+    if not n:
+        return _resection(view)[-1:]
+    if any(found.code == "levelled" for found in view.adjustment.notices):  # heights that nobody measured
+        return [note("verdict.points_plan", n=n, sigma=rms(std[:, :2]), unit=unit)]
+    relative = None if network is None else relative_number(network)
+    if view.arbitrary_scale and relative is not None:
+        return [note("verdict.points_relative", n=n, relative=relative)]
     if (few := few_hold(std)) is not None:
-        deviation = (
-            f"{significant(few.coordinate, 2)} {view.unit} a coordinate in the median ({each} {view.unit} rms, "
-            f"{held_by(few)})"
-        )
-    return f"{counted(len(std), 'object point')} with a standard deviation of {deviation}{n}."
+        found = [note("verdict.points_median", n=n, sigma=few.coordinate, rms=rms(std), unit=unit), held_by(few)]
+    else:
+        found = [note("verdict.points_rms", n=n, sigma=rms(std), unit=unit)]
+    if relative is not None:
+        found.append(note("verdict.relative", relative=relative))
+    if np.isfinite(view.check_difference).any():
+        found.append(note("verdict.at_check_points", rms=rms(view.check_difference) * view.factor, unit=unit))
+    elif view.lengths is not None:
+        found.append(note("verdict.at_lengths", n=view.lengths.independent, rms_mm=view.lengths.rms * LENGTH_MM))
+    return found
 
 
-def held_by(few: FewHold) -> str:
-    """Whose the variance is."""
-    return f"{100 * few.share:.0f} % of the variance is that of {counted(few.points, 'point')}"
+def held_by(few: FewHold) -> Message:
+    """Which share of the variance few points contribute."""
+    return note("verdict.few_points", n=few.points, share=few.share, of=few.of)
+
+
+def relative_number(network: NetworkFigures) -> int | None:
+    """N of a relative precision 1 : N, with two significant digits; None where there is none."""
+    relative = network.relative_precision
+    return round(float(f"{relative:.2g}")) if math.isfinite(relative) else None
 
 
 def left_out(network: NetworkFigures) -> str:
@@ -121,91 +118,123 @@ def left_out(network: NetworkFigures) -> str:
     return "" if share == 0 else f", without the {share:.0f} % of the points that are least precise"
 
 
-def relative_words(view: View) -> str:
-    """The quotient behind 1 : N in numbers that a reader can divide; empty where there is none."""
+def relative_values(view: View) -> dict[str, Value] | None:
+    """Values of a phrase on the relative precision 1 : N and the quotient behind it; None where there is none."""
     network = view.adjustment.network
-    if network is None or not math.isfinite(network.relative_precision):
-        return ""
-    mean, extent = significant(network.mean_std * view.factor), significant(network.extent)
-    few = left_out(network)
-    return f"mean standard deviation {mean} {view.unit} of an extent of {extent} {view.length_unit}{few}"
+    if network is None or (relative := relative_number(network)) is None:
+        return None
+    return {
+        "relative": relative, "mean": network.mean_std * view.factor, "unit": view.unit, "extent": network.extent,
+        "length_unit": view.length_unit, "share": 1 - network.mean_share,
+    }  # fmt: skip
 
 
-def _relative(relative: float) -> str:
-    return f"1\u00a0:\u00a0{grouped(float(f'{relative:.2g}'))}"
+def class_of(network: NetworkFigures) -> str:
+    """The class of a relative precision as a value of phrases: "professional"."""
+    return network.precision_class.partition(" ")[0]
 
 
-def _state(view: View, grade: Grade) -> str:
-    """Whether that can be relied upon, in one sentence."""
+def _state(view: View, grade: Grade) -> list[Message]:
+    """Whether that can be relied upon."""
     a = view.adjustment
     if a.redundancy == 0:
-        return "Nothing checks it: there are no more observations than unknowns."
-    serious = sum(1 for n in a.notices if n.severity is Severity.FAULT)
+        return [note("verdict.no_redundancy")]
     if a.sigma0 > POOR_FIT:
-        return (
-            f"But the observations contradict each other {significant(a.sigma0, 2)} times more than stated: find out "
-            "why first."
-        )
+        return [note("verdict.contradicting", sigma0=a.sigma0)]
     if grade == "attention":
-        return f"{counted(serious, 'matter')} to settle before it is used: see the warnings."
+        return [note("verdict.faults", n=_faults(view))]
     systematic = {n.code for n in a.notices} & {"systematic_residuals", "residual_structure", "noise_in_parts"}
     scale = any(n.code == "scale_unchecked" for n in a.notices)
-    alone = " The scale rests on lengths that nothing controls." if scale else ""
-    if systematic:
-        return f"But the residuals have a systematic part, which these figures leave out: see the warnings.{alone}"
-    return (_fits(view) + alone).strip()
+    fit = [note("verdict.systematic")] if systematic else _fits(a)
+    return [*fit, *([note("verdict.scale_unchecked")] if scale else [])]
 
 
-def _fits(view: View) -> str:
-    """How the observations fit, in one sentence."""
-    a = view.adjustment
+def _faults(view: View) -> int:
+    return sum(1 for n in view.adjustment.notices if n.severity is Severity.FAULT)
+
+
+def _fits(a: Adjustment) -> list[Message]:
+    """How the observations fit."""
     lower, value, upper = a.global_test
-    if value > upper and significant(a.sigma0, 2) != significant(1.0, 2):
-        return (
-            f"The observations fit {significant(a.sigma0, 2)} times worse than stated, which these figures take into "
-            "account."
-        )
-    if a.options.weights == "residuals":  # that they fit is no test then, which "Fit" says
-        return ""
-    if value < lower:
-        return f"The observations fit better than stated (σ₀ {significant(a.sigma0, 2)})."
-    return "The observations fit each other and the model as stated."
+    if value > upper and f"{a.sigma0:.1f}" != "1.0":
+        return [note("verdict.fits_worse", sigma0=a.sigma0)]
+    if a.options.weights == "residuals":  # that they fit is no test then, as "Fit" has it
+        return []
+    return [note("verdict.fits_better", sigma0=a.sigma0) if value < lower else note("verdict.fits")]
 
 
-def unsettled(view: View) -> str:
-    """What a headline of another kind, as that of a calibration, has to add where there are faults; else empty."""
-    serious = sum(1 for n in view.adjustment.notices if n.severity is Severity.FAULT)
-    return f" {counted(serious, 'matter')} to settle before it is used: see the warnings." if serious else ""
+def unsettled(view: View) -> tuple[Text, ...]:
+    """What a headline of another kind, as that of a calibration, has to add where there are faults."""
+    return (phrase("verdict.faults", n=n),) if (n := _faults(view)) else ()
 
 
-def _adjusted(view: View) -> str:
+def axis_values(values: Array, unit: str, names: Sequence[str] = "XYZ") -> dict[str, Value]:
+    """Values of `verdict.each_axis`: the root mean squares (n, 3) or (3,) along the axes that have any.
+
+    Without heights (n, 2).
+    """
+    columns = [*np.atleast_2d(values).T, np.full(1, np.nan)][:3]
+    known = [bool(np.isfinite(c).any()) for c in columns]
+    x, y, z = (rms(c) if there else 0.0 for c, there in zip(columns, known, strict=True))
+    axes = "".join(name for name, there in zip("xyz", known, strict=True) if there)
+    a, b, c = (*names, "")[:3]
+    return {
+        "axes": axes, "a": a, "b": b, "c": c, "x": x, "y": y, "z": z, "all": rms(values), "unit": unit,
+    }  # fmt: skip
+
+
+def each_axis(values: Array, unit: str, names: Sequence[str] = "XYZ") -> Message:
+    """Root mean squares (n, 3) or (n, 2) along each axis."""
+    v = axis_values(values, unit, names)
+    return note("verdict.each_axis", **v)
+
+
+def _adjusted(view: View) -> Text:
     a = view.adjustment
     n = counts(a)
-    parts = [
-        f"{counted(n.images_used, 'image')} of {counted(len(view.cameras()), 'camera')}",
-        counted(n.points_used, "object point"),
-        counted(n.image_observations_used, "image observation"),
-    ]
-    for count, noun in (
-        (len({i for g in a.groups if g.kind == "control" for i in g.ids}), "control point"),
-        (len(view.check_rows), "check point"),
-        *((len(np.unique(g.item)), observation_kinds[g.kind].noun) for g in a.groups if observation_kinds[g.kind].noun),
+    found = [
+        note("verdict.adjusted", images=n.images_used, cameras=len(view.cameras()), points=n.points_used,
+             observations=n.image_observations_used)
+    ]  # fmt: skip
+    for count, kind in (
+        (len({i for g in a.groups if g.kind == "control" for i in g.ids}), "control"),
+        (len(view.check_rows), "check"),
+        *((len(np.unique(g.item)), g.kind) for g in a.groups if observation_kinds[g.kind].noun),
     ):
         if count:
-            parts.append(counted(count, noun))
-    return (
-        f"{', '.join(parts)}; {counted(a.unknowns, 'unknown')}, redundancy {grouped(a.redundancy)}. {datum_words(view)}"
-    )
+            found.append(note("verdict.observed", n=count, kind=kind))
+    found.append(note("verdict.redundancy", unknowns=a.unknowns, redundancy=a.redundancy))
+    return joined_texts(Text.of(*found), datum_words(view))
 
 
-def datum_words(view: View) -> str:
-    """The datum in a sentence that a client understands."""
+def datum_words(view: View) -> Text:
+    """The datum, as a client understands it."""
     a = view.adjustment
     if not a.datum_defect:
-        return "Position, orientation and scale are fixed by what was given."
-    open_parts = listed(open_datum(a.datum_defect), 7)
-    tail = " Lengths have no absolute unit: nothing fixes the scale." if view.arbitrary_scale else ""
-    return f"Nothing given fixes {open_parts}; there the datum is: {a.datum}.{tail}"
+        return phrase("verdict.datum_fixed")
+    found = [note("verdict.datum_open", **open_values(a.datum_defect))]
+    if view.arbitrary_scale:
+        found.append(note("verdict.lengths_without_unit"))
+    taken = a.datum.messages if isinstance(a.datum, Text) else (message_of_text(a.datum),)
+    return Text.of(*found, note("verdict.datum_by"), *taken)
+
+
+def open_values(names: tuple[str, ...]) -> dict[str, Value]:
+    """Values of a phrase on the open parts of the datum: which by name, else their symbols."""
+    whole = open_datum(names)
+    if whole == [ABOUT_LINE]:
+        return {"which": "line", "parts": []}
+    if set(whole) <= {"position", "orientation", "scale"}:
+        return {"which": "_".join(whole), "parts": []}
+    symbols: dict[str, str] = dict(zip((*NAMES, ABOUT_LINE), (*SHORT, "r"), strict=True))
+    return {"which": "other", "parts": [symbols.get(name) or _combined(open_part(name)) for name in names]}
+
+
+def _combined(part: Message) -> str:
+    """Symbols of combinations of datum parameters: 2 (tX tY rZ)."""
+    among = part.values["among"]
+    assert isinstance(among, list)
+    return f"{part.values['n']} ({' '.join(map(str, among))})"
 
 
 def open_datum(names: tuple[str, ...]) -> list[str]:
@@ -226,79 +255,60 @@ def free_std(view: View) -> Array:
     return view.std[np.isfinite(view.std).any(axis=1)]
 
 
-def _precision(view: View) -> str:
+def _precision(view: View) -> Text:
     a = view.adjustment
     if a.precision is None:
-        return "Standard deviations were not computed. Adjust again with statistics."
+        return phrase("verdict.not_computed")
     std = free_std(view)
     if not len(std):
-        return _resection(view)
-    each = ", ".join(f"{axis} {significant(rms(std[:, k]))}" for k, axis in enumerate("XYZ"))
+        return Text.of(*_resection(view))
     worst = np.unravel_index(int(np.nanargmax(np.nan_to_num(view.std))), view.std.shape)  # type: ignore[union-attr]
-    where = f"{'XYZ'[int(worst[1])]} of point {view.given.points.ids[int(worst[0])]}"
-    text = (
-        f"Standard deviation of the object points (rms): {each} {view.unit}; the largest is "
-        f"{significant(float(np.nanmax(std)))} {view.unit} ({where})."
-    )
+    axis, point = "XYZ"[int(worst[1])], view.given.points.ids[int(worst[0])]
+    found = [
+        note("verdict.std_rms"), each_axis(std, view.unit),
+        note("verdict.std_largest", largest=float(np.nanmax(std)), unit=view.unit, axis=axis, point=point),
+    ]  # fmt: skip
     if (few := few_hold(std)) is not None:
-        middle = ", ".join(f"{axis} {significant(m)}" for axis, m in zip("XYZ", few.median, strict=True))
-        text += f" Their medians are {middle} {view.unit}: {held_by(few)} of {grouped(few.of)}, far away as a rule."
-    network = a.network
-    if network is not None and math.isfinite(network.relative_precision):
-        text += f" Relative precision {_relative(network.relative_precision)}: {relative_words(view)}"
-        text += f"; class: {network.precision_class}." if classed(view.given) else "."
-    return text
+        found += [note("verdict.std_median"), each_axis(few.median, view.unit), held_by(few)]
+    if (values := relative_values(view)) is not None:
+        found.append(note("verdict.relative_precision", **values))
+        if a.network is not None and classed(view.given):
+            found.append(note("verdict.precision_class", name=class_of(a.network)))
+    return Text.of(*found)
 
 
-def _resection(view: View) -> str:
+def _resection(view: View) -> list[Message]:
     precision = view.adjustment.precision
     assert precision is not None
     std = precision.image_std
     centre = np.nanmean(np.where(std[:, :3] > 0, std[:, :3], np.nan)) if (std[:, :3] > 0).any() else math.nan
     if not math.isfinite(centre):
-        return "All object points and images are held."
-    angle = np.degrees(np.nanmean(np.where(std[:, 3:] > 0, std[:, 3:], np.nan)))
-    return (
-        "All object points are held. Standard deviation of the projection centres (mean): "
-        f"{significant(float(centre) * view.factor)} {view.unit}, of the angles {significant(float(angle))}°."
-    )
+        return [note("verdict.all_held")]
+    angle = float(np.degrees(np.nanmean(np.where(std[:, 3:] > 0, std[:, 3:], np.nan))))
+    centres = note("verdict.centres", centre=float(centre) * view.factor, unit=view.unit, angle_deg=angle)
+    return [note("verdict.points_held"), centres]
 
 
-def _accuracy(view: View) -> str:
+def _accuracy(view: View) -> Text:
     difference = view.check_difference * view.factor
     if not np.isfinite(difference).any():
-        if len(difference) and view.lengths is None:
-            return (
-                "Check points are not compared: the datum fixes none of their coordinates, so that the accuracy is not "
-                "tested by anything that the adjustment did not use."
-            )
         if view.lengths is not None:
-            return (
-                "There are no check points; the accuracy is tested by known lengths, which the adjustment did not use: "
-                f"{lengths_told(view.lengths)}."
-            )
-        return "There are no check points: the accuracy is not tested by anything that the adjustment did not use."
+            return Text.of(note("verdict.tested_by_lengths"), *length_figures(view.lengths))
+        return phrase("verdict.not_compared") if len(difference) else phrase("verdict.not_tested")
     known = int(np.isfinite(difference).any(axis=1).sum())
-    each = ", ".join(
-        f"{axis} {significant(rms(difference[:, k]))}"
-        for k, axis in enumerate("XYZ")
-        if np.isfinite(difference[:, k]).any()
-    )
-    text = f"At {counted(known, 'check point')} the rms difference, adjusted minus given, is {each} {view.unit}."
-    expected = expected_check_std(view)
-    ratio = rms(difference / expected)
+    found = [note("verdict.check_points", n=known), each_axis(difference, view.unit)]
+    ratio = rms(difference / expected_check_std(view))
     if math.isfinite(ratio):
-        apart = any(n.code == "check_points_apart" for n in view.adjustment.notices)
         count = int(np.isfinite(difference).sum())
-        meaning = f"within chance of {counted(count, 'value')}"
-        if apart:
-            meaning = "more than the standard deviations promise: see the warnings"
+        meaning = "chance"
+        if any(n.code == "check_points_apart" for n in view.adjustment.notices):
+            meaning = "larger"
         elif chi_square_tails(count * ratio**2, count)[0] < 0.001:
-            meaning = f"less than {counted(count, 'value')} differ by chance, unless they have errors in common"
-        text += f" That is {significant(ratio, 2)} times what the standard deviations predict ({meaning})."
+            meaning = "smaller"
+        found.append(note("verdict.check_ratio", ratio=ratio, n=count, meaning=meaning))
     if view.free_frame:
-        text += " The datum is not that of the check points, so the differences hold its shift as well."
-    return text
+        found.append(note("verdict.check_shift"))
+    return Text.of(*found)
 
 
 def expected_check_std(view: View) -> Array:
@@ -310,58 +320,32 @@ def expected_check_std(view: View) -> Array:
     return np.hypot(np.nan_to_num(view.std[rows], nan=np.nan), given)
 
 
-def _fit(view: View) -> str:
+def _fit(view: View) -> list[Message]:
     a = view.adjustment
     if a.redundancy == 0:
-        return "There is no redundancy: the fit cannot be tested, and no blunder can be found."
+        return [note("verdict.no_fit")]
+    return [note("verdict.sigma0", sigma0=a.sigma0), _tested(a)]
+
+
+def _tested(a: Adjustment) -> Message:
+    """The outcome of the global test."""
     lower, value, upper = a.global_test
-    sigma0 = f"σ₀ = {significant(a.sigma0)} (a priori 1)"
+    estimated = a.options.weights == "residuals"
     if a.options.variance_groups:
-        return (
-            f"{sigma0}, as it must be: each group of observations has the variance factor that its residuals tell, and "
-            "where they tell none its stated precision."
-        )
-    if lower <= value <= upper and a.options.weights == "residuals":
-        return f"{sigma0}, as it must be: the standard deviations of the image points were taken from these residuals."
+        return note("verdict.fit_groups")
     if lower <= value <= upper:
-        return (
-            f"{sigma0}: the residuals are as large as the stated precision of the observations says (global test at "
-            "5 %)."
-        )
-    if value < lower and a.options.weights == "residuals":
-        return (
-            f"{sigma0}: the residuals are smaller than when the standard deviations of the image points were taken "
-            "from them, which says nothing of the observations. All standard deviations here carry the smaller value."
-        )
+        return note("verdict.fit_from_residuals") if estimated else note("verdict.fit_passed")
     if value < lower:
-        return (
-            f"{sigma0}: the observations are more precise than stated (global test at 5 %). All standard deviations "
-            "here carry the smaller value."
-        )
+        return note("verdict.fit_smaller_estimated") if estimated else note("verdict.fit_smaller")
     if a.sigma0 < NEARLY:
-        text = (
-            f"{sigma0}: the residuals are larger than stated (global test at 5 %), by less than "
-            f"{100 * (NEARLY - 1):.0f} %, which so many observations show. All standard deviations here carry the "
-            "larger value."
-        )
-        return text + (" That harms nothing." if all(n.severity is Severity.NOTE for n in a.notices) else "")
-    return (
-        f"{sigma0}: the residuals are larger than stated (global test at 5 %). Either the observations are less "
-        "precise than assumed, or the model lacks something, or blunders are left. All standard deviations here "
-        "carry the larger value."
-    )
+        harmless = all(n.severity is Severity.NOTE for n in a.notices)
+        return note("verdict.fit_nearly", percent=round(100 * (NEARLY - 1)), harmless=harmless)
+    return note("verdict.fit_larger")
 
 
-def _control(view: View) -> str:
-    kinds = (("control", "control coordinates"), ("distance", "scale bars"), ("station", "projection centres"))
-    words = [
-        told
-        for kind, noun in kinds
-        for g in view.adjustment.groups
-        if g.kind == kind and (told := _group_words(view, g, noun))
-    ]
-    text = "; ".join(words)
-    return f"{text[0].upper()}{text[1:]}." if text else ""
+def _control(view: View) -> list[Message]:
+    kinds = ("control", "distance", "station")
+    return [_of_group(view, g) for kind in kinds for g in view.adjustment.groups if g.kind == kind and len(g.sigma)]
 
 
 def controlled(group: ObservationGroup) -> Mask:
@@ -369,62 +353,51 @@ def controlled(group: ObservationGroup) -> Mask:
     return (group.sigma > 0) & ~(group.redundancy < UNCONTROLLED)
 
 
-def _group_words(view: View, g: ObservationGroup, noun: str) -> str:
-    weighted, told = int((g.sigma > 0).sum()), controlled(g)
+def _of_group(view: View, g: ObservationGroup) -> Message:
+    """How control of one kind fits."""
+    weighted, checked = int((g.sigma > 0).sum()), controlled(g)
     held = len(g.sigma) - weighted
     if not weighted:
-        return f"{grouped(held)} {noun} held as given; they are not tested by residuals of their own"
-    if not told.any():
-        return f"{noun}: {grouped(weighted)} observed, all needed to fix the datum; nothing controls them"
-    residual = g.residual[told] * view.factor
-    also = f", {grouped(held)} held" if held else ""
-    return (
-        f"{noun}: rms residual {significant(rms(residual))} {view.unit}, largest "
-        f"{significant(float(np.nanmax(np.abs(residual))))} {view.unit} ({grouped(weighted)} observed{also})"
-    )
+        return note("verdict.control_held", kind=g.kind, n=held)
+    if not checked.any():
+        return note("verdict.control_unchecked", kind=g.kind, n=weighted)
+    residual = g.residual[checked] * view.factor
+    return note(
+        "verdict.control_residual", kind=g.kind, rms=rms(residual), largest=float(np.nanmax(np.abs(residual))),
+        unit=view.unit, n=weighted, held=held,
+    )  # fmt: skip
 
 
-def _blunders(view: View) -> str:
+def _blunders(view: View) -> list[Message]:
     a = view.adjustment
     lost = len(view.rejected)
+    rejected = note("verdict.rejected", n=lost) if lost else note("verdict.none_rejected")
+    critical = float(a.critical_tau)
+    if a.precision is None or not math.isfinite(critical):
+        return [rejected, note("verdict.blunders_not_tested")]
     t = np.abs(a.image_observations.t[view.used])
-    beyond = (
-        int((np.nan_to_num(t).max(axis=1, initial=0) > a.critical_tau).sum()) if math.isfinite(a.critical_tau) else 0
-    )
-    text = (
-        f"{counted(lost, 'image observation')} rejected, listed with the reasons."
-        if lost
-        else "No observation was rejected."
-    )
-    if a.precision is None or not math.isfinite(a.critical_tau):
-        return text + " Blunders were not tested."
-    if beyond:
-        text += (
-            f" {counted(beyond, 'image observation')} with a residual beyond the critical value of "
-            f"{significant(a.critical_tau)} standard deviations took part"
-            + (f"; consider data snooping ({option('reject', 'snooping')})." if a.options.reject == "none" else ".")
-        )
-    else:
-        text += f" No residual exceeds the critical value of {significant(a.critical_tau)} standard deviations."
-    return text
+    beyond = int((np.nan_to_num(t).max(axis=1, initial=0) > critical).sum())
+    if not beyond:
+        return [rejected, note("verdict.none_beyond", critical=critical)]
+    return [rejected, note("verdict.beyond", n=beyond, critical=critical, snooping=a.options.reject != "none")]
 
 
-def _cameras(view: View) -> str:
+def _cameras(view: View) -> list[Message]:
     a = view.adjustment
     estimated = sum(len(i.free) for i in a.interior)
     if not estimated and not a.not_determinable:
-        return "The interior orientation was given and held; its errors are not in the standard deviations."
-    parts = [f"{counted(estimated, 'parameter')} of the interior orientation estimated"]
+        return [note("verdict.interior_held")]
+    found = [note("verdict.interior_estimated", n=estimated)]
     if a.not_determinable:
-        parts.append(f"not determinable by this network: {listed(a.not_determinable)}")
+        found.append(note("verdict.not_determinable", names=a.not_determinable))
     if a.not_significant:
-        parts.append(f"not significant and left out: {listed(a.not_significant)}")
+        found.append(note("verdict.not_significant", names=a.not_significant))
     if not a.not_determinable and a.precision is not None:
-        parts.append(f"all of them better than known beforehand{_least_certain(a)}")
-    return f"{'; '.join(parts)}."
+        found += [note("verdict.interior_better"), *_least_certain(a)]
+    return found
 
 
-def _least_certain(a: Adjustment) -> str:
+def _least_certain(a: Adjustment) -> list[Message]:
     """Which estimated parameter moves image points most within its standard deviation: it may be weak all the same."""
     stds = [
         (p.effect_std_px, p.symbol, i.camera)
@@ -433,44 +406,14 @@ def _least_certain(a: Adjustment) -> str:
         if p.symbol in i.free and p.effect_std_px is not None and math.isfinite(p.effect_std_px)
     ]
     if not stds:
-        return ""
+        return []
     px, symbol, camera = max(stds)
-    of = f" of camera {camera}" if len({i.camera for i in a.interior}) > 1 else ""
-    return f", the least certain {symbol}{of} with {significant(px, 2)} px (its standard deviation in the image)"
+    cameras = len({i.camera for i in a.interior})
+    return [note("verdict.least_certain", symbol=symbol, camera=camera, cameras=cameras, px=px)]
 
 
-INDEPENDENT_ERRORS = """\
-A standard deviation describes random errors that are independent from one image point to the next. An error common to \
-many of them (distortion that the model lacks, eccentric targets, refraction, an unstable camera) is not in it."""
-COMMON_ERRORS = """\
-A standard deviation describes random errors, here with smooth ones that differ from image to image. An error common \
-to all of them (distortion that the model lacks, eccentric targets, refraction) is not in it."""
-HIDDEN_BLUNDERS = """\
-Residuals show only what the redundancy lets through: a share r of each error. Blunders below the smallest detectable \
-ones stay in the result."""
-NO_COMPARISON = """\
-Without check points, or a length that took no part, the accuracy stated here is the network's own opinion."""
-DATUM_OF_SIGMAS = "They describe the shape of the object, not its place in a superior coordinate system"
-NO_SCALE = (
-    "The scale was chosen, not measured: lengths are in units of their own. Give a scale bar or two control points."
-)
-NOMINAL_SCALE = """\
-All lengths are as right as the length that was given for the target. Its error is in no standard deviation."""
-HELD_CONTROL = """\
-Its real uncertainty is missing in all standard deviations; give control with its standard deviation instead."""
-HELD_INTERIOR = "It was held; what is wrong with it goes into the object coordinates unseen."
-AFTER_REJECTION = "σ₀ after data snooping is estimated from the observations that were kept."
-
-
-def datum_of_sigmas(defect: tuple[str, ...]) -> str:
-    """What the standard deviations mean where these parts of the datum are open, and what is free of it."""
-    if "scale" in defect:
-        return f"{DATUM_OF_SIGMAS}, nor its size; angles and ratios of distances are free of it, distances are not."
-    return f"{DATUM_OF_SIGMAS}; distances and angles are free of it."
-
-
-def _weakest_control(view: View) -> str:
-    """The coordinate of control whose errors hide best, and how large they are; "" where none is tested."""
+def _weakest_control(view: View) -> list[Message]:
+    """The coordinate of control whose errors hide best, and how large they are; empty where none is tested."""
     tested = [
         (float(mdb), component, name)
         for g in view.adjustment.groups
@@ -479,32 +422,31 @@ def _weakest_control(view: View) -> str:
         if math.isfinite(mdb)
     ]
     if not tested:
-        return ""
+        return []
     mdb, component, name = max(tested)
-    size = f"{significant(mdb * view.factor, 2)} {view.unit}"
-    return (
-        f" The weakest tested control coordinate is {component} of {name}: of errors of {size} one in five is missed."
-    )
+    return [note("limits.weakest_control", component=component, point=name, mdb=mdb * view.factor, unit=view.unit)]
 
 
-def not_told(view: View) -> tuple[tuple[str, str], ...]:
-    """What the numbers of this report do not tell."""
+def limits(view: View) -> tuple[tuple[Text, Text], ...]:
+    """Limits of the figures of this report."""
     a = view.adjustment
     held = any((g.sigma == 0).any() for g in a.groups if g.kind == "control")
     snooped = len(view.rejected) > 0 and a.options.reject == "snooping"
-    found = (
-        (True, "Precision is not accuracy.", INDEPENDENT_ERRORS if a.noise.kind == "white" else COMMON_ERRORS),
-        (
-            True,
-            "A small σ₀ is no proof of correct coordinates.",
-            " ".join(filter(None, [HIDDEN_BLUNDERS, _weakest_control(view)])),
-        ),
-        (not view.compared, "Nothing independent was compared.", NO_COMPARISON),
-        (view.free_frame, "The standard deviations belong to the datum stated.", datum_of_sigmas(a.datum_defect)),
-        (view.arbitrary_scale, "No length is absolute.", NO_SCALE),
-        ("scale" in a.datum_defect and not a.free_scale, "The scale was given, not measured.", NOMINAL_SCALE),
-        (held, "Held control counts as free of error.", HELD_CONTROL),
-        (not any(i.free for i in a.interior), "The interior orientation counts as free of error.", HELD_INTERIOR),
-        (snooped, "What is left after rejection looks better than it is.", AFTER_REJECTION),
-    )
-    return tuple((title, sentence) for applies, title, sentence in found if applies)
+    common = phrase("limits.independent_errors" if a.noise.kind == "white" else "limits.common_errors")
+    hidden = Text.of(note("limits.hidden_blunders"), *_weakest_control(view))
+    datum = "limits.datum_unscaled" if "scale" in a.datum_defect else "limits.datum_scaled"
+    found = [(phrase("limits.precision"), common), (phrase("limits.small_sigma0"), hidden)]
+    found += [
+        (phrase(title), phrase(sentence))
+        for applies, title, sentence in (
+            (not view.compared, "limits.no_comparison", "limits.own_accuracy"),
+            (view.free_frame, "limits.datum", datum),
+            (view.arbitrary_scale, "limits.no_scale", "limits.scale_chosen"),
+            ("scale" in a.datum_defect and not a.free_scale, "limits.nominal_scale", "limits.nominal_length"),
+            (held, "limits.held_control", "limits.control_sigma"),
+            (not any(i.free for i in a.interior), "limits.held_interior", "limits.interior_errors"),
+            (snooped, "limits.rejection", "limits.sigma0_after_rejection"),
+        )
+        if applies
+    ]
+    return tuple(found)
