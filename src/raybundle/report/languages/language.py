@@ -65,10 +65,10 @@ class Language:
 
     def text(self, english: str) -> str:
         """A text as the reader reads it."""
-        if self._book is None or not english or isinstance(english, Said):
-            return english
         if isinstance(english, Text):
             return Said(unbroken(english.by(Reader(self.code, flags=reader().flags))))
+        if self._book is None or not english or isinstance(english, Said):
+            return english
         if english in self._book.exact:
             return Said(self._book.exact[english])
         return Said(self._sound(english.replace(BOUND, "± ")).replace("± ", BOUND))
