@@ -15,3 +15,33 @@ label-unit = Einheit
 label-sigma = σ
 
 label-ratio = Verhältnis
+
+label-rows_chosen = { $n } von { $of } Zeilen, gleichmäßig ausgewählt; alle stehen in { $rest }.
+
+label-image = Bild
+
+label-point = Punkt
+
+label-axis = Achse
+
+label-rays = Strahlen
+
+label-reason = Grund
+
+label-largest_w = größtes |w|
+
+label-test = Test
+
+label-level = Niveau
+
+label-source = Quelle
+
+label-mdb_note = MDB: kleinster aufdeckbarer grober Fehler.
+
+label-file = Datei
+
+label-points = Punkte
+
+label-rejected = verworfen
+
+label-sigma_ratio = σ a posteriori / a priori

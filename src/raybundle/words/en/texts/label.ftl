@@ -20,3 +20,36 @@ label-unit = unit
 label-sigma = sigma
 
 label-ratio = ratio
+
+# $n = 70
+# $of = 1200
+# $rest = "points.csv"
+label-rows_chosen = { $n } of { $of } rows, evenly chosen; all are in { $rest }.
+
+label-image = image
+
+label-point = point
+
+label-axis = axis
+
+label-rays = rays
+
+label-reason = reason
+
+label-largest_w = largest |w|
+
+label-test = test
+
+label-level = level
+
+label-source = source
+
+label-mdb_note = MDB: minimal detectable bias.
+
+label-file = file
+
+label-points = points
+
+label-rejected = rejected
+
+label-sigma_ratio = σ a posteriori / a priori
