@@ -45,3 +45,25 @@ label-points = Punkte
 label-rejected = verworfen
 
 label-sigma_ratio = σ a posteriori / a priori
+
+label-coordinate = Koordinate
+
+label-mean = Mittel
+
+label-smallest = kleinster Wert
+
+label-median = Median
+
+label-largest = größter Wert
+
+label-at_point = an Punkt
+
+label-intersection_angle = Schnittwinkel
+
+label-sigma_of = σ { $symbol }
+
+label-figure = Kenngröße
+
+label-meaning = Bedeutung
+
+label-common_points = gemeinsame Punkte

@@ -53,3 +53,26 @@ label-points = points
 label-rejected = rejected
 
 label-sigma_ratio = σ a posteriori / a priori
+
+label-coordinate = coordinate
+
+label-mean = mean
+
+label-smallest = smallest
+
+label-median = median
+
+label-largest = largest
+
+label-at_point = at point
+
+label-intersection_angle = intersection angle
+
+# $symbol = "X"
+label-sigma_of = sigma { $symbol }
+
+label-figure = figure
+
+label-meaning = meaning
+
+label-common_points = common points
