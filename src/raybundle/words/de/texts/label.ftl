@@ -67,3 +67,7 @@ label-figure = Kenngröße
 label-meaning = Bedeutung
 
 label-common_points = gemeinsame Punkte
+
+label-status = Status
+
+label-share = Anteil

@@ -76,3 +76,7 @@ label-figure = figure
 label-meaning = meaning
 
 label-common_points = common points
+
+label-status = status
+
+label-share = share
