@@ -71,3 +71,19 @@ label-common_points = gemeinsame Punkte
 label-status = Status
 
 label-share = Anteil
+
+label-given = gegeben
+
+label-adjusted = ausgeglichen
+
+label-residual = Verbesserung
+
+label-held = festgehalten
+
+label-observations = Beobachtungen
+
+label-group = Gruppe
+
+label-number = Anzahl
+
+label-redundancy = Redundanz

@@ -80,3 +80,19 @@ label-common_points = common points
 label-status = status
 
 label-share = share
+
+label-given = given
+
+label-adjusted = adjusted
+
+label-residual = residual
+
+label-held = held
+
+label-observations = observations
+
+label-group = group
+
+label-number = number
+
+label-redundancy = redundancy
