@@ -87,3 +87,27 @@ label-group = Gruppe
 label-number = Anzahl
 
 label-redundancy = Redundanz
+
+label-n_of = { $n } von { $of }
+
+label-cameras = Kameras
+
+label-object_points = Objektpunkte
+
+label-image_points = Bildpunkte
+
+label-photograph = Aufnahme
+
+label-photographs = Aufnahmen
+
+label-remedy = Abhilfe
+
+label-pairs = Paare
+
+label-name = Name
+
+label-time = Zeit
+
+label-result = Ergebnis
+
+label-setting = Einstellung

@@ -96,3 +96,29 @@ label-group = group
 label-number = number
 
 label-redundancy = redundancy
+
+# $n = 38
+# $of = 40
+label-n_of = { $n } of { $of }
+
+label-cameras = cameras
+
+label-object_points = object points
+
+label-image_points = image points
+
+label-photograph = photograph
+
+label-photographs = photographs
+
+label-remedy = remedy
+
+label-pairs = pairs
+
+label-name = name
+
+label-time = time
+
+label-result = result
+
+label-setting = setting
