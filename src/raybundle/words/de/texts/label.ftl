@@ -111,3 +111,7 @@ label-time = Zeit
 label-result = Ergebnis
 
 label-setting = Einstellung
+
+label-observed = beobachtet
+
+label-stated_sigma = σ, angegeben

@@ -122,3 +122,7 @@ label-time = time
 label-result = result
 
 label-setting = setting
+
+label-observed = observed
+
+label-stated_sigma = stated sigma
