@@ -115,3 +115,7 @@ label-setting = Einstellung
 label-observed = beobachtet
 
 label-stated_sigma = σ, angegeben
+
+label-model = Modell
+
+label-parameter = Parameter

@@ -126,3 +126,7 @@ label-setting = setting
 label-observed = observed
 
 label-stated_sigma = stated sigma
+
+label-model = model
+
+label-parameter = parameter
