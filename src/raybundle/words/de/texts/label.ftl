@@ -119,3 +119,37 @@ label-stated_sigma = σ, angegeben
 label-model = Modell
 
 label-parameter = Parameter
+
+label-count_of_points = { $n } { $n ->
+        [one] Punkt
+        *[other] Punkte
+    }
+
+label-length = Länge
+
+label-yes = ja
+
+label-from = von
+
+label-to = nach
+
+label-measured = gemessen
+
+label-error = Abweichung
+
+label-allowed = zulässig
+
+label-role = Rolle
+
+label-role_of = { $role ->
+        [control] Passpunkt
+        [check] Kontrollpunkt
+        [tie] Verknüpfungspunkt
+        *[other] { $role }
+    }
+
+label-angle = Winkel
+
+label-rows = Zeilen
+
+label-version = Version

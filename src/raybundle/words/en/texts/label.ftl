@@ -130,3 +130,34 @@ label-stated_sigma = stated sigma
 label-model = model
 
 label-parameter = parameter
+
+# $n = 12
+label-count_of_points = { $n } { $n ->
+        [one] point
+        *[other] points
+    }
+
+label-length = length
+
+label-yes = yes
+
+label-from = from
+
+label-to = to
+
+label-measured = measured
+
+label-error = error
+
+label-allowed = allowed
+
+label-role = role
+
+# $role = "tie"
+label-role_of = { $role }
+
+label-angle = angle
+
+label-rows = rows
+
+label-version = version

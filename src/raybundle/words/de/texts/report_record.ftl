@@ -1,0 +1,39 @@
+report_record-title = Aufnahmeblatt
+
+report_record-entry = Eintrag
+
+report_record-record = Angabe
+
+report_record-part = { $part ->
+        [object] Objekt
+        [recording] Aufnahme
+        *[delivery] Lieferung
+    }
+
+report_record-from_photographs = aus den Aufnahmen
+
+report_record-sources = Objekt: nach dem Core Data Index to Historic Buildings and Monuments (Europarat, CIDOC).
+    .why = Aufnahme: nach den 3x3-Regeln der CIPA.
+
+report_record-name = { $name ->
+        [title] Titel
+        [client] Auftraggeber
+        [operator] Bearbeiter
+        [object] Objekt
+        [place] Ort
+        [date] Datum
+        [instruments] Instrumente
+        [rights] Rechte
+        [reference] Referenz
+        [kind] Art
+        [dating] Datierung
+        [persons] Personen
+        [materials] Materialien
+        [condition] Zustand
+        [protection] Schutz
+        [description] Beschreibung
+        [purpose] Zweck
+        [conditions] Bedingungen
+        [control] Passpunkte und Maßstab
+        *[archive] Archiv
+    }
