@@ -55,7 +55,7 @@ report_accuracy-image_observations = { $n } verwendete { $n ->
     }, { $coordinates } Koordinaten
 
 report_accuracy-deviation = Standardabweichung, { $kind ->
-        [rms] rms
+        [RMS] RMS
         [mean] Mittel
         *[median] Median
     }
@@ -83,7 +83,7 @@ report_accuracy-relative_meaning = mittlere Standardabweichung durch die größt
             *[no] {""}
         }
 
-report_accuracy-check = Differenz an Kontrollpunkten, rms
+report_accuracy-check = Differenz an Kontrollpunkten, RMS
 
 report_accuracy-check_meaning = ausgeglichen minus gegeben; enthält Fehler der gegebenen Koordinaten und die allen Aufnahmen gemeinsamen
 
@@ -91,7 +91,7 @@ report_accuracy-expected = erwartet
 
 report_accuracy-check_expected = Standardabweichung von ausgeglichener und gegebener Koordinate zusammen, an diesen Punkten
 
-report_accuracy-length_error = Längenmessabweichung, rms
+report_accuracy-length_error = Längenmessabweichung, RMS
 
 report_accuracy-length_meaning = gemessen minus bekannt, an unabhängigen Strecken; enthält die Fehler ihrer Kalibrierscheine
 
@@ -102,11 +102,11 @@ report_accuracy-asprs = { $plan ->
         *[no] Höhe
     }: Differenz an Kontrollpunkten, mit deren angegebenem Fehler
 
-report_accuracy-points_left_out = Kreuzvalidierung, Passpunkte, rms
+report_accuracy-points_left_out = Kreuzvalidierung, Passpunkte, RMS
 
 report_accuracy-points_meaning = ausgeglichen minus gegeben, wenn der ganze Punkt nicht teilgenommen hätte, in erster Ordnung
 
-report_accuracy-coordinates_left_out = Kreuzvalidierung, Passpunktkoordinaten, rms
+report_accuracy-coordinates_left_out = Kreuzvalidierung, Passpunktkoordinaten, RMS
 
 report_accuracy-coordinates_meaning = ebenso je Koordinate, mit den anderen ihres Punktes
 
@@ -119,7 +119,7 @@ report_accuracy-not_measured = keine Messung in Bildern
 report_accuracy-stated = angesetzt{ $kind ->
         [one] {""}
         [median] , Median
-        *[rms] , rms
+        *[RMS] , RMS
     }
 
 report_accuracy-stated_meaning = Standardabweichung a priori jeder Beobachtung (ihr Gewicht)
@@ -129,15 +129,15 @@ report_accuracy-stated_rms = weniger genaue Punkte zählen mehr
 report_accuracy-scaled = angesetzt mal σ₀{ $kind ->
         [one] {""}
         [median] , Median
-        *[rms] , rms
+        *[RMS] , RMS
     }
 
 report_accuracy-by_sigma0 = aus den Verbesserungen: σ₀ = { $sigma0 }{ $kind ->
-        [rms] ; die eines gemessenen Bildpunktes
+        [RMS] ; die eines gemessenen Bildpunktes
         *[median] {""}
     }
 
-report_accuracy-residual = Verbesserung, rms
+report_accuracy-residual = Verbesserung, RMS
 
 report_accuracy-residual_meaning = ausgeglichen minus gemessen{ $known ->
         [yes] , mittlerer Redundanzanteil { NUM($r, digits: 2) }

@@ -97,11 +97,11 @@ report_control-observed = { $n } { $n ->
         *[other] Werte
     } beobachtet, { $held } festgehalten.
 
-report_control-rms_by_sigma = Verbesserung durch σ: rms { NUM($rms, decimals: 2) }.
+report_control-rms_by_sigma = Verbesserung durch σ: RMS { NUM($rms, decimals: 2) }.
 
 report_control-largest_w = Größtes |w|: { NUM($w, decimals: 2) }.
 
-report_control-rms_residual = Verbesserungen: rms { $rms } { $unit ->
+report_control-rms_residual = Verbesserungen: RMS { $rms } { $unit ->
         [units] Einheiten
         *[other] { $unit }
     }, größte { $largest } { $unit ->
@@ -139,7 +139,7 @@ report_control-all_check_points = Alle { $n } { $n ->
 
 report_control-check_points = Kontrollpunkte
 
-report_control-rms_ratio = rms von d / σ
+report_control-rms_ratio = RMS von d / σ
 
 report_control-group_differs = weicht von den anderen ab (1 %)
 

@@ -17,7 +17,7 @@ report_metrology-axes = Achsen eingepasst auf
 
 report_metrology-coordinate_deviation = Abweichung einer Koordinate
 
-report_metrology-coordinate_deviation_meaning = rms der Punkte, auf die eingepasst wurde
+report_metrology-coordinate_deviation_meaning = RMS der Punkte, auf die eingepasst wurde
 
 report_metrology-largest_deviation = größte Abweichung
 
@@ -74,7 +74,7 @@ report_metrology-length_error = Längenmessabweichung
 
 report_metrology-stated_deviation = angegebene Standardabweichung
 
-report_metrology-stated_deviation_meaning = rms, einschließlich der bekannten Strecken
+report_metrology-stated_deviation_meaning = RMS, einschließlich der bekannten Strecken
 
 report_metrology-within_two = innerhalb zweier Standardabweichungen
 

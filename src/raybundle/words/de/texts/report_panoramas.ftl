@@ -9,7 +9,7 @@ report_panoramas-count = { $n } { $n ->
 
 report_panoramas-extent = Richtung { NUM($direction_from, decimals: 0) }° bis { NUM($direction_to, decimals: 0) }°, Höhenwinkel { NUM($elevation_from, decimals: 0) }° bis { NUM($elevation_to, decimals: 0) }°.
 
-report_panoramas-rms = Verbesserungen (rms): { $arc_px } px entlang des Bogens, { $line_px } px entlang der Zeile.
+report_panoramas-rms = Verbesserungen (RMS): { $arc_px } px entlang des Bogens, { $line_px } px entlang der Zeile.
 
 report_panoramas-residuals = Verbesserungen
 

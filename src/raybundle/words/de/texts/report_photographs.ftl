@@ -23,7 +23,7 @@ report_photographs-mean_rays = mittlere Zahl der Strahlen: { NUM($mean, decimals
 
 report_photographs-image_point = gemessener Bildpunkt
 
-report_photographs-image_point_meaning = Standardabweichung einer Koordinate (rms), aus den Verbesserungen
+report_photographs-image_point_meaning = Standardabweichung einer Koordinate (RMS), aus den Verbesserungen
 
 report_photographs-count = { $n } { $n ->
         [one] Aufnahme
@@ -40,7 +40,7 @@ report_photographs-in_three_images = in 3 Bildern oder mehr
 
 report_photographs-neighbours = Nachbarn
 
-report_photographs-rms_residual = Verbesserung, rms
+report_photographs-rms_residual = Verbesserung, RMS
 
 report_photographs-covered = Format abgedeckt
 

@@ -2,7 +2,7 @@ report_residuals-title = Verbesserungen der Bildbeobachtungen
 
 report_residuals-none = Es gibt keine verwendete Bildbeobachtung.
 
-report_residuals-rms = Verbesserungen (rms): { $x_px } px in x, { $y_px } px in y; die größte ist { $largest_px } px.
+report_residuals-rms = Verbesserungen (RMS): { $x_px } px in x, { $y_px } px in y; die größte ist { $largest_px } px.
 
 report_residuals-definition = Eine Verbesserung ist ausgeglichen minus beobachtet, im Pixelsystem (y nach unten).
 
@@ -31,11 +31,11 @@ report_residuals-cell_tests = Mittlere Verbesserung in { $n } von { $of } Zellen
         *[small] stellenweise kleiner systematischer Anteil
     }.
 
-report_residuals-cell_means = Zellmittel: rms { NUM($rms_px, digits: 2) } px ({ PERCENT($share) } % der Verbesserungen, rms), größtes { NUM($largest_px, digits: 2) } px.
+report_residuals-cell_means = Zellmittel: RMS { NUM($rms_px, digits: 2) } px ({ PERCENT($share) } % der Verbesserungen, RMS), größtes { NUM($largest_px, digits: 2) } px.
 
 report_residuals-images = Bilder
 
-report_residuals-rms_of_images = Verbesserungen jedes Bildes (rms); gestrichelt: aller Bilder, { $rms_px } px.
+report_residuals-rms_of_images = Verbesserungen jedes Bildes (RMS); gestrichelt: aller Bilder, { $rms_px } px.
 
 report_residuals-scale = Maßstab der Vektoren.
 
@@ -46,7 +46,7 @@ report_residuals-vectors = Vektoren der Verbesserungen von { $n } { $n ->
 
 report_residuals-table = Verbesserungen jedes Bildes als Tabelle
 
-report_residuals-vectors_order = Vektoren der Verbesserungen jedes Bildes mit ihrem rms, der größte rms zuerst.
+report_residuals-vectors_order = Vektoren der Verbesserungen jedes Bildes mit ihrem RMS, der größte RMS zuerst.
 
 report_residuals-images_drawn = Gezeichnet sind { $n } von { $of } Bildern.
 
@@ -54,7 +54,7 @@ report_residuals-vectors_drawn = Gezeichnet sind höchstens { $n } Vektoren eine
 
 report_residuals-crossed = Ein Kreuz kennzeichnet einen verworfenen Punkt.
 
-report_residuals-vectors_of_image = { $image }, { NUM($rms_px, decimals: 3) } px rms von { $n } { $n ->
+report_residuals-vectors_of_image = { $image }, { NUM($rms_px, decimals: 3) } px RMS von { $n } { $n ->
         [one] Punkt
         *[other] Punkten
     }{ $rejected ->

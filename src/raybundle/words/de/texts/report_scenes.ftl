@@ -83,7 +83,7 @@ report_scenes-two_rays = Die meisten Punkte liegen in nur zwei { $kind ->
 
 report_scenes-jitter_in_heights = Jitter in Flugrichtung eines Stereopaars ist deshalb nur zum Teil sichtbar.
 
-report_scenes-residuals = Verbesserungen, rms { $rms_px } px; Vektoren: { NUM($length_px, digits: 1) } px sind als { $drawn_px } px dieser Seite gezeichnet.
+report_scenes-residuals = Verbesserungen, RMS { $rms_px } px; Vektoren: { NUM($length_px, digits: 1) } px sind als { $drawn_px } px dieser Seite gezeichnet.
 
 report_scenes-bias_map = Bias über der Szene, { $constant ->
         [yes] konstant
@@ -95,9 +95,9 @@ report_scenes-track = Verbesserungen in { $axis } in Flugrichtung und ihr gleite
 
 report_scenes-no_jitter_plot = Kein RPC kann diese Szene ersetzen, und Jitter ist nicht gezeichnet:
 
-report_scenes-no_jitter = Das ausgeglichene strenge Modell enthält keinen Jitter: Ein RPC stimmt mit ihm auf { $limit_px } px überein (rms).
+report_scenes-no_jitter = Das ausgeglichene strenge Modell enthält keinen Jitter: Ein RPC stimmt mit ihm auf { $limit_px } px überein (RMS).
 
-report_scenes-jitter = Strenges Modell minus sein RPC, Mittel über die Spalten: rms { NUM($x_px, digits: 2) } px in x, { NUM($y_px, digits: 2) } px in y.
+report_scenes-jitter = Strenges Modell minus sein RPC, Mittel über die Spalten: RMS { NUM($x_px, digits: 2) } px in x, { NUM($y_px, digits: 2) } px in y.
     .why = Ein RPC ist für Jitter zu glatt; dies sind seine Restfehler.
 
 report_scenes-correction = Korrektur, { $quantity ->

@@ -16,7 +16,7 @@ report_tie_points-roughness = Ein Verknüpfungspunkt ist das Mittel der Oberflä
 
 report_tie_points-radius = Verbesserungen einer Koordinate gegen den Abstand des Bildpunktes von der Formatmitte.
 
-report_tie_points-sigma = Über das ganze Format ist σ einer Bildkoordinate { NUM($sigma_px, digits: 2) } px (rms).
+report_tie_points-sigma = Über das ganze Format ist σ einer Bildkoordinate { NUM($sigma_px, digits: 2) } px (RMS).
 
 report_tie_points-outer_residuals = Die größte Verbesserung außen ist das { NUM($ratio, digits: 2) }-Fache der kleinsten innen.
     .do = Die mittleren Verbesserungen über dem Format auf Verzeichnung prüfen, die dem Modell fehlt.
@@ -27,4 +27,4 @@ report_tie_points-two_rays = { PERCENT($share) } % der Punkte haben 2 Strahlen: 
 
 report_tie_points-median_sigma = σ, Median
 
-report_tie_points-rms_sigma = σ, rms
+report_tie_points-rms_sigma = σ, RMS

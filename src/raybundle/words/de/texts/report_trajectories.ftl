@@ -41,7 +41,7 @@ report_trajectories-comparison = Direkte minus integrierte Orientierung
 
 report_trajectories-corrected = Nach Hebelarm, Versatz, Drift und Fehlausrichtung, soweit sie geschätzt sind.
 
-report_trajectories-marked = Hervorgehoben: Der rms übersteigt das Doppelte des angegebenen σ.
+report_trajectories-marked = Hervorgehoben: Der RMS übersteigt das Doppelte des angegebenen σ.
 
 report_trajectories-sigma_after_note = σ nach der Ausgleichung: des integrierten Werts, im Datum des Bildverbands.
 
@@ -50,7 +50,7 @@ report_trajectories-carrier = Instrument
 report_trajectories-separability = Bei Senkrechtaufnahmen gleicher Flugrichtung sind Hebelarm und Versatz nicht trennbar.
     .why = Einen konstanten Fehler der Drehung nimmt die Fehlausrichtung auf.
 
-report_trajectories-along_line = Beobachtet minus ausgeglichen, { report_trajectories-component }, rms { $rms } { $unit ->
+report_trajectories-along_line = Beobachtet minus ausgeglichen, { report_trajectories-component }, RMS { $rms } { $unit ->
         [units] Einheiten
         *[other] { $unit }
     }; Band: 95 % nach der angegebenen Standardabweichung.
