@@ -25,6 +25,7 @@ from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.text.metrology_words import outcomes
 from raybundle.report.text.numbers import significant
 from raybundle.report.write import write_result
+from raybundle.words import headline
 from raybundle.workflows.calibrate import Calibration
 
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[3] / "shared/data"))
@@ -117,8 +118,8 @@ def test_a_report_tells_deviations_lengths_and_who_it_is_for(field, tmp_path):
     )  # fmt: skip
     page = (tmp_path / "r/report.html").read_text(encoding="utf-8")
     assert "Müller &amp; Söhne" in page
-    assert "Deviations from nominal coordinates" in page
-    assert "Errors of known lengths" in page
+    assert headline("report_metrology.deviations", {}) in page
+    assert headline("report_metrology.lengths", {}) in page
     assert "Not kept: lengths" in page
     assert "1 of 2 errors beyond what is allowed" in page
     assert (tmp_path / "r/report.pdf").read_bytes()[:5] == b"%PDF-"
