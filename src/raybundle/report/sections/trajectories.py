@@ -210,6 +210,7 @@ def _lines(view: View, groups: dict[str, ObservationGroup]) -> list[Line]:
 def _line_figures(view: View, groups: dict[str, ObservationGroup], line: Line) -> tuple[Figure, ...]:
     """Observed minus adjusted along one line, a figure for each component."""
     names = [view.given.images.ids[int(i)] for i in line.images]
+    named = f"Antenna {line.name}" if line.name else line.kind.capitalize()
     figures: list[Figure] = []
     for kind, components, factor, unit in (
         ("station", ("X", "Y", "Z"), view.factor, view.unit),
@@ -228,7 +229,7 @@ def _line_figures(view: View, groups: dict[str, ObservationGroup], line: Line) -
             name = _name(view, component)
             drawn = line_figure(
                 line.at, ((name, value, stated),), line.unit, f"observed − adjusted [{unit}]",
-                f"observed minus adjusted {name} along {line.name or line.kind}", width=285, marks=len(names) <= MARKED,
+                f"observed minus adjusted {name} along {named}", width=285, marks=len(names) <= MARKED,
             )  # fmt: skip
             figures.append(
                 Figure(
