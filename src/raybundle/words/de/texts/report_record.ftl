@@ -1,4 +1,4 @@
-report_record-title = Aufnahmeblatt
+report_record-title = Dokumentationsblatt
 
 report_record-entry = Eintrag
 
@@ -24,7 +24,7 @@ report_record-name = { $name ->
         [date] Datum
         [instruments] Instrumente
         [rights] Rechte
-        [reference] Referenz
+        [reference] Nachweise
         [kind] Art
         [dating] Datierung
         [persons] Personen
