@@ -7,7 +7,7 @@ report_record-record = Angabe
 report_record-part = { $part ->
         [object] Objekt
         [recording] Aufnahme
-        *[delivery] Lieferung
+        *[delivery] Übergabe
     }
 
 report_record-from_photographs = aus den Aufnahmen
@@ -22,7 +22,7 @@ report_record-name = { $name ->
         [object] Objekt
         [place] Ort
         [date] Datum
-        [instruments] Instrumente
+        [instruments] Geräte
         [rights] Rechte
         [reference] Nachweise
         [kind] Art
