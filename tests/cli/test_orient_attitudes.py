@@ -12,6 +12,7 @@ from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.trajectories import Trajectory, write_trajectory
 from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector
 from raybundle.placing.marks import Given
+from raybundle.words import headline
 from raybundle.workflows.asked import check_asked
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
@@ -52,7 +53,7 @@ def test_a_file_of_attitudes_is_observed_and_compared_in_the_report(tmp_path, ca
     printed = capsys.readouterr().out
     assert f"{n} of {n} photographs" in printed
     report = (out / "result/report.html").read_text(encoding="utf-8")
-    assert "Direct minus integrated orientation" in report
+    assert headline("report_trajectories.comparison", {}) in report
     assert "(opk, from told.csv)" in report
     again = ["orient", str(photos), "--out", str(out), "--positions", str(file), "--no-report", *QUICK]
     assert main([*again, "--relative", "shift"]) == 0

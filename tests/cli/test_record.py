@@ -19,6 +19,7 @@ from raybundle.report.facts import PhotoFact, PhotographFacts
 from raybundle.report.write import write_result
 from raybundle.results.folder import check_target
 from raybundle.results.record import NAMES, Record
+from raybundle.words import headline
 
 HOSTILE = 'a "b" \\ \n[orient]\nphotos = ["x"] \x00 <script>alert(1)</script> \u202e ü Ω \ud800'
 
@@ -206,7 +207,8 @@ def test_it_goes_with_the_result(project, tmp_path):
     assert told["photographs"]["last"] == "2026-05-02"
     assert told["photographs"]["cameras"][0].startswith("Müller M1, ")
     page = (project / "result/report.html").read_text(encoding="utf-8")
-    for words in ("Recording sheet", "overcast", "Core Data Index", "from the photographs"):
+    entries = ("title", "sources", "from_photographs")
+    for words in ("overcast", *(headline(f"report_record.{name}", {}) for name in entries)):
         assert words in page
     rb.record(project, place="Göttingen")  # the result is told at once, its report with the next run
     told = tomllib.loads((project / "result/record.toml").read_text(encoding="utf-8"))

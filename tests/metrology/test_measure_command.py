@@ -117,8 +117,8 @@ def test_a_report_tells_deviations_lengths_and_who_it_is_for(field, tmp_path):
     )  # fmt: skip
     page = (tmp_path / "r/report.html").read_text(encoding="utf-8")
     assert "Müller &amp; Söhne" in page
-    assert "Deviations from nominal coordinates" in page
-    assert "Errors of known lengths" in page
+    assert headline("report_metrology.deviations", {}) in page
+    assert headline("report_metrology.lengths", {}) in page
     assert headline("outcome.not_kept", {"name": "lengths"}) in page
     assert headline("outcome.lengths", {"over": 1, "n": 2}) in page
     assert (tmp_path / "r/report.pdf").read_bytes()[:5] == b"%PDF-"

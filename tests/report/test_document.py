@@ -15,6 +15,7 @@ from raybundle.report.sections.control import control_section
 from raybundle.report.sections.tables import tables_section
 from raybundle.report.text.numbers import fixed, grouped, significant
 from raybundle.report.view import view_of
+from raybundle.words import headline
 from raybundle.workflows.adjust import adjust
 from tests.report.conftest import HOSTILE
 
@@ -127,13 +128,13 @@ def test_rejected_observations_are_listed_with_their_reasons(case, tmp_path):
 
 def test_suspects_are_listed(case, tmp_path):
     text = " ".join(parsed(report(case("strange_numbers"), tmp_path)).text)
-    assert "Suspects and how well they can be told apart" in text
+    assert headline("report_reliability.suspects", {}) in text
     assert "0.97" in text
 
 
 def test_points_held_have_no_sigma(case, tmp_path):
     text = " ".join(parsed(report(case("resection"), tmp_path)).text)
-    assert "All object points are held" in text
+    assert headline("report_network.all_held", {}) in text
 
 
 def test_long_tables_are_cut_and_say_so(case):
@@ -222,7 +223,7 @@ def test_long_groups_of_observations_are_folded_below_their_largest(case):
         **{name: getattr(stations, name)[times] for name in arrays},
     )
     parts = control_section(view_of(replace(a, groups=(longer,)))).parts
-    tables = [p for p in parts if p.kind == "table" and p.caption == "The largest |w|"]
+    tables = [p for p in parts if p.kind == "table" and p.caption == headline("report_control.largest_rows", {})]
     assert len(tables) == 1
     shown = [float(row[8].replace("−", "-")) for row in tables[0].rows]
     assert abs(shown[0]) == pytest.approx(np.nanmax(np.abs(longer.w)), abs=0.005)

@@ -36,6 +36,7 @@ from raybundle.report.view import view_of
 from raybundle.report.write import write_result
 from raybundle.results.map_table import map_control_table, map_table
 from raybundle.results.record import Record
+from raybundle.words import headline
 
 OPTIONS = AdjustmentOptions(jobs=1, noise="white")
 SURVEY = Survey(
@@ -390,7 +391,7 @@ def test_without_check_points_control_left_out_stands_on_the_first_page(tmp_path
     assert "front.leave_one_out" in labels
     write_result(alone, tmp_path / "r")
     page = (tmp_path / "r/report.html").read_text()
-    assert "Control left out, one point at a time" in page
+    assert headline("report_control.points_left_out", {}) in page
     assert len(json.loads((tmp_path / "r/result.json").read_text())["leave_one_out_points"]) == 9
 
 

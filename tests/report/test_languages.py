@@ -100,6 +100,7 @@ SAID_ELSEWHERE = {
 """Modules whose remarks reach no report, and who reads them"""
 CODES = frozenset(
     """
+    antenna interior most one planar small systematic watermark
     CalibratedFocalLength DejaVuSansCondensed both centres converge corners dx dy dz roll several views
     DejaVuSansCondensed-Bold DewarpData Found Gps JpegImageFile JpegImagePlugin LineSensor
     Metadata

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 
+from raybundle import words
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.structure import structure_notice
@@ -34,8 +35,8 @@ def test_floor_and_fields_stand_in_the_report_and_in_result_json(result, tmp_pat
     assert c["std"] / c["std_white"] > 1.3
     assert told["options"]["noise"] == "fields"
     page = (tmp_path / "r/report.html").read_text()
-    assert "Noise of the image coordinates" in page
-    assert "sigma, independent errors" in page
+    assert words.headline("report_noise.title", {}) in page
+    assert words.headline("report_noise.sigma_independent", {}) in page
     assert "here with smooth ones that differ from image to image" in page
 
 
@@ -45,7 +46,7 @@ def test_white_noise_has_no_section_and_one_standard_deviation(result, tmp_path)
     told = json.loads((tmp_path / "r/result.json").read_text())
     assert told["noise"]["kind"] == "white"
     assert all(p["std"] == p["std_white"] for p in told["cameras"]["1"].values())
-    assert "Noise of the image coordinates" not in (tmp_path / "r/report.html").read_text()
+    assert words.headline("report_noise.title", {}) not in (tmp_path / "r/report.html").read_text()
     assert not any("noise" in m.code for m in details(white))
 
 

@@ -10,6 +10,7 @@ from raybundle.report.document import write_report
 from raybundle.report.facts import CameraFact, PairFact, PhotoFact, PhotographFacts, StageFact
 from raybundle.report.figures.photographs import common_points, edges_of, overlap_cells, plan_of, taken_images
 from raybundle.report.view import view_of
+from raybundle.words import headline
 from tests.report.conftest import HOSTILE
 from tests.report.test_document import parsed
 
@@ -71,16 +72,19 @@ def test_what_was_left_out_is_told_and_escaped(free_case, tmp_path):
     assert "15.0 s" in words
     assert "512 MB" in words
     assert "80 %" in words  # verified of candidates
-    assert "kept from an earlier run" in words
+    assert headline("report_photographs.stored", {}) in words
     assert "feature_count 500" in words
-    assert "Settings that are not as by default" in words
+    assert headline("report_photographs.settings_note", {}) in words
 
 
 def test_a_camera_far_from_its_start_is_remarked(free_case, tmp_path):
     camera = free_case.given.cameras[0].id
     far = CameraFact(camera=camera, name="x", photographs=3, source="EXIF", c_px=10.0, sigma_c_px=1.0)
     text = " ".join(parsed(page(free_case, facts_of(free_case, cameras=(far,)), tmp_path)).text)
-    assert "differs from its starting value by" in text
+    code, lost = "report_photographs.start_differs", "7.77"
+    before, _, behind = headline(code, {"ratio": float(lost)}).partition("7.8")
+    assert before in text
+    assert behind in text
 
 
 def test_common_points_are_counted_as_the_observations_say(free_case):

@@ -10,6 +10,7 @@ import pytest
 from raybundle import words
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
+from raybundle.errors import phrase
 from raybundle.metrology.congruence import Congruence
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import delivery_of
@@ -116,8 +117,8 @@ def test_words_are_divided_where_they_may_be_and_names_behind_a_hyphen():
 
 def test_headings_of_german_columns_can_be_divided():
     german = language_of("de")
-    for english in ("sigma", "residual", "determinability"):
-        made = german.heading(english)
+    for code in ("label.coordinate", "label.residual", "report_interior.determinability"):
+        made = german.heading(phrase(code))
         assert max(len(part) for part in made.replace(" ", "\u00ad").split("\u00ad")) <= 9
 
 

@@ -23,6 +23,7 @@ from raybundle.planning.simulate import measured
 from raybundle.planning.uav_networks import Flight, flight_block, uav_camera
 from raybundle.report.sections.trajectories import trajectory_section
 from raybundle.report.view import view_of
+from raybundle.words import headline
 
 PLACE = (11.2, 48.0, 500.0)
 """2.2 degrees east of the middle of its UTM zone: the meridians converge by 1.6 degrees."""
@@ -121,7 +122,7 @@ def test_attitudes_of_a_file_are_observed_with_their_misalignment(flight, tmp_pa
         assert ins[symbol].std < SIGMA
     section = trajectory_section(view_of(result))
     assert section is not None
-    assert "Direct minus integrated orientation" in str(section)
+    assert headline("report_trajectories.comparison", {}) in str(section)
     held, _ = placed(flight, tmp_path / "flight.csv", rng=rng, misalignment=False)
     assert held.block.attitudes.imu is None
     assert not held.block.instruments

@@ -20,6 +20,7 @@ from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given, ScaleBar
 from raybundle.report.text.summary import details
 from raybundle.report.write import write_result
+from raybundle.words import headline
 from raybundle.workflows.final import final_adjustment
 from tests.workflows.free_flight import NAMES, codes, control, error, flight
 
@@ -328,10 +329,10 @@ def test_the_report_has_leave_one_out_and_asprs_figures(flight, tmp_path):
     done = replace(adjust_block(placed.block, AdjustmentOptions(jobs=1)), notices=placed.notices)
     write_result(done, tmp_path / "r", report="html")
     page = (tmp_path / "r/report.html").read_text()
-    assert "Accuracy in the sense of ASPRS (2024)" in page
+    assert headline("report_control.asprs", {}) in page
     assert "RMSE_H" in page
-    assert "At least 30 are asked for there" in page
-    assert "Control left out, one coordinate at a time" in page
+    assert headline("report_control.check_points_needed", {"least": 30}) in page
+    assert headline("report_control.coordinates_left_out", {}) in page
     left = Accuracy(done).as_mapping()["leave_one_out"]
     assert {t["coordinate"] for t in left} == {"X", "Y", "Z"}
     # to first order that is what the adjustment without that coordinate says

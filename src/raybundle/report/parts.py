@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from raybundle.errors import Text, joined_texts, phrase
 from raybundle.report.figures.svg import Drawing
-from raybundle.report.text.numbers import grouped
 
 MOST_ROWS = 2000
 """Rows of a table that a report shows; the rest stands in the result folder."""
@@ -175,8 +175,12 @@ def table(
     by_column = [list(v) for v in values]
     count = len(by_column[0]) if by_column else 0
     if count > most:
-        cut = f"{grouped(most)} of {grouped(count)} rows are shown" + (f"; all are in {rest}." if rest else ".")
-        note = f"{note} {cut}".strip()
+        cut = (
+            phrase("label.rows_shown_of", n=most, of=count, rest=rest)
+            if rest
+            else phrase("label.rows_shown", n=most, of=count)
+        )
+        note = joined_texts(note, cut) if isinstance(note, Text) else f"{note} {cut}".strip()
     rows = list(zip(*(c[:most] for c in by_column), strict=True))
     return Table(columns=tuple(columns), rows=rows, caption=caption, note=note, marked=frozenset(marked), stays=stays)
 

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 
 from raybundle.block import Camera
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures.svg import Plot, axes, band, drawing, fitted, line, span
 from raybundle.report.parts import Figure
-from raybundle.report.text.numbers import significant, with_sigma
 from raybundle.report.view import View
 
 if TYPE_CHECKING:
@@ -91,10 +91,17 @@ def _figure(
         line(plot, np.array([time[0], time[-1]]), np.zeros(2), "zero"),
         line(plot, time, value, "curve first"),
     ]
-    told = " ± ".join(with_sigma(middle, spread)) if banded and spread > 0 else significant(middle, 3)
     largest = float(np.abs(value).max())
     return Figure(
         drawing=drawing(plot.width, plot.height, parts, f"correction of the {name} against time"),
-        caption=f"Correction of the {name} about its mean of {told} {unit}: at most {significant(largest, 2)} {unit}"
-        + ("; band: one sigma." if banded else "."),
+        caption=phrase(
+            "report_scenes.correction",
+            quantity=name.replace(" ", "_"),
+            mean=middle,
+            known=banded and spread > 0,
+            sigma=spread if banded else 0.0,
+            largest=largest,
+            unit=unit,
+            banded=banded,
+        ),
     )

@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.adjustment.result import NetworkFigures
 from raybundle.block import Role
+from raybundle.errors import Message, note
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.svg import (
     CHARACTER,
@@ -33,7 +34,7 @@ from raybundle.report.figures.svg import (
     ticks,
 )
 from raybundle.report.network_shape import ellipse_rows, ellipses, frusta, frustum_size, network_shape
-from raybundle.report.text.numbers import grouped, significant
+from raybundle.report.text.numbers import significant
 from raybundle.report.view import View
 
 MOST_POINTS, MOST_IMAGES, MOST_NAMES = 1500, 250, 40
@@ -47,7 +48,7 @@ class NetworkViews:
     """The drawing and what has to be said below it."""
 
     drawing: Drawing
-    remark: str
+    remark: tuple[Message, ...]
 
 
 def network_views(view: View) -> NetworkViews | None:
@@ -60,16 +61,13 @@ def network_views(view: View) -> NetworkViews | None:
     shown = kept[spread_rows(len(kept), MOST_POINTS)]
     drawn_images = images[spread_rows(len(images), MOST_IMAGES)]
     remark = [
-        f"{grouped(len(shown))} of {grouped(len(seen))} points and {grouped(len(drawn_images))} of "
-        f"{grouped(len(images))} images drawn"
-        + (f" ({grouped(shape.far)} far points lie outside the frame)" if shape.far else "")
+        note("report_network.drawn", points=len(shown), of=len(seen), images=len(drawn_images), of_images=len(images))
     ]
+    if shape.far:
+        remark.append(note("report_network.far_points", n=shape.far))
     drawn, factor = ellipse_rows(view, shown, 8 / px_per_unit)
     if factor:
-        remark.append(
-            f"error ellipses (1 sigma; a point lies within with 39 %) of {grouped(len(drawn))} points, enlarged "
-            f"{grouped(factor)} times"
-        )
+        remark.append(note("report_network.ellipses", n=len(drawn), factor=factor))
     frames = frusta(view.adjusted, drawn_images, frustum_size(shape.limits, len(drawn_images)))
     parts: list[str] = []
     for plot, a, b in panels:
@@ -88,7 +86,7 @@ def network_views(view: View) -> NetworkViews | None:
     if factor:
         parts.append(_ellipse_key(view, factor * px_per_unit, width, height))
     return NetworkViews(
-        drawing=drawing(width, height, parts, "plan and side views of the network"), remark="; ".join(remark) + "."
+        drawing=drawing(width, height, parts, "plan and side views of the network"), remark=tuple(remark)
     )
 
 

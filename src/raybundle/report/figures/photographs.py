@@ -31,7 +31,7 @@ MOST_DOTS, MOST_EDGES, MOST_CELLS, MOST_NAMES = 6000, 1500, 60, 40
 """Points and edges drawn, cells of the matrix along each side, images with their names."""
 STRONG = 100
 """Common points of a firm connection."""
-CLASSES = ((2, 2, "2 rays"), (3, 3, "3"), (4, 5, "4 to 5"), (6, 9, "6 to 9"), (10, 10**9, "10 and more"))
+CLASSES = ((2, 2, "2"), (3, 3, "3"), (4, 5, "4–5"), (6, 9, "6–9"), (10, 10**9, "≥ 10"))
 """Ray counts that are told apart."""
 OVERLAP_COLOUR = (31, 90, 138)
 
@@ -44,7 +44,8 @@ class Plan:
     axes: Array
     """(2, 3) unit vectors that run right and up in the map"""
     names: tuple[str, str]
-    words: str
+    oblique: bool = False
+    """Whether it is the plane of the largest spread, as the directions of the axes are arbitrary; else XY"""
     """What the plane is, for captions"""
 
     def of(self, xyz: Array) -> Array:
@@ -56,16 +57,12 @@ def plan_of(view: View) -> Plan:
     """The XY plane; where the rotation of the system is arbitrary, the plane of the largest spread of the points."""
     unit = view.length_unit
     if not any(part.startswith("rotation") for part in view.adjustment.datum_defect):
-        return Plan(
-            origin=np.zeros(3), axes=np.eye(3)[:2], names=(f"X [{unit}]", f"Y [{unit}]"), words="plan view (XY)"
-        )
+        return Plan(origin=np.zeros(3), axes=np.eye(3)[:2], names=(f"X [{unit}]", f"Y [{unit}]"))
     rows = seen_points(view)
     xyz, centre = view.adjusted.points.xyz[rows], view.adjusted.images.centre
     xyz = np.vstack([xyz[spread_rows(len(rows), 20_000)], centre[np.isfinite(centre).all(axis=1)]])
     if len(xyz) < 3:
-        return Plan(
-            origin=np.zeros(3), axes=np.eye(3)[:2], names=(f"X [{unit}]", f"Y [{unit}]"), words="plan view (XY)"
-        )
+        return Plan(origin=np.zeros(3), axes=np.eye(3)[:2], names=(f"X [{unit}]", f"Y [{unit}]"))
     middle = np.median(xyz, axis=0)
     near = xyz - middle
     distance = np.linalg.norm(near, axis=1)
@@ -77,7 +74,7 @@ def plan_of(view: View) -> Plan:
         origin=middle,
         axes=np.stack([right, up]),
         names=(f"along the object [{unit}]", f"across [{unit}]"),
-        words="view onto the plane of the largest spread, because the directions of the axes are arbitrary",
+        oblique=True,
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.cell_means import CellMeans
 from raybundle.block import Camera
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.interior import format_plot, scale_bar
 from raybundle.report.figures.svg import (
@@ -30,7 +31,7 @@ from raybundle.report.figures.svg import (
     vectors,
 )
 from raybundle.report.residuals import ImageRow, Profile, distribution, spread_vectors
-from raybundle.report.text.numbers import fixed, grouped, significant
+from raybundle.report.text.numbers import grouped, significant
 from raybundle.report.view import View
 
 NORMAL = NormalDist()
@@ -212,6 +213,5 @@ def profile_figure(profile: Profile, what: str) -> Drawing:
 
 def caption_of(row: ImageRow, name: str) -> str:
     """Image, rms residual of the points that took part, and how many were rejected, below its vectors."""
-    lost = f"; {grouped(row.rejected)} rejected" if row.rejected else ""
     size = math.hypot(*row.rms_px) / math.sqrt(2)
-    return f"{name}, {fixed(size, 3)} px rms of {grouped(row.count)} points{lost}"
+    return phrase("report_residuals.vectors_of_image", image=name, rms_px=size, n=row.count, rejected=row.rejected)

@@ -13,7 +13,7 @@ from typing import Any
 from raybundle.errors import Text
 from raybundle.report.languages import ENGLISH, Said, catalogue, checked_language
 from raybundle.report.languages.patterns import PLACE, WORD, Template
-from raybundle.report.text.numbers import unbroken
+from raybundle.report.text.numbers import MINUS, unbroken
 from raybundle.words import Reader, reader
 
 NUMBER = re.compile(r"(?<![\w.])(\d[\d\u202f]*)\.(\d+)(?=[eE][-+]\d|°|[^\w.]|\.(?!\d)|$)")
@@ -31,6 +31,8 @@ CODE = re.compile(
 )
 FLAG = re.compile(r"--[\w-]+(?: \S+){0,4}|\w+=(?:\([^)]*\)|\S*)")
 """A setting with its values, as messages name it"""
+NEGATIVE = re.compile(r"(?<![^\s(±=])-(?=\d)")
+"""The sign of a number in a sentence"""
 SENTENCES = re.compile(r"((?<=\.)\s+)")
 OWN = 0.2
 """Share of a text's letters that a template must have of its own, before the text is cut"""
@@ -66,9 +68,7 @@ class Language:
     def text(self, english: str) -> str:
         """A text as the reader reads it."""
         if isinstance(english, Text):
-            return unbroken(english) if self._book is None else Said(
-                unbroken(english.by(Reader(self.code, flags=reader().flags)))
-            )  # fmt: skip
+            return Said(NEGATIVE.sub(MINUS, unbroken(english.by(Reader(self.code, flags=reader().flags)))))
         if self._book is None or not english or isinstance(english, Said):
             return english
         if english in self._book.exact:

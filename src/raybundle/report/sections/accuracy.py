@@ -7,19 +7,20 @@ import math
 import numpy as np
 
 from raybundle.adjustment.network import MANY
+from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.chapters import section
 from raybundle.report.parts import Heading, Part, Section, Table, table, text, whole
 from raybundle.report.text.metrology_words import MM as LENGTH_MM
-from raybundle.report.text.numbers import counted, grouped, significant
-from raybundle.report.text.words import expected_check_std, free_std, left_out
+from raybundle.report.text.numbers import NONE, grouped, significant
+from raybundle.report.text.words import expected_check_std, free_std
 from raybundle.report.view import View, rms
 
-WHITE, FIELDS, NO_NOISE = "independent errors", "independent and smooth errors", "none: differences"
-COLUMNS = (text("figure"), whole("value"), text("over"), text("noise"), text("what it means"))
+WHITE, FIELDS, NO_NOISE = "white", "fields", "none"
+"""Noise that a figure supposes"""
 
 Row = tuple[str, str, str, str, str]
-"""Figure, value, what it is taken over, noise that it supposes, meaning."""
+"""Figure, value, points or lengths that it is taken over, noise that it supposes, meaning"""
 
 
 @section("accuracy", after="photographs")
@@ -28,56 +29,63 @@ def accuracy_section(view: View) -> Section:
     object_rows = [*_object_rows(view), *_check_rows(view), *_length_rows(view), *_control_rows(view)]
     parts: list[Part] = []
     if object_rows:
-        note = (
-            "Standard deviations tell how far random errors go, differences at check points how far the result is "
-            "off. All object points are the same set wherever this report says so: those that took part and have a "
-            "free coordinate."
-        )
-        parts += [Heading(text="In object space"), _told(object_rows, note)]
-    note = (
-        "Stated times σ₀ is the precision of a measurement; its residual is smaller, as the adjustment takes up the "
-        "share 1\u00a0−\u00a0r of each error (r: mean redundancy number)."
+        remark = Text.of(note("report_accuracy.object_note"), note("report_accuracy.all_points"))
+        parts += [Heading(text=phrase("report_accuracy.in_object_space")), _table(object_rows, remark)]
+    parts += [
+        Heading(text=phrase("report_accuracy.in_images")),
+        _table(_image_rows(view), phrase("report_accuracy.image_note")),
+    ]
+    return Section(anchor="accuracy", title=phrase("report_accuracy.title"), parts=tuple(parts))
+
+
+def _table(rows: list[Row], remark: Text) -> Table:
+    columns = (
+        text(phrase("label.figure")),
+        whole(phrase("label.value")),
+        text(phrase("report_accuracy.over")),
+        text(phrase("report_accuracy.noise_column")),
+        text(phrase("label.meaning")),
     )
-    parts += [Heading(text="In the images"), _told(_image_rows(view), note)]
-    return Section(anchor="accuracy", title="Accuracy: what each figure rests on", parts=tuple(parts))
+    return table(columns, zip(*rows, strict=True), note=remark)
 
 
-def _told(rows: list[Row], note: str) -> Table:
-    return table(COLUMNS, zip(*rows, strict=True), note=note)
+def _row(figure: str, value: str, over: str, noise: str, meaning: str) -> Row:
+    return figure, value, over, phrase("report_accuracy.noise", noise=noise), meaning
 
 
 def noise_of(view: View) -> str:
-    """The noise that standard deviations suppose, in words."""
+    """The noise that standard deviations suppose."""
     return WHITE if view.adjustment.noise.kind == "white" else FIELDS
+
+
+def _over(kind: str, n: int, coordinates: int) -> Text:
+    """What a figure is taken over."""
+    return phrase("report_accuracy.points", kind=kind, n=n, coordinates=coordinates)
 
 
 def _object_rows(view: View) -> list[Row]:
     std, network = free_std(view), view.adjustment.network
     if not len(std):
         return []
-    over = f"{counted(len(std), 'object point')}, {grouped(int(np.isfinite(std).sum()))} coordinates"
     good = std[np.isfinite(std)]
+    over = _over("object", len(std), len(good))
     noise = noise_of(view)
-    mean, of_which = float(good.mean()), "of a coordinate"
-    if network is not None and math.isfinite(network.relative_precision):
-        few = left_out(network)
-        mean, of_which = network.mean_std * view.factor, f"of a coordinate{few}; that of 1 : N"
+    related = network is not None and math.isfinite(network.relative_precision)
+    mean = network.mean_std * view.factor if network is not None and related else float(good.mean())
+    omitted = 1 - network.mean_share if network is not None and related else 0.0
     rows: list[Row] = [
-        ("standard deviation, rms", f"{significant(rms(std))} {view.unit}", over, noise,
-         "of a coordinate; a few weak points enlarge it"),
-        ("standard deviation, mean", f"{significant(mean)} {view.unit}", over, noise, of_which),
-        ("standard deviation, median", f"{significant(float(np.median(good)))} {view.unit}", over, noise,
-         "half of the coordinates are more precise"),
+        _row(phrase("report_accuracy.deviation", kind="rms"), f"{significant(rms(std))} {view.unit}", over, noise,
+             phrase("report_accuracy.deviation_rms")),
+        _row(phrase("report_accuracy.deviation", kind="mean"), f"{significant(mean)} {view.unit}", over, noise,
+             phrase("report_accuracy.deviation_mean", omitted=omitted, related=related)),
+        _row(phrase("report_accuracy.deviation", kind="median"), f"{significant(float(np.median(good)))} {view.unit}",
+             over, noise, phrase("report_accuracy.deviation_median")),
     ]  # fmt: skip
-    if network is not None and math.isfinite(network.relative_precision):
+    if network is not None and related:
         n = grouped(float(f"{network.relative_precision:.2g}"))
-        outer = ", without the outermost 0.25 % at either end of an axis" if np.sum(network.rays > 0) > MANY else ""
-        extent = f"{significant(network.extent)} {view.length_unit}"
-        words = (
-            f"mean standard deviation over the largest extent, {extent}: the diagonal of the box along the principal "
-            f"axes{outer}"
-        )
-        rows.append(("relative precision", f"1 : {n}", over, noise, words))
+        cut = bool(np.sum(network.rays > 0) > MANY)
+        meaning = phrase("report_accuracy.relative_meaning", extent=network.extent, unit=view.length_unit, cut=cut)
+        rows.append(_row(phrase("report_accuracy.relative"), f"1 : {n}", over, noise, meaning))
     return rows
 
 
@@ -86,19 +94,15 @@ def _check_rows(view: View) -> list[Row]:
     known = np.isfinite(difference)
     if not known.any():
         return []
-    points = int(known.any(axis=1).sum())
-    over = f"{counted(points, 'check point')}, {grouped(int(known.sum()))} coordinates"
-    rows: list[Row] = [
-        ("difference at check points, rms", f"{significant(rms(difference))} {view.unit}", over, NO_NOISE,
-         "adjusted minus given; holds the errors of the given coordinates, and those that all photographs share"),
-    ]  # fmt: skip
+    over = _over("check", int(known.any(axis=1).sum()), int(known.sum()))
+    size = f"{significant(rms(difference))} {view.unit}"
+    meaning = phrase("report_accuracy.check_meaning")
+    rows = [_row(phrase("report_accuracy.check"), size, over, NO_NOISE, meaning)]
     expected = expected_check_std(view)
     if (known & np.isfinite(expected)).any():
-        size = rms(np.where(known, expected, math.nan))
-        rows.append((
-            "what is expected of it", f"{significant(size)} {view.unit}", over, noise_of(view),
-            "standard deviation of adjusted and given coordinate together, of these points alone",
-        ))  # fmt: skip
+        size = f"{significant(rms(np.where(known, expected, math.nan)))} {view.unit}"
+        meaning = phrase("report_accuracy.check_expected")
+        rows.append(_row(phrase("report_accuracy.expected"), size, over, noise_of(view), meaning))
     return [*rows, *_asprs_rows(view)]
 
 
@@ -106,49 +110,49 @@ def _length_rows(view: View) -> list[Row]:
     t = view.lengths
     if t is None:
         return []
-    over = counted(t.independent, "length")
+    over = phrase("report_accuracy.lengths", n=t.independent)
     expected = float(np.sqrt(np.mean(t.error_sigma[t.compared] ** 2)))
     return [
-        ("error of known lengths, rms", f"{significant(LENGTH_MM * t.rms)} mm", over, NO_NOISE,
-         "measured minus known, of lengths that took no part; holds the errors of their certificates"),
-        ("what is expected of it", f"{significant(LENGTH_MM * expected)} mm", over, noise_of(view),
-         "standard deviation of measured and known length together"),
+        _row(phrase("report_accuracy.length_error"), f"{significant(LENGTH_MM * t.rms)} mm", over, NO_NOISE,
+             phrase("report_accuracy.length_meaning")),
+        _row(phrase("report_accuracy.expected"), f"{significant(LENGTH_MM * expected)} mm", over, noise_of(view),
+             phrase("report_accuracy.length_expected")),
     ]  # fmt: skip
 
 
 def _asprs_rows(view: View) -> list[Row]:
-    told = view.accuracy.tested
-    if told is None or view.free_frame:
+    tested = view.accuracy.tested
+    if tested is None or view.free_frame:
         return []
     rows: list[Row] = []
-    for name, size, count, words in (
-        ("RMSE_H (ASPRS 2024)", told.rmse_h, told.horizontal, "both axes of the plan together"),
-        ("RMSE_V (ASPRS 2024)", told.rmse_v, told.vertical, "height"),
+    for name, size, count, plan in (
+        ("RMSE_H (ASPRS 2024)", tested.rmse_h, tested.horizontal, True),
+        ("RMSE_V (ASPRS 2024)", tested.rmse_v, tested.vertical, False),
     ):
         if math.isfinite(size):
             value = f"{significant(size * view.factor)} {view.unit}"
-            meaning = f"{words}: difference at check points, with the stated error of these added"
-            rows.append((name, value, counted(count, "check point"), NO_NOISE, meaning))
+            meaning = phrase("report_accuracy.asprs", plan=plan)
+            rows.append(_row(name, value, phrase("report_accuracy.check_points", n=count), NO_NOISE, meaning))
     return rows
 
 
 def _control_rows(view: View) -> list[Row]:
     rows: list[Row] = []
-    whole = view.accuracy.left_out
-    if whole.any:
-        d = whole.difference * view.factor
-        over = f"{counted(len(d), 'control point')}, {grouped(int(np.isfinite(d).sum()))} coordinates"
-        words = "leave-one-out: adjusted minus given had the whole point taken no part, to first order"
-        rows.append(("control points left out, rms", f"{significant(rms(d))} {view.unit}", over, NO_NOISE, words))
-    told = view.accuracy.coordinates_left_out
-    d = np.array([v for _, _, v in told], float)
+    points = view.accuracy.left_out
+    if points.any:
+        d = points.difference * view.factor
+        over = _over("control", len(d), int(np.isfinite(d).sum()))
+        size = f"{significant(rms(d))} {view.unit}"
+        meaning = phrase("report_accuracy.points_meaning")
+        rows.append(_row(phrase("report_accuracy.points_left_out"), size, over, NO_NOISE, meaning))
+    found = view.accuracy.coordinates_left_out
+    d = np.array([v for _, _, v in found], float)
     known = np.isfinite(d)
     if known.any():
-        points = len({told[k][0] for k in np.flatnonzero(known)})
-        over = f"{counted(points, 'control point')}, {grouped(int(known.sum()))} coordinates"
-        words = "the same of one coordinate at a time, the others of its point taking part"
-        name, size = "control coordinates left out, rms", f"{significant(rms(d[known] * view.factor))} {view.unit}"
-        rows.append((name, size, over, NO_NOISE, words))
+        over = _over("control", len({found[k][0] for k in np.flatnonzero(known)}), int(known.sum()))
+        size = f"{significant(rms(d[known] * view.factor))} {view.unit}"
+        meaning = phrase("report_accuracy.coordinates_meaning")
+        rows.append(_row(phrase("report_accuracy.coordinates_left_out"), size, over, NO_NOISE, meaning))
     return rows
 
 
@@ -156,38 +160,27 @@ def _image_rows(view: View) -> list[Row]:
     observations = view.adjustment.image_observations
     std = np.sqrt(view.given.observations.cov_px2[view.used, :2])
     if not len(std):
-        return [("image coordinate", "none", "no image point", NO_NOISE, "nothing was measured in images")]
-    over = f"{counted(len(std), 'image observation')} that took part, {grouped(std.size)} coordinates"
+        name, over = phrase("report_accuracy.image_coordinate"), phrase("report_accuracy.no_image_point")
+        return [_row(name, NONE, over, NO_NOISE, phrase("report_accuracy.not_measured"))]
+    over = phrase("report_accuracy.image_observations", n=len(std), coordinates=std.size)
     uniform = float(np.ptp(std)) < 1e-3 * float(np.median(std))
-    rows: list[Row] = [
-        (f"stated{'' if uniform else ', median'}", _px(float(np.median(std))), over, WHITE,
-         "what each was given with (its weight)")
-    ]  # fmt: skip
+    kind = "one" if uniform else "median"
+    median = float(np.median(std))
+    stated = phrase("report_accuracy.stated", kind=kind)
+    rows = [_row(stated, _px(median), over, WHITE, phrase("report_accuracy.stated_meaning"))]
     if not uniform:
-        rows.append(("stated, rms", _px(rms(std)), over, WHITE, "the less precise points count more"))
+        stated = phrase("report_accuracy.stated", kind="rms")
+        rows.append(_row(stated, _px(rms(std)), over, WHITE, phrase("report_accuracy.stated_rms")))
     if math.isfinite(view.adjustment.sigma0) and view.adjustment.redundancy > 0:
-        which = "" if uniform else ", median"
-        scaled = float(np.median(std)) * view.scale
-        rows.append((f"stated times σ₀{which}", _px(scaled), over, WHITE, _by_sigma0(view)))
-        if not uniform:
-            rows.append(
-                (
-                    "stated times σ₀, rms",
-                    _px(rms(std) * view.scale),
-                    over,
-                    WHITE,
-                    f"{_by_sigma0(view)}; that of a measured image point",
-                )
-            )
+        for kind_, size in ((kind, median), *(() if uniform else (("rms", rms(std)),))):
+            scaled = phrase("report_accuracy.scaled", kind=kind_)
+            meaning = phrase("report_accuracy.by_sigma0", sigma0=view.adjustment.sigma0, kind=kind_)
+            rows.append(_row(scaled, _px(size * view.scale), over, WHITE, meaning))
     residual: Array = observations.residuals_px[view.used]
     r = observations.redundancy[view.used]
-    share = f", mean redundancy number {significant(float(np.nanmean(r)), 2)}" if np.isfinite(r).any() else ""
-    words = f"adjusted minus measured{share}"
-    return [*rows, ("residual, rms", _px(rms(residual)), over, NO_NOISE, words)]
-
-
-def _by_sigma0(view: View) -> str:
-    return f"what the residuals say of it: σ₀ = {significant(view.adjustment.sigma0)}"
+    known = bool(np.isfinite(r).any())
+    meaning = phrase("report_accuracy.residual_meaning", known=known, r=float(np.nanmean(r)) if known else 0.0)
+    return [*rows, _row(phrase("report_accuracy.residual"), _px(rms(residual)), over, NO_NOISE, meaning)]
 
 
 def _px(value: float) -> str:

@@ -12,6 +12,7 @@ from raybundle.adjustment.accuracy import levelled
 from raybundle.adjustment.result import ObservationGroup
 from raybundle.block import Role
 from raybundle.block.known import known_before
+from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.natural import natural_order
 from raybundle.observations import in_order, observation_kinds
@@ -32,7 +33,7 @@ from raybundle.report.parts import (
     table,
     text,
 )
-from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, fixed, grouped, significant
+from raybundle.report.text.numbers import NONE, cells, column_decimals, fixed, grouped, significant
 from raybundle.report.text.words import controlled, expected_check_std, printed
 from raybundle.report.view import View, rms
 
@@ -52,14 +53,17 @@ def control_section(view: View) -> Section:
             if g.kind == "control":
                 g = g.rows(np.array(natural_order(g.ids), np.int64))
             if g.kind == kind.name and len(g.ids):
-                parts += [Heading(text=kind.title), *_group(view, g, kind.object, rest)]
+                parts += [
+                    Heading(text=phrase("report_control.kind", kind=kind.name, title=kind.title)),
+                    *_group(view, g, kind.object, rest),
+                ]
     parts += _left_out(view)
     parts += _check(view) + _taken_out(view)
     parts += _marks(view)
     if not parts:
-        parts.append(Paragraph(text="Neither control, check points, scale bars nor projection centres were given."))
+        parts.append(Paragraph(text=phrase("report_control.none")))
     parts += _components(view)
-    return Section(anchor="control", title="Control, check points and groups of observations", parts=tuple(parts))
+    return Section(anchor="control", title=phrase("report_control.title"), parts=tuple(parts))
 
 
 def _without_scenes(view: View, g: ObservationGroup) -> ObservationGroup:
@@ -102,12 +106,12 @@ def _left_out(view: View) -> list[Part]:
         fine = column_decimals(np.abs(used) / 10)
         ids = [*pick(whole.rows, view.given.points.ids), "rms"]
         columns = [cells([*d[:, k].tolist(), rms(d[:, k])], fine) for k in range(3)]
-        shape = (text("point"), *(number(f"d{n}", view.unit) for n in names))
-        note = "Leave-one-out: adjusted minus given had the point, with all coordinates, taken no part, to first order."
+        shape = (text(phrase("label.point")), *(number(f"d{n}", view.unit) for n in names))
+        remark = [note("report_control.leave_one_out"), note("report_control.first_order")]
         if not view.accuracy.check.any:
-            note += " It stands in for check points, of which there are none."
-        body = table(shape, (ids, *columns), note=note, rest="result.json")
-        parts += [Heading(text="Control left out, one point at a time"), body]
+            remark.append(note("report_control.no_check_points"))
+        body = table(shape, (ids, *columns), note=Text.of(*remark), rest="result.json")
+        parts += [Heading(text=phrase("report_control.points_left_out")), body]
     rows: list[Sequence[str]] = []
     for axis in "XYZ":
         found = [(abs(v), p) for p, c, v in view.accuracy.coordinates_left_out if c == axis and math.isfinite(v)]
@@ -117,15 +121,13 @@ def _left_out(view: View) -> list[Part]:
     if rows:
         body = table(
             (
-                text("coordinate"), number("points"), number("rms", view.unit), number("largest", view.unit),
-                text("at"),
+                text(phrase("label.coordinate")), number(phrase("label.points")), number("rms", view.unit),
+                number(phrase("label.largest"), view.unit), text(phrase("label.at_point")),
             ),
             zip(*rows, strict=True),
-            note="The same of one coordinate at a time, the others of its point taking part: residual over redundancy "
-            "number. It finds a single wrong coordinate; as an accuracy it is too good where coordinates of a point "
-            "hold each other.",
+            note=phrase("report_control.coordinate_left_out"),
         )  # fmt: skip
-        parts += [Heading(text="Control left out, one coordinate at a time"), body]
+        parts += [Heading(text=phrase("report_control.coordinates_left_out")), body]
     return parts
 
 
@@ -134,18 +136,18 @@ def _asprs(view: View) -> list[Part]:
     t = view.accuracy.tested
     if t is None or view.free_frame:
         return []
-    found = [
-        f"{name} {significant(size * view.factor)} {view.unit} from {counted(n, 'check point')}"
+    found = [note("report_control.asprs")]
+    found += [
+        note("report_control.rmse", name=name, rmse=size * view.factor, unit=view.unit, n=n)
         for name, size, n in (("RMSE_H", t.rmse_h, t.horizontal), ("RMSE_V", t.rmse_v, t.vertical))
         if math.isfinite(size)
     ]
-    words = f"Accuracy in the sense of ASPRS (2024), that of the check points included: {', '.join(found)}."
     if not t.stated:
-        words += " Not all check points state their own standard deviation; theirs counts as 0."
+        found.append(note("report_control.check_sigma_missing"))
     needed = view.accuracy.needed
     if min(t.horizontal, t.vertical or t.horizontal) < needed:
-        words += f" At least {needed} are asked for there: with fewer it is a figure, not a proof."
-    return [Paragraph(text=words)]
+        found.append(note("report_control.check_points_needed", least=needed))
+    return [Paragraph(text=Text.of(*found))]
 
 
 def _marks(view: View) -> list[Part]:
@@ -157,12 +159,14 @@ def _marks(view: View) -> list[Part]:
     rows, images = marked_images(view)
     o = view.given.observations
     all_images = len(np.unique(o.image[rows]))
-    which = "" if all_images == len(images) else f" The {len(images)} of {all_images} images with the most of them."
-    words = (
-        f"{counted(len(rows), 'measurement')} of control points (red) and check points (green) in "
-        f"{counted(all_images, 'image')}, residuals as vectors, adjusted minus measured; a cross: rejected.{which}"
+    which = [] if all_images == len(images) else [note("report_control.marks_drawn", n=len(images), of=all_images)]
+    words = Text.of(
+        note("report_control.marks", n=len(rows), images=all_images), note("report_control.marks_vectors"), *which
     )
-    return [Heading(text="Where they were measured"), Figures(figures=(Figure(drawing=figure, caption=words),))]
+    return [
+        Heading(text=phrase("report_control.marks_heading")),
+        Figures(figures=(Figure(drawing=figure, caption=words),)),
+    ]
 
 
 def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
@@ -170,33 +174,33 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
     factor, unit = _unit(view, g)
     parts: list[Part] = []
     if not weighted.any():
-        text_ = f"{counted(len(g.ids), 'coordinate')} held as given; they have no residuals of their own."
-        return [Paragraph(text=text_), Folded(summary="Held coordinates", parts=(_held_table(view, g),))]
+        held = Folded(summary=phrase("report_control.held_list"), parts=(_held_table(view, g),))
+        return [Paragraph(text=phrase("report_control.held", n=len(g.ids))), held]
     told = controlled(g)
-    head = f"{counted(int(weighted.sum()), 'value')} observed, {grouped(int((~weighted).sum()))} held"
+    head = note("report_control.observed", n=int(weighted.sum()), held=int((~weighted).sum()))
     if told.any() and observation_kinds[g.kind].unit == "own":
         # units differ from row to row: what they have in common is the residual by its sigma
         v, w = g.residual[told] / g.sigma[told], g.w[told]
-        size = f"rms of residual by sigma {fixed(rms(v), 2)}"
+        size = [note("report_control.rms_by_sigma", rms=rms(v))]
         if np.isfinite(w).any():
-            size += f", largest |w| {fixed(float(np.nanmax(np.abs(w))), 2)}"
-        parts.append(Paragraph(text=f"{head}; {size}."))
+            size.append(note("report_control.largest_w", w=float(np.nanmax(np.abs(w)))))
+        parts.append(Paragraph(text=Text.of(head, *size)))
     elif told.any():
         v = g.residual[told] * factor
-        size = f"rms residual {significant(rms(v))} {unit}, largest {significant(float(np.nanmax(np.abs(v))))} {unit}"
-        parts.append(Paragraph(text=f"{head}; {size.strip()}."))
+        largest = float(np.nanmax(np.abs(v)))
+        residual = note("report_control.rms_residual", rms=rms(v), largest=largest, unit=unit)
+        parts.append(Paragraph(text=Text.of(head, residual)))
     else:
-        parts.append(Paragraph(text=f"{head}. All are needed to fix the datum: nothing controls them."))
+        parts.append(Paragraph(text=Text.of(head, note("report_control.uncontrolled"))))
     whole = _group_table(view, g, what, rest, factor, unit)
     if len(g.ids) <= LONG:
         return [*parts, whole]
     order = np.argsort(-np.nan_to_num(np.abs(g.w)), kind="stable")[:LARGEST]
-    worst = replace(_group_table(view, g.rows(order), what, rest, factor, unit), caption="The largest |w|")
-    return [
-        *parts,
-        worst,
-        Folded(summary=f"{observation_kinds[g.kind].title}, all {counted(len(g.ids), 'row')}", parts=(whole,)),
-    ]
+    worst = replace(
+        _group_table(view, g.rows(order), what, rest, factor, unit), caption=phrase("report_control.largest_rows")
+    )
+    summary = phrase("report_control.all_rows", kind=g.kind, title=observation_kinds[g.kind].title, n=len(g.ids))
+    return [*parts, worst, Folded(summary=summary, parts=(whole,))]
 
 
 def _unit(view: View, g: ObservationGroup) -> tuple[float, str]:
@@ -215,19 +219,18 @@ def _row_units(view: View, g: ObservationGroup) -> list[tuple[float, str]]:
     return [printed(view, units.get((i.partition("/")[0], s), "1")) for i, s in pairs]
 
 
-def _quantities(view: View, g: ObservationGroup) -> tuple[list[str], str]:
+def _quantities(view: View, g: ObservationGroup) -> tuple[list[str], list[Message]]:
     """What is observed in each row, and what is to be said of logarithms."""
     logarithms = {(c.id, r.name): s for c in view.given.parametrised for s, r in known_before(c).items() if r.logarithm}
     if g.kind != "relation" or not logarithms:
-        return list(g.component), ""
+        return list(g.component), []
     symbols = [logarithms.get((i.partition("/")[0], name)) for i, name in zip(g.ids, g.component, strict=True)]
-    shown = [name if s is None else f"known before: ln {s}" for s, name in zip(symbols, g.component, strict=True)]
-    told = ", ".join(dict.fromkeys(s for s in symbols if s is not None))
-    note = (
-        f" Of {told} a factor was known before: the natural logarithm of its value in mm is observed, and sigma and "
-        "residual are shares of it, 0.01 about 1 %."
-    )
-    return shown, note if told else ""
+    shown = [
+        name if s is None else phrase("report_control.known_before", symbol=s)
+        for s, name in zip(symbols, g.component, strict=True)
+    ]
+    factors = list(dict.fromkeys(s for s in symbols if s is not None))
+    return shown, [note("report_control.logarithms", symbols=factors)] if factors else []
 
 
 def _held_table(view: View, g: ObservationGroup) -> Table:
@@ -236,7 +239,7 @@ def _held_table(view: View, g: ObservationGroup) -> Table:
     given = dict(zip(zip(g.ids, g.component, strict=True), g.given.tolist(), strict=True))
     columns = [[given.get((i, axis), math.nan) for i in ids] for axis in "XYZ"]
     return table(
-        (text("point"), *(number(axis, view.length_unit) for axis in "XYZ")),
+        (text(phrase("label.point")), *(number(axis, view.length_unit) for axis in "XYZ")),
         (ids, *(cells(c, 4 if view.length_unit == "m" else 2) for c in columns)),
         rest="control.csv",
     )
@@ -261,23 +264,26 @@ def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: 
     limit = view.adjustment.critical_w * max(view.scale, 1.0)
     beyond = np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit).tolist()
     length = view.length_unit if observation_kinds[g.kind].unit == "length" else unit
-    unit_column, unit_cells = ([], []) if own is None else ([text("unit")], [[u for _, u in own]])
+    unit_column, unit_cells = ([], []) if own is None else ([text(phrase("label.unit"))], [[u for _, u in own]])
     return table(
         (
-            text(what), text(""), *unit_column, number("given", length), number("sigma", unit),
-            number("adjusted", length), number("sigma", unit), number("residual", unit), number("r"), number("w"),
-            number("τ"), number("mdb", unit),
+            text(phrase("report_control.object", kind=g.kind, what=what)), text(""), *unit_column,
+            number(phrase("label.given"), length), number(phrase("label.sigma"), unit),
+            number(phrase("label.adjusted"), length), number(phrase("label.sigma"), unit),
+            number(phrase("label.residual"), unit), number("r"), number("w"), number("τ"), number("MDB", unit),
         ),
         (
             g.ids, component, *unit_cells, given,
-            ["held" if s == 0 else t for s, t in zip(g.sigma, sigma, strict=True)], adjusted,
+            [phrase("label.held") if s == 0 else t for s, t in zip(g.sigma, sigma, strict=True)], adjusted,
             [NONE if s == 0 else t for s, t in zip(g.sigma, std, strict=True)],
             [NONE if s == 0 else t for s, t in zip(g.sigma, v, strict=True)],
             [NONE if s == 0 else t for s, t in zip(g.sigma, cells(g.redundancy.tolist(), 3), strict=True)],
             cells(g.w.tolist(), 2), cells(g.t.tolist(), 2), mdb,
         ),
-        note="Residual: adjusted minus given; mdb: smallest detectable blunder." + (" Marked: |w| beyond its "
-        "family-wise critical value." if beyond else "") + of_logarithms,
+        note=Text.of(
+            note("report_control.residual_note"), note("label.mdb_note"),
+            *([note("report_control.marked")] if beyond else []), *of_logarithms,
+        ),
         rest=rest,
         marked=beyond,
     )  # fmt: skip
@@ -294,17 +300,17 @@ def _taken_out(view: View) -> list[Part]:
     fine = column_decimals(sigma)
     body = table(
         (
-            text("point"), *(number(f"d{axis}", view.unit) for axis in "XYZ"),
-            *(number(f"sigma d{axis}", view.unit) for axis in "XYZ"), number("rays"),
+            text(phrase("label.point")), *(number(f"d{axis}", view.unit) for axis in "XYZ"),
+            *(number(phrase("label.sigma_of", symbol=f"d{axis}"), view.unit) for axis in "XYZ"),
+            number(phrase("label.rays")),
         ),
         (
             pick(rows, given.ids), *(cells(d[:, k].tolist(), fine) for k in range(3)),
             *(cells(sigma[:, k].tolist(), fine) for k in range(3)), [grouped(float(view.rays[i])) for i in rows],
         ),
-        note="d: adjusted minus given. They contradict the others and took no part; they are no check points either, "
-        "and count in no accuracy.",
+        note=Text.of(note("report_control.difference_note"), note("report_control.rejected_control")),
     )  # fmt: skip
-    return [Heading(text="Control points that were taken out"), body]
+    return [Heading(text=phrase("report_control.rejected_heading")), body]
 
 
 def _check(view: View) -> list[Part]:
@@ -321,9 +327,10 @@ def _check(view: View) -> list[Part]:
     ratio = np.abs(difference) / std
     body = table(
         (
-            text("point"), *(number(axis, view.length_unit) for axis in "XYZ"),
+            text(phrase("label.point")), *(number(axis, view.length_unit) for axis in "XYZ"),
             *(number(f"d{axis}", view.unit) for axis in "XYZ"),
-            *(number(f"sigma d{axis}", view.unit) for axis in "XYZ"), number("largest |d| / sigma"), number("rays"),
+            *(number(phrase("label.sigma_of", symbol=f"d{axis}"), view.unit) for axis in "XYZ"),
+            number(phrase("report_control.largest_ratio")), number(phrase("label.rays")),
         ),
         (
             pick(rows, given.ids), *(cells(xyz[:, k].tolist(), coarse) for k in range(3)),
@@ -332,14 +339,18 @@ def _check(view: View) -> list[Part]:
             cells(np.where(np.isfinite(ratio).any(axis=1), np.max(np.nan_to_num(ratio), axis=1), np.nan).tolist(), 2),
             [grouped(float(view.rays[i])) for i in rows],
         ),
-        note="d: adjusted minus given; its sigma holds that of the adjusted and that of the given coordinate. Check "
-        "points took no part as control.",
+        note=Text.of(note("report_control.difference_note"), note("report_control.check_sigma_note")),
         rest="check.csv",
         marked=np.flatnonzero(np.max(np.nan_to_num(ratio), axis=1) > 3.29).tolist(),
     )  # fmt: skip
-    folded = Folded(summary=f"All {counted(len(rows), 'check point')}", parts=(body,))
+    folded = Folded(summary=phrase("report_control.all_check_points", n=len(rows)), parts=(body,))
     shown = body if len(rows) <= LONG else folded
-    return [Heading(text="Check points"), _check_summary(difference, std, view.unit), *_asprs(view), shown]
+    return [
+        Heading(text=phrase("report_control.check_points")),
+        _check_summary(difference, std, view.unit),
+        *_asprs(view),
+        shown,
+    ]
 
 
 def _check_summary(difference: Array, std: Array, unit: str) -> Table:
@@ -354,8 +365,8 @@ def _check_summary(difference: Array, std: Array, unit: str) -> Table:
             )
     return table(
         (
-            text("coordinate"), number("points"), number("mean", unit), number("rms", unit), number("largest", unit),
-            number("rms of d / sigma"),
+            text(phrase("label.coordinate")), number(phrase("label.points")), number(phrase("label.mean"), unit),
+            number("rms", unit), number(phrase("label.largest"), unit), number(phrase("report_control.rms_ratio")),
         ),
         zip(*rows, strict=True) if rows else [[] for _ in range(6)],
     )  # fmt: skip
@@ -365,21 +376,20 @@ def _components(view: View) -> list[Part]:
     """Variance components but those of single images, which stand with the residuals."""
     found = [v for v in view.adjustment.variance_components if v.kind != "image"]
     strange = sum(1 for v in view.adjustment.variance_components if v.kind == "image" and v.significant)
-    verb = "differs" if strange == 1 else "differ"
     if not found:
         return []
     body = table(
         (
-            text("observations"), text("group"), number("number"), number("redundancy"),
-            number("σ a posteriori / a priori"), text(""),
+            text(phrase("label.observations")), text(phrase("label.group")), number(phrase("label.number")),
+            number(phrase("label.redundancy")), number(phrase("label.sigma_ratio")), text(""),
         ),
         (
             [v.kind for v in found], [v.group for v in found], [grouped(v.count) for v in found],
             cells([v.redundancy for v in found], 1), cells([v.ratio for v in found], 3),
-            ["differs from the others (1 %)" if v.significant else "" for v in found],
+            [phrase("report_control.group_differs") if v.significant else "" for v in found],
         ),
-        note="A group that is marked differs from all others together (F test): it is weighted too high (ratio above "
-        "theirs) or too low (below); change its a-priori sigma. Förstner 1979."
-        + (f" {counted(strange, 'image')} {verb} on their own, see the images under “Residuals”." if strange else ""),
+        note=Text.of(
+            note("report_control.group_note"), *([note("report_control.images_differ", n=strange)] if strange else [])
+        ),
     )  # fmt: skip
-    return [Heading(text="Variance components"), body]
+    return [Heading(text=phrase("report_control.components")), body]

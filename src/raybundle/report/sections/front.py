@@ -159,7 +159,7 @@ def _cameras(o: Occasion) -> list[Part]:
         number(phrase("front.median_uncertainty"), "px"), number(phrase("front.largest_uncertainty"), "px"),
     )  # fmt: skip
     remark = phrase("front.uncertainty_meaning")
-    return [Heading(text=phrase("label.cameras")), table(shape, zip(*rows, strict=True), note=remark)]
+    return [Heading(text=phrase("label.heading_cameras")), table(shape, zip(*rows, strict=True), note=remark)]
 
 
 def _rays(view: View) -> str:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from raybundle.adjustment.result import InteriorResult, ParameterResult
 from raybundle.block import Instrument
+from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.chapters import section
 from raybundle.report.figures.distortion import ADDITIONAL, Curve, Interior, balanced, decentring_curve, radial_curve
@@ -29,8 +31,6 @@ from raybundle.report.parts import (
 from raybundle.report.text.numbers import (
     NONE,
     fixed,
-    grouped,
-    listed,
     plain,
     probability,
     significant,
@@ -46,7 +46,6 @@ OPEN_DRAWN = 2
 """Those whose figures are shown beside their parameters; of a third one a reader looks them up."""
 MOST_PARAMETERS = 40
 """Parameters of a camera that are listed, and up to which correlations are drawn."""
-CORNER = "largest shift within the format"
 
 
 @section("interior orientation", after="panoramas")
@@ -56,7 +55,7 @@ def interior_section(view: View) -> Section:
     parts: list[Part] = []
     if any(i.image is not None for i in a.interior):
         each = _per_image(view)
-        parts += [Folded(summary=f"{each.caption}", parts=(replace(each, caption=""),))]
+        parts += [Folded(summary=each.caption, parts=(replace(each, caption=""),))]
     for k, result in enumerate(a.interior):
         if k >= MOST_DRAWN and result.image is not None:
             break
@@ -65,32 +64,44 @@ def interior_section(view: View) -> Section:
         own: list[Part] = [Heading(text=_title(view, result)), parameter_table(result, view)]
         if k < MOST_DRAWN:
             details = _details(view, result)
-            of = Folded(summary=f"Figures of {name_of(result)}", parts=tuple(details))
+            of = Folded(summary=phrase("report_interior.figures_of", **_named(result)), parts=tuple(details))
             own += details if k < OPEN_DRAWN or not details else [of]
-        parts += own if result.image is None else [Folded(summary=name_of(result), parts=tuple(own))]
+        parts += (
+            own
+            if result.image is None
+            else [Folded(summary=phrase("report_interior.name", **_named(result)), parts=tuple(own))]
+        )
     if scenes := [r.camera for r in a.interior if _is_scene(view, r)]:
-        what = f"What was estimated for the scenes stands in their own section: {listed(scenes)}."
-        parts.append(Paragraph(text=what, note=True))
+        parts.append(Paragraph(text=phrase("report_interior.scenes", names=scenes), note=True))
     if len(a.interior) - len(scenes) > MOST_DRAWN:
-        what = f"Figures are drawn for {MOST_DRAWN} of {grouped(len(a.interior) - len(scenes))} interior orientations."
+        what = phrase("report_interior.figures_drawn", n=MOST_DRAWN, of=len(a.interior) - len(scenes))
         parts.append(Paragraph(text=what, note=True))
-    return Section(anchor="interior", title="Interior orientation", parts=tuple(parts))
+    return Section(anchor="interior", title=phrase("report_interior.title"), parts=tuple(parts))
 
 
 def _is_scene(view: View, result: InteriorResult) -> bool:
     return any(c.id == result.camera and c.is_scene for c in view.given.cameras)
 
 
-def _title(view: View, result: InteriorResult) -> str:
+def _named(result: InteriorResult) -> dict[str, Any]:
+    """Camera and image of an interior orientation; `single`: whether it is one of a single image."""
+    return {"camera": result.camera, "image": result.image or "", "single": result.image is not None}
+
+
+def _title(view: View, result: InteriorResult) -> Text:
     camera = next(c for c in view.given.parametrised if c.id == result.camera)
     if isinstance(camera, Instrument):
-        return f"{camera.sensor.noun[0].upper()}{camera.sensor.noun[1:]} {result.camera}"
-    width, height = camera.size_mm
-    name = name_of(result)
-    return (
-        f"{name[0].upper()}{name[1:]}: model {camera.model}, {grouped(camera.width_px)} × "
-        f"{grouped(camera.height_px)} px, {significant(width, 4)} × {significant(height, 4)} mm, pixel "
-        f"{significant(1000 * camera.pixel_mm[0], 4)} µm"
+        return phrase("report_interior.instrument", noun=camera.sensor.noun, name=result.camera)
+    width_mm, height_mm = camera.size_mm
+    return phrase(
+        "report_interior.camera",
+        **_named(result),
+        model=camera.model,
+        width_px=camera.width_px,
+        height_px=camera.height_px,
+        width_mm=float(width_mm),
+        height_mm=float(height_mm),
+        pixel_um=1000 * camera.pixel_mm[0],
     )
 
 
@@ -111,8 +122,10 @@ def parameter_table(result: InteriorResult, view: View) -> Table:
     cells = [_value_cells(p, factor) for p, (factor, _) in zip(rows, units, strict=True)]
     return table(
         (
-            text("symbol"), text("meaning"), text("unit"), number("value"), number("sigma"), number("t"),
-            number("determinability"), number("effect", "px"), number("effect of sigma", "px"), text("status"),
+            text(phrase("label.symbol")), text(phrase("label.meaning")), text(phrase("label.unit")),
+            number(phrase("label.value")), number(phrase("label.sigma")), number("t"),
+            number(phrase("report_interior.determinability")), number(phrase("report_interior.effect"), "px"),
+            number(phrase("report_interior.effect_of_sigma"), "px"), text(phrase("label.status")),
         ),
         (
             [p.symbol for p in rows],
@@ -124,17 +137,19 @@ def parameter_table(result: InteriorResult, view: View) -> Table:
             [_optional(p.determinability, 2) for p in rows],
             [_optional(p.effect_px) for p in rows],
             [_optional(p.effect_std_px, 2) for p in rows],
-            [p.status for p in rows],
+            [phrase("report_interior.status", status=p.status.replace(" ", "_")) for p in rows],
         ),
-        note="t: value over sigma. Determinability: 1 = independent of all other unknowns, near 0 = only together "
-        f"with them. Effect: {CORNER}, of the value and of one sigma." + _rest(result),
+        note=Text.of(
+            note("report_interior.t_note"), note("report_interior.determinability_note"),
+            note("report_interior.effect_note"), *_rest(result),
+        ),
         marked=[k for k, p in enumerate(rows) if p.status in {"not determinable", "not significant"}],
     )  # fmt: skip
 
 
-def _rest(result: InteriorResult) -> str:
+def _rest(result: InteriorResult) -> list[Message]:
     left = len(result.parameters) - MOST_PARAMETERS
-    return f" {grouped(left)} further parameters stand in result.json." if left > 0 else ""
+    return [note("report_interior.further_parameters", n=left)] if left > 0 else []
 
 
 def _limited(t: float) -> str:
@@ -145,14 +160,14 @@ def _per_image(view: View) -> Table:
     """Values and sigmas where each image has an interior orientation of its own."""
     results = [i for i in view.adjustment.interior if i.image is not None]
     symbols = list(dict.fromkeys(s for i in results for s in i.free))
-    columns = [text("camera"), text("image")]
+    columns = [text(phrase("label.camera")), text(phrase("label.image"))]
     values: list[list[str]] = [[i.camera for i in results], [i.image or "" for i in results]]
     for s in symbols:
         pairs = [_value_cells(i.parameters[s]) if s in i.parameters else (NONE, NONE) for i in results]
         units = [i.parameters[s].unit for i in results if s in i.parameters]
-        columns += [number(s, unit_text(units[0])), number("sigma")]
+        columns += [number(s, unit_text(units[0])), number(phrase("label.sigma"))]
         values += [[p[0] for p in pairs], [p[1] for p in pairs]]
-    return table(columns, values, caption="Interior orientation of each image", rest="result.json")
+    return table(columns, values, caption=phrase("report_interior.of_images"), rest="result.json")
 
 
 def _details(view: View, result: InteriorResult) -> list[Part]:
@@ -163,14 +178,19 @@ def _details(view: View, result: InteriorResult) -> list[Part]:
         tests = [result.joint_tests[n] for n in names]
         aside.append(
             table(
-                (text("tested together"), number("F"), number("probability of a larger one by chance")),
+                (
+                    text(phrase("report_interior.tested_together")),
+                    number("F"),
+                    number(phrase("report_interior.probability")),
+                ),
                 (names, [significant(f) for f, _ in tests], [probability(p) for _, p in tests]),
-                caption="Joint tests: could all of these be zero?",
+                caption=phrase("report_interior.joint_tests"),
             )
         )
     aside += _correlations(view, result)
     if aside:
-        parts.append(Folded(summary=f"Tests and correlations of {name_of(result)}", parts=tuple(aside)))
+        summary = phrase("report_interior.tests_of", **_named(result))
+        parts.append(Folded(summary=summary, parts=tuple(aside)))
     if not drawable(view, result):
         return parts
     parts += _uncertainty(view, result)
@@ -179,9 +199,7 @@ def _details(view: View, result: InteriorResult) -> list[Part]:
     if any(interior.has(k) for k in sorted(ADDITIONAL)):
         parts += _distortion(interior, reach, name_of(result))
     else:
-        parts.append(
-            Paragraph(text="No distortion: all additional parameters have their defaults and are held.", note=True)
-        )
+        parts.append(Paragraph(text=phrase("report_interior.no_distortion"), note=True))
     return parts
 
 
@@ -192,7 +210,7 @@ def _correlations(view: View, result: InteriorResult) -> list[Part]:
     figures = [
         Figure(
             drawing=heat_map(result.free, result.free, result.correlations, f"correlations of {name_of(result)}"),
-            caption="Correlations between the parameters of the interior orientation.",
+            caption=phrase("report_interior.correlations"),
         )
     ]
     precision = view.adjustment.precision
@@ -205,7 +223,7 @@ def _correlations(view: View, result: InteriorResult) -> list[Part]:
                     "correlations with exterior orientation",
                     signed=False,
                 ),
-                caption="Largest |correlation| with the exterior orientation over all images of the camera.",
+                caption=phrase("report_interior.correlations_exterior"),
             )
         )  # fmt: skip
     return [Figures(figures=tuple(figures))]
@@ -224,13 +242,16 @@ def _uncertainty(view: View, result: InteriorResult) -> list[Part]:
     figures: list[Figure] = []
     for found in uncertainty_maps(view, result):
         distance = found.distance
-        where = "infinity" if distance is None else f"a distance of {significant(distance, 2)} {view.length_unit}"
         figures.append(
             Figure(
                 drawing=uncertainty_figure(camera, found),
-                caption=f"Uncertainty of projection at {where}: standard deviation of the image of a ray by errors of "
-                "the interior orientation, after the exterior orientation has taken up what it can. The largest is "
-                f"{significant(found.largest, 2)} px.",
+                caption=phrase(
+                    "report_interior.uncertainty",
+                    infinite=distance is None,
+                    distance=distance or 0.0,
+                    unit=view.length_unit,
+                    largest_px=found.largest,
+                ),
             )
         )
     return [Figures(figures=tuple(figures))] if figures else []
@@ -243,13 +264,10 @@ def _distortion(interior: Interior, reach: float, name: str) -> list[Part]:
     if interior.has("decentring"):
         curve = decentring_curve(interior)
         drawn = curves(interior, [(curve, "first", "")], reach, f"decentring distortion of {name}")
-        words = f"Decentring: largest correction over all directions{_banded(curve)}."
+        words = Text.of(note("report_interior.decentring"), *_banded(curve))
         figures.append(Figure(drawing=drawn, caption=words))
     drawn, largest = correction_field(interior, f"corrections over the format of {name}")
-    words = (
-        "All corrections over the format, from the measured point (dot) to the ideal one; the largest is "
-        f"{significant(largest)} px. The cross is the principal point."
-    )
+    words = phrase("report_interior.corrections", largest_px=largest)
     figures.append(Figure(drawing=drawn, caption=words))
     return [Figures(figures=tuple(figures))]
 
@@ -259,22 +277,20 @@ def _radial(interior: Interior, reach: float, name: str) -> list[Figure]:
     flat, share = balanced(curve)
     what = f"radial distortion of {name}"
     drawn = curves(interior, [(curve, "first", "Gaussian"), (flat, "second", "balanced")], reach, what)
-    extrapolated = (
-        f" No observation lies beyond {significant(reach)} mm (shaded): extrapolated."
-        if reach < interior.corner_mm
-        else ""
-    )
-    words = (
-        f"Radial correction, ideal minus measured{_banded(curve)}. Balanced: the same distortion with the camera "
-        f"constant changed by {significant(100 * share, 3)} %.{extrapolated}"
+    extrapolated = [note("report_interior.extrapolated", reach_mm=reach)] if reach < interior.corner_mm else []
+    words = Text.of(
+        note("report_interior.radial"),
+        *_banded(curve),
+        note("report_interior.balanced", share=share),
+        *extrapolated,
     )
     figures = [Figure(drawing=drawn, caption=words)]
     sigma = sigma_curve(interior, curve, reach, f"standard deviation of the {what}")
     if sigma is not None:
-        words = "Its standard deviation, from the covariance of the radial parameters."
+        words = phrase("report_interior.radial_sigma")
         figures.append(Figure(drawing=sigma, caption=words))
     return figures
 
 
-def _banded(curve: Curve) -> str:
-    return "" if curve.std_mm is None else ", with its 1-sigma band (which may be thinner than the line)"
+def _banded(curve: Curve) -> list[Message]:
+    return [] if curve.std_mm is None else [note("report_interior.band")]

@@ -7,6 +7,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from raybundle.errors import Text, note, phrase
 from raybundle.metrology.best_fit import BestFit
 from raybundle.metrology.lengths import COVERAGE, LengthTest
 from raybundle.numerics.arrays import Array
@@ -32,9 +33,7 @@ from raybundle.report.text.numbers import (
     NONE,
     cells,
     column_decimals,
-    counted,
     grouped,
-    listed,
     per_cent,
     plain,
     probability,
@@ -44,8 +43,6 @@ from raybundle.report.text.numbers import (
 MM = 1000.0
 MOST_LENGTHS = 500
 F = TypeVar("F")
-
-VERDICTS = {"within": "within", "beyond": "beyond", "undecided": "undecided", "": ""}
 
 
 def _finding(o: Occasion, kind: type[F]) -> F | None:
@@ -67,30 +64,31 @@ def deviations(o: Occasion) -> tuple[Section, ...]:
         _deviation_table(fit),
     ]
     if fit.missing:
-        words = f"{counted(len(fit.missing), 'nominal point')} not measured: {listed(fit.missing)}."
-        parts.append(Paragraph(text=words, note=True))
-    return (Section(anchor="deviations", title="Deviations from nominal coordinates", parts=tuple(parts)),)
+        missing = phrase("report_metrology.not_measured", n=len(fit.missing), names=list(fit.missing))
+        parts.append(Paragraph(text=missing, note=True))
+    return (Section(anchor="deviations", title=phrase("report_metrology.deviations"), parts=tuple(parts)),)
 
 
 def _fit_facts(fit: BestFit) -> tuple[Fact, ...]:
     by = int(fit.fitted.sum())
-    how = "their joint covariance" if fit.weighting == "covariance" else "equal weights"
-    scale = f"scale {plain(fit.transform.scale, 8)} ± {significant(1e6 * fit.scale_sigma, 2)} ppm" if (
-        fit.scale_sigma > 0
-    ) else "the scale was kept"  # fmt: skip
+    fitted = phrase(
+        "report_metrology.fit", weights=fit.weighting == "covariance", estimated=fit.scale_sigma > 0,
+        scale=float(fit.transform.scale), sigma_ppm=1e6 * float(fit.scale_sigma),
+    )  # fmt: skip
     facts = [
-        Fact(label="axes fitted by", value=counted(by, "point"), remark=f"{how}; {scale}"),
+        Fact(label=phrase("report_metrology.axes"), value=phrase("label.count_of_points", n=by), remark=fitted),
         Fact(
-            label="deviation of a coordinate", value=f"{significant(MM * fit.rms, 2)} mm",
-            remark="rms of the points that the axes were fitted by",
+            label=phrase("report_metrology.coordinate_deviation"), value=f"{significant(MM * fit.rms, 2)} mm",
+            remark=phrase("report_metrology.coordinate_deviation_meaning"),
         ),
         Fact(
-            label="largest deviation", value=f"{significant(MM * float(fit.length.max()), 3)} mm",
-            remark=f"point {fit.ids[int(fit.length.argmax())]}",
+            label=phrase("report_metrology.largest_deviation"),
+            value=f"{significant(MM * float(fit.length.max()), 3)} mm",
+            remark=phrase("report_metrology.point", name=fit.ids[int(fit.length.argmax())]),
         ),
         Fact(
-            label="not explained by errors of measurement", value=grouped(int(fit.significant.sum())),
-            remark=f"of {counted(len(fit.ids), 'point')}, family-wise",
+            label=phrase("report_metrology.significant"), value=grouped(int(fit.significant.sum())),
+            remark=phrase("report_metrology.significant_meaning", n=len(fit.ids)),
         ),
     ]  # fmt: skip
     if np.isfinite(fit.tolerance).any():
@@ -98,9 +96,9 @@ def _fit_facts(fit: BestFit) -> tuple[Fact, ...]:
         counts = [verdict.count(v) for v in ("within", "beyond", "undecided")]
         facts.append(
             Fact(
-                label="tolerances", value=f"{grouped(counts[0])} within",
-                remark=f"{grouped(counts[1])} beyond, {grouped(counts[2])} undecided (ISO 14253-1, two standard "
-                "deviations)",
+                label=phrase("report_metrology.tolerances"),
+                value=phrase("report_metrology.within", n=counts[0]),
+                remark=phrase("report_metrology.beyond", n=counts[1], undecided=counts[2]),
             )
         )  # fmt: skip
     return tuple(facts)
@@ -112,28 +110,26 @@ def _deviation_table(fit: BestFit) -> Table:
     d, fine = MM * fit.deviation, column_decimals(std)
     length, own = MM * fit.length, MM * fit.length_sigma
     verdict, strange = fit.verdict, fit.significant.tolist()
-    told = np.isfinite(fit.tolerance).any()
+    limited = np.isfinite(fit.tolerance).any()
     columns = [
-        whole("point"), text("fitted"), *(number(f"d{a}", "mm") for a in "XYZ"), number("length", "mm"),
-        number("its sigma", "mm"), number("p"),
+        whole(phrase("label.point")), text(phrase("report_metrology.fitted")),
+        *(number(f"d{a}", "mm") for a in "XYZ"), number(phrase("label.length"), "mm"),
+        number(phrase("label.sigma"), "mm"), number("p"),
     ]  # fmt: skip
     values: list[Sequence[str]] = [
-        pick(order, fit.ids), ["yes" if fit.fitted[k] else "" for k in order],
+        pick(order, fit.ids), [phrase("label.yes") if fit.fitted[k] else "" for k in order],
         *(cells(d[order, k].tolist(), fine) for k in range(3)), cells(length[order].tolist(), fine),
         cells(own[order].tolist(), fine), [probability(float(fit.p_value[k])) for k in order],
     ]  # fmt: skip
-    if told:
-        columns += [number("tolerance", "mm"), text("verdict")]
+    if limited:
+        columns += [number(phrase("report_metrology.tolerance"), "mm"), text(phrase("report_metrology.verdict"))]
         values += [
             [plain(MM * float(v)) if np.isfinite(v) else NONE for v in fit.tolerance[order]],
-            [VERDICTS[verdict[k]] for k in order],
+            [phrase("report_metrology.verdict_of", verdict=verdict[k]) if verdict[k] else "" for k in order],
         ]
-    note = (
-        "d: measured minus nominal, in nominal axes, errors of the fit contained in sigma. p: probability of a larger "
-        "deviation by errors of measurement alone; rows that stand out are significant, family-wise."
-    )
+    remark = Text.of(note("report_metrology.d_note"), note("report_metrology.p_note"), note("report_metrology.marked"))
     marked = [i for i, k in enumerate(order) if strange[k]]
-    return table(columns, values, note=note, rest="nominal.csv", marked=marked)
+    return table(columns, values, note=remark, rest="nominal.csv", marked=marked)
 
 
 @chapter("length errors", after="deviations")
@@ -145,42 +141,47 @@ def length_chapter(o: Occasion) -> tuple[Section, ...]:
     known = np.array([k.length for k in test.known])
     strange = np.asarray(test.significant, bool)
     drawn = length_errors(known, MM * test.error, MM * test.error_sigma, strange, MM * test.allowed, coverage=COVERAGE)
-    limits = " Dashed: what is allowed." if np.isfinite(test.allowed).any() else ""
-    caption = f"Errors of {counted(len(known), 'length')} with two standard deviations.{limits}"
+    limits = [note("report_metrology.dashed")] if np.isfinite(test.allowed).any() else []
+    caption = Text.of(note("report_metrology.length_errors", n=len(known)), *limits)
     parts: list[Part] = [
         Facts(facts=_length_facts(test)),
         Figures(figures=(Figure(drawing=drawn, caption=caption),)),
         _length_table(test, known),
         Paragraph(
-            text="Errors are told as the guideline VDI/VDE 2634 part 1 does, against A + K L where that is stated. It "
-            "is no acceptance test by that guideline: where lines run through the volume, and how many, is not looked "
-            "at, and lengths that were scale bars are no test.",
+            text=Text.of(note("report_metrology.guideline"), note("report_metrology.no_acceptance_test")),
             note=True,
         ),
     ]
-    return (Section(anchor="lengths", title="Errors of known lengths", parts=tuple(parts)),)
+    return (Section(anchor="lengths", title=phrase("report_metrology.lengths"), parts=tuple(parts)),)
 
 
 def _length_facts(test: LengthTest) -> tuple[Fact, ...]:
     F_, p = test.whole
     facts = [
         Fact(
-            label="largest error", value=f"{significant(MM * test.largest, 3)} mm",
+            label=phrase("report_metrology.largest_error"), value=f"{significant(MM * test.largest, 3)} mm",
             remark=_ends(test, int(np.abs(test.error).argmax())),
         ),
-        Fact(label="error of a length", value=f"{significant(MM * test.rms, 2)} mm", remark="rms"),
+        Fact(label=phrase("report_metrology.length_error"), value=f"{significant(MM * test.rms, 2)} mm", remark="rms"),
         Fact(
-            label="standard deviation stated", value=f"{significant(MM * _rms(test.error_sigma), 2)} mm",
-            remark="rms, that of the known lengths contained",
+            label=phrase("report_metrology.stated_deviation"),
+            value=f"{significant(MM * _rms(test.error_sigma), 2)} mm",
+            remark=phrase("report_metrology.stated_deviation_meaning"),
         ),
         Fact(
-            label="within two standard deviations", value=per_cent(test.within),
-            remark=f"95 % are to be expected; all together F {significant(F_)}, p {probability(p)}",
+            label=phrase("report_metrology.within_two"), value=per_cent(test.within),
+            remark=phrase("report_metrology.within_two_meaning", f=float(F_), p=float(p)),
         ),
     ]  # fmt: skip
     if test.kept is not None:
         over = int((np.abs(test.error) > test.allowed).sum())
-        facts.append(Fact(label="allowed errors", value="kept" if test.kept else "not kept", remark=f"{over} beyond"))
+        facts.append(
+            Fact(
+                label=phrase("report_metrology.allowed_errors"),
+                value=phrase("report_metrology.kept", kept=test.kept),
+                remark=phrase("report_metrology.over", n=over),
+            )
+        )
     return tuple(facts)
 
 
@@ -196,8 +197,9 @@ def _length_table(test: LengthTest, known: Array) -> Table:
     fine = column_decimals(MM * test.error_sigma)
     strange = test.significant.tolist()
     columns = [
-        whole("from"), whole("to"), number("given", "m"), number("measured", "m"), number("error", "mm"),
-        number("sigma", "mm"), number("p"),
+        whole(phrase("label.from")), whole(phrase("label.to")), number(phrase("label.given"), "m"),
+        number(phrase("label.measured"), "m"), number(phrase("label.error"), "mm"),
+        number(phrase("label.sigma"), "mm"), number("p"),
     ]  # fmt: skip
     values: list[Sequence[str]] = [
         [k.start for k in test.known], [k.end for k in test.known], cells(known.tolist(), fine + 3),
@@ -205,8 +207,8 @@ def _length_table(test: LengthTest, known: Array) -> Table:
         cells((MM * test.error_sigma).tolist(), fine), [probability(float(p)) for p in test.p_value],
     ]  # fmt: skip
     if np.isfinite(test.allowed).any():
-        columns.append(number("allowed", "mm"))
+        columns.append(number(phrase("label.allowed"), "mm"))
         values.append(cells((MM * test.allowed).tolist(), fine))
     marked = [k for k, s in enumerate(strange) if s]
-    note = "Rows that stand out: errors of measurement do not explain them, family-wise."
-    return table(columns, values, note=note, rest="lengths.csv", most=MOST_LENGTHS, marked=marked)
+    remark = phrase("report_metrology.marked")
+    return table(columns, values, note=remark, rest="lengths.csv", most=MOST_LENGTHS, marked=marked)

@@ -6,7 +6,9 @@ import math
 
 import numpy as np
 
+from raybundle.adjustment.network import COMMON
 from raybundle.adjustment.result import NetworkFigures
+from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.chapters import Occasion, chapter, section
 from raybundle.report.figures.network import angle_histogram, network_views, ray_histogram, roll_rose
@@ -27,7 +29,7 @@ from raybundle.report.parts import (
     table,
     text,
 )
-from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, fixed, grouped, per_cent, significant
+from raybundle.report.text.numbers import NONE, cells, column_decimals, fixed, grouped, per_cent, significant
 from raybundle.report.view import View, rms, with_near_viewpoints
 
 MOST_PAIRS = 300
@@ -37,13 +39,13 @@ MOST_PAIRS = 300
 @section("precision", after="accuracy")
 def precision_section(view: View) -> Section:
     """Standard deviations of the object points."""
-    title = "Precision of the object points"
+    title = phrase("report_network.precision_title")
     if view.std is None:
-        why = Paragraph(text="Standard deviations were not computed (statistics are off).")
+        why = Paragraph(text=phrase("report_network.no_statistics"))
         return Section(anchor="precision", title=title, parts=(why,))
     std = view.std
     if not np.isfinite(std).any():
-        why = Paragraph(text="All object points are held: they have no standard deviations of their own.")
+        why = Paragraph(text=phrase("report_network.all_held"))
         return Section(anchor="precision", title=title, parts=(why,))
     rows: list[list[str]] = []
     for axis, column in zip("XYZ", std.T, strict=True):
@@ -56,16 +58,16 @@ def precision_section(view: View) -> Section:
     u = view.unit
     summary = table(
         (
-            text("coordinate"), number("points"), number("rms", u), number("mean", u), number("smallest", u),
-            number("median", u),
-            number("95 %", u), number("largest", u), text("at point"),
+            text(phrase("label.coordinate")), number(phrase("label.points")), number("rms", u),
+            number(phrase("label.mean"), u), number(phrase("label.smallest"), u), number(phrase("label.median"), u),
+            number("95 %", u), number(phrase("label.largest"), u), text(phrase("label.at_point")),
         ),
         zip(*rows, strict=True),
     )  # fmt: skip
     parts: list[Part] = [
         summary,
         Figures(figures=_histograms(std, view.unit)),
-        Folded(summary="The weakest points", parts=(_weakest(view),)),
+        Folded(summary=phrase("report_network.weakest_list"), parts=(_weakest(view),)),
     ]
     return Section(anchor="precision", title=title, parts=tuple(parts))
 
@@ -78,7 +80,7 @@ def _histograms(std: Array, unit: str) -> tuple[Figure, ...]:
         Figure(
             drawing=histogram(std[:, k], f"sigma {axis} [{unit}]", f"standard deviations of {axis}", edges=edges,
                               y_label="points", width=286),
-            caption=f"Standard deviations of {axis}; the last column holds all larger ones.",
+            caption=phrase("report_network.deviations", axis=axis),
         )
         for k, axis in enumerate("XYZ")
         if np.isfinite(std[:, k]).any()
@@ -94,15 +96,15 @@ def _weakest(view: View) -> Table:
     decimals = column_decimals(view.std[rows])
     return table(
         (
-            text("point"), number("rays"), number("intersection angle", "°"), number("sigma X", view.unit),
-            number("sigma Y", view.unit), number("sigma Z", view.unit),
+            text(phrase("label.point")), number(phrase("label.rays")), number(phrase("label.intersection_angle"), "°"),
+            *(number(phrase("label.sigma_of", symbol=axis), view.unit) for axis in "XYZ"),
         ),
         (
             pick(rows, view.given.points.ids), [grouped(float(view.rays[i])) for i in rows],
             cells(angle[rows].tolist(), 1),
             *(cells(view.std[rows, k].tolist(), decimals) for k in range(3)),
         ),
-        caption="Points with the largest standard deviations",
+        caption=phrase("report_network.weakest"),
     )  # fmt: skip
 
 
@@ -111,19 +113,12 @@ def network_section(view: View) -> Section:
     parts: list[Part] = []
     views = network_views(view)
     if views is not None:
-        where = " The coordinate system is arbitrary." if len(view.adjustment.datum_defect) == 7 else ""
-        caption = (
-            f"Plan (XY), front view (XZ) below, side view (ZY) beside it. {views.remark} Triangles: control, "
-            f"circles: check points.{where}"
-        )
+        where = [note("report_network.arbitrary_system")] if len(view.adjustment.datum_defect) == 7 else []
+        caption = Text.of(note("report_network.views"), *views.remark, note("report_network.symbols"), *where)
         parts.append(Figures(figures=(Figure(drawing=views.drawing, caption=caption),), first=True))
     network = view.adjustment.network
     if network is None:
-        parts.append(
-            Paragraph(
-                text="Angles, base-to-depth ratios and coverage were not computed (statistics are off).", note=True
-            )
-        )
+        parts.append(Paragraph(text=phrase("report_network.geometry_not_computed"), note=True))
     else:
         parts += [
             _figures_table(view, network),
@@ -131,7 +126,7 @@ def network_section(view: View) -> Section:
             *_pairs(view, network),
             *_coverage(view, network),
         ]
-    return Section(anchor="network", title="Network", parts=tuple(parts))
+    return Section(anchor="network", title=phrase("report_network.title"), parts=tuple(parts))
 
 
 def _range(values: Array, digits: int = 3, *, whole: bool = False) -> str:
@@ -150,47 +145,64 @@ def _figures_table(view: View, n: NetworkFigures) -> Table:
     angle = np.degrees(n.intersection_angle)
     rows = [
         (
-            "rays per point (smallest … median … largest)",
+            phrase("report_network.rays"),
             _range(n.rays[used].astype(float), whole=True),
-            f"mean {fixed(float(n.rays[used].mean()), 2)}",
+            phrase("report_network.mean_rays", mean=float(n.rays[used].mean())),
         ),
         (
-            "stations per point",
+            phrase("report_network.stations"),
             _range(n.stations_per_point[used].astype(float), whole=True),
-            "rays from distinct projection centres",
+            phrase("report_network.stations_meaning"),
         ),
-        ("largest intersection angle", f"{_range(angle)}°", f"{counted(int((angle < 5).sum()), 'point')} below 5°"),
-        ("distance to the object", f"{_range(n.distance)} {view.length_unit}", "median of each image"),
-        ("image scale number S", _range(n.image_scale), "distance over camera constant"),
         (
-            "base-to-depth ratio",
+            phrase("report_network.largest_angle"),
+            f"{_range(angle)}°",
+            phrase("report_network.small_angles", n=int((angle < 5).sum())),
+        ),
+        (
+            phrase("report_network.distance"),
+            f"{_range(n.distance)} {view.length_unit}",
+            phrase("report_network.distance_meaning"),
+        ),
+        (
+            phrase("report_network.image_scale"),
+            _range(n.image_scale),
+            phrase("report_network.image_scale_meaning"),
+        ),
+        (
+            phrase("report_network.base_to_depth"),
             _range(n.base_to_depth),
-            f"{counted(len(n.base_to_depth), 'pair')} with 6 common points or more",
+            phrase("report_network.pairs_with_points", n=len(n.base_to_depth), least=COMMON),
         ),
         (
-            "coverage of the format",
+            phrase("report_network.coverage"),
             f"{_range(100 * n.coverage[np.isfinite(n.distance)], 2)} %",
-            "share of 10 × 10 cells that hold a point",
+            phrase("report_network.coverage_meaning"),
         ),
-        ("connected parts", grouped(n.components), ""),
+        (phrase("report_network.parts"), grouped(n.components), ""),
     ]
     if math.isfinite(n.q):
         rows += [
-            ("q", significant(n.q), "σ = q S σ(xy) / √k, k the mean number of rays per point"),
-            ("q by stations", significant(n.q_stations), "the same with the mean number of stations"),
+            ("q", significant(n.q), phrase("report_network.q_meaning")),
             (
-                "efficiency of the directions",
+                phrase("report_network.q_stations"),
+                significant(n.q_stations),
+                phrase("report_network.q_stations_meaning"),
+            ),
+            (
+                phrase("report_network.efficiency"),
                 per_cent(min(1.0, (n.bound / n.q) ** 2)),
-                f"(bound / q)², bound {significant(n.bound)} for rays from all directions",
+                phrase("report_network.efficiency_meaning", bound=n.bound),
             ),
         ]
-    return table((text("figure"), text("value"), text("meaning")), zip(*rows, strict=True))
+    columns = (text(phrase("label.figure")), text(phrase("label.value")), text(phrase("label.meaning")))
+    return table(columns, zip(*rows, strict=True))
 
 
 def _diversity(view: View, n: NetworkFigures) -> Figures:
     figures = [
-        Figure(drawing=ray_histogram(view.rays, "rays per point"), caption="Rays per object point."),
-        Figure(drawing=angle_histogram(n, "intersection angles"), caption="Largest intersection angle of each point."),
+        Figure(drawing=ray_histogram(view.rays, "rays per point"), caption=phrase("report_network.ray_histogram")),
+        Figure(drawing=angle_histogram(n, "intersection angles"), caption=phrase("report_network.angle_histogram")),
         Figure(drawing=roll_rose(n.roll, "rolls of the images"), caption=_roll_words(view, n.roll)),
     ]
     scale = n.image_scale[np.isfinite(n.image_scale)]
@@ -199,47 +211,48 @@ def _diversity(view: View, n: NetworkFigures) -> Figures:
         figures.append(
             Figure(
                 drawing=histogram(scale, "image scale number", "image scales", y_label="images", width=286),
-                caption=f"Image scale numbers; the largest is {significant(spread, 2)} times the smallest.",
+                caption=phrase("report_network.scale_histogram", ratio=spread),
             )
         )
     if len(n.base_to_depth):
         drawn = histogram(n.base_to_depth, "base-to-depth ratio", "base-to-depth ratios", y_label="pairs", width=286,
                           edges=np.append(np.linspace(0, 2, 21), [2.1]))  # fmt: skip
-        words = (
-            f"Base-to-depth ratio of {counted(len(n.base_to_depth), 'image pair')}; the last column holds all above 2."
-        )
+        words = phrase("report_network.ratio_histogram", n=len(n.base_to_depth), most=2)
         figures.append(Figure(drawing=drawn, caption=words))
     return Figures(figures=tuple(figures))
 
 
-def _roll_words(view: View, roll: Array) -> str:
+def _roll_words(view: View, roll: Array) -> Text:
     good = np.degrees(roll[np.isfinite(roll)])
     turned = int((np.abs(np.abs(good) - 90) < 30).sum())
-    words = f"Roll about the viewing axis, most frequent up; {counted(turned, 'image')} near ±90°."
+    words = note("report_network.roll", n=turned)
     estimated = {s for i in view.adjustment.interior for s in i.free}
     if turned or not estimated & {"x0", "y0", "P1", "P2"}:
-        return words
-    return f"{words} Without rolled images principal point and decentring stay correlated."
+        return Text.of(words)
+    return Text.of(words, note("report_network.not_rolled"))
 
 
 def _pairs(view: View, n: NetworkFigures) -> list[Part]:
     count = len(n.base_to_depth)
     if not count:
-        return [Paragraph(text="No two images share six points or more.", note=True)]
+        return [Paragraph(text=phrase("report_network.no_pairs", least=COMMON), note=True)]
     ids = view.given.images.ids
     order = np.argsort(-n.pair_points, kind="stable")[:MOST_PAIRS]
-    cut = f" {grouped(len(order))} of {grouped(count)} pairs are shown." if len(order) < count else ""
+    cut = [note("report_network.pairs_shown", n=len(order), of=count)] if len(order) < count else []
     body = table(
-        (text("image"), text("image"), number("common points"), number("base-to-depth")),
+        (
+            text(phrase("label.image")), text(phrase("label.image")), number(phrase("label.common_points")),
+            number(phrase("report_network.base_to_depth")),
+        ),
         (
             pick(n.pair_images[order, 0], ids), pick(n.pair_images[order, 1], ids),
             [grouped(float(k)) for k in n.pair_points[order]], cells(n.base_to_depth[order].tolist(), 3),
         ),
-        note=f"Pairs in the order of their common points.{cut}",
+        note=Text.of(note("report_network.pairs_order"), *cut),
     )  # fmt: skip
     shown = spread_rows(len(order), PRINTED)
-    note = f"{grouped(len(shown))} of {grouped(count)} pairs, evenly chosen from the strongest to the weakest."
-    return [Folded(summary=f"{counted(count, 'image pair')}", parts=(on_a_page(body, shown, note),))]
+    chosen = phrase("report_network.pairs_chosen", n=len(shown), of=count)
+    return [Folded(summary=phrase("report_network.image_pairs", n=count), parts=(on_a_page(body, shown, chosen),))]
 
 
 def _coverage(view: View, n: NetworkFigures) -> list[Part]:
@@ -248,7 +261,7 @@ def _coverage(view: View, n: NetworkFigures) -> list[Part]:
         return []
     ids = pick(taken, view.given.images.ids)
     drawn = image_columns(ids, 100 * n.coverage[taken], "coverage [%]", "coverage of the image format")
-    return [Figures(figures=(Figure(drawing=drawn, caption="Coverage of the format by image points, each image."),))]
+    return [Figures(figures=(Figure(drawing=drawn, caption=phrase("report_network.coverage_of_images")),))]
 
 
 @chapter("network", after="reliability")

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 
 from raybundle.adjustment.fields import Noise
+from raybundle.errors import Text, message_of_text, note, phrase
 from raybundle.report.chapters import section
 from raybundle.report.parts import Column, Paragraph, Part, Section, Table, number, table, text
 from raybundle.report.text.numbers import NONE, fixed, grouped, significant, unit_text
-from raybundle.report.view import View, name_of
+from raybundle.report.view import View, key_of
 
 MOST = 60
 """Parameters that are listed."""
@@ -21,47 +22,41 @@ def noise_section(view: View) -> Section | None:
     if noise.kind == "white":
         if not noise.reason:
             return None
-        told = f"The errors of the image coordinates are taken as independent: {noise.reason}."
-        return Section(anchor="noise", title="Noise of the image coordinates", parts=(Paragraph(text=told),))
+        reason = Text.of(note("report_noise.independent"), message_of_text(noise.reason))
+        return Section(anchor="noise", title=phrase("report_noise.title"), parts=(Paragraph(text=reason),))
     parts: list[Part] = [
         Paragraph(
-            text="Errors of real photographs are smooth over hundreds of pixels, and differ from image to image: "
-            "stabilisers, focus, shutters and compression make them. They hardly show in the size of residuals and "
-            "make standard deviations too small that take all image points as independent. What the residuals tell of "
-            "them is in the standard deviations of this report; estimates, tests and smallest detectable blunders are "
-            "those of independent errors."
+            text=Text.of(
+                note("report_noise.smooth_errors"), note("report_noise.in_residuals"), note("report_noise.estimates")
+            )
         ),
         _figures(noise),
     ]
     parameters = _parameters(view)
     if parameters is not None:
         parts.append(parameters)
-    parts.append(
-        Paragraph(
-            text="What this does not see: errors that are the same in all images, as those of a lens model. Check "
-            "points, scale bars and another model tell of them.",
-            note=True,
-        )
-    )
-    return Section(anchor="noise", title="Noise of the image coordinates", parts=tuple(parts))
+    parts.append(Paragraph(text=phrase("report_noise.common_errors"), note=True))
+    return Section(anchor="noise", title=phrase("report_noise.title"), parts=tuple(parts))
 
 
 def _figures(noise: Noise) -> Table:
     rows = [
-        ("fields in each image: standard deviation τ of a coefficient", f"{significant(noise.tau_px, 2)} px"),
-        ("wandering focus: displacement at half the longer side", f"{significant(noise.focus_px, 2)} px"),
-        ("share of fields in the variances of the interior orientation", f"{fixed(100 * noise.share, 0)} %"),
-        ("floor φ: variance of smooth sums of errors, in units of independent ones", significant(noise.phi, 3)),
-        ("images, of which residuals were used", f"{grouped(noise.images)}, {grouped(noise.sampled)}"),
-        (
-            f"mean square of residuals in {grouped(noise.directions)} smooth directions, 1 for independent errors",
-            significant(noise.chi_square, 3),
+        (phrase("report_noise.fields"), f"{significant(noise.tau_px, 2)} px"),
+        (phrase("report_noise.focus"), f"{significant(noise.focus_px, 2)} px"),
+        (phrase("report_noise.share"), f"{fixed(100 * noise.share, 0)} %"),
+        (phrase("report_noise.floor"), significant(noise.phi, 3)),
+        (phrase("report_noise.images"), f"{grouped(noise.images)}, {grouped(noise.sampled)}"),
+        (phrase("report_noise.mean_square", n=noise.directions), significant(noise.chi_square, 3)),
+        *(
+            (phrase("report_noise.ratio", kind=kind), _ratio(ratio))
+            for kind, ratio in (
+                ("interior", noise.ratio_interior), ("centres", noise.ratio_images), ("points", noise.ratio_points),
+            )
         ),
-        ("standard deviations over those of independent errors: interior orientation", _ratio(noise.ratio_interior)),
-        ("projection centres", _ratio(noise.ratio_images)),
-        ("object points", _ratio(noise.ratio_points)),
     ]  # fmt: skip
-    return table((text("quantity"), Column(label="value", text=True)), zip(*rows, strict=True))
+    return table(
+        (text(phrase("label.quantity")), Column(label=phrase("label.value"), text=True)), zip(*rows, strict=True)
+    )
 
 
 def _ratio(value: float) -> str:
@@ -71,7 +66,7 @@ def _ratio(value: float) -> str:
 def _parameters(view: View) -> Table | None:
     """Standard deviations of the parameters that images share, both ways."""
     rows = [
-        (name_of(i), p.symbol, unit_text(p.unit), p.std_white, p.std)
+        (key_of(i), p.symbol, unit_text(p.unit), p.std_white, p.std)
         for i in view.adjustment.interior
         if i.image is None
         for p in i.parameters.values()
@@ -81,8 +76,9 @@ def _parameters(view: View) -> Table | None:
         return None
     return table(
         (
-            text("camera"), text("symbol"), text("unit"), number("sigma, independent errors"), number("sigma"),
-            number("ratio"),
+            text(phrase("label.camera")), text(phrase("label.symbol")), text(phrase("label.unit")),
+            number(phrase("report_noise.sigma_independent")), number(phrase("label.sigma")),
+            number(phrase("label.ratio")),
         ),
         (
             [r[0] for r in rows], [r[1] for r in rows], [r[2] for r in rows],

@@ -8,12 +8,13 @@ import numpy as np
 
 from raybundle.adjustment.result import InteriorResult, ParameterResult
 from raybundle.block import Camera
+from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.report.chapters import section
 from raybundle.report.figures.series import running, series_figure
 from raybundle.report.figures.svg import Drawing, drawing, label
 from raybundle.report.parts import Figure, Figures, Heading, Paragraph, Part, Section, Statements
-from raybundle.report.text.numbers import counted, fixed, grouped, probability, significant, with_sigma
+from raybundle.report.text.numbers import significant
 from raybundle.report.view import View, rms
 
 MODELS = ("panorama", "spherical")
@@ -32,7 +33,7 @@ def panorama_section(view: View) -> Section | None:
         camera = view.adjusted.cameras[index]
         if camera.model in MODELS:
             parts += _camera_parts(view, camera, mask)
-    return Section(anchor="panoramas", title="Panoramas", parts=tuple(parts)) if parts else None
+    return Section(anchor="panoramas", title=phrase("report_panoramas.title"), parts=tuple(parts)) if parts else None
 
 
 def _camera_parts(view: View, camera: Camera, mask: Mask) -> list[Part]:
@@ -42,12 +43,19 @@ def _camera_parts(view: View, camera: Camera, mask: Mask) -> list[Part]:
     result = next((r for r in view.adjustment.interior if r.camera == camera.id), None)
     images = len(np.unique(view.given.observations.image[rows]))
     parts: list[Part] = [
-        Heading(text=f"Camera {camera.id}"),
+        Heading(text=phrase("report_panoramas.camera", camera=camera.id)),
         Paragraph(
-            text=f"{counted(images, 'panorama')} with {grouped(len(rows))} image points, from "
-            f"{fixed(float(direction.min()), 0)}° to {fixed(float(direction.max()), 0)}° of direction and from "
-            f"{fixed(float(elevation.min()), 0)}° to {fixed(float(elevation.max()), 0)}° of elevation; residuals rms "
-            f"{significant(rms(v[:, 0]))} px along the arc, {significant(rms(v[:, 1]))} px along the line."
+            text=Text.of(
+                note("report_panoramas.count", n=images, points=len(rows)),
+                note(
+                    "report_panoramas.extent",
+                    direction_from=float(direction.min()),
+                    direction_to=float(direction.max()),
+                    elevation_from=float(elevation.min()),
+                    elevation_to=float(elevation.max()),
+                ),
+                note("report_panoramas.rms", arc_px=rms(v[:, 0]), line_px=rms(v[:, 1])),
+            )
         ),
     ]
     words: list[tuple[str, str]] = []
@@ -58,7 +66,7 @@ def _camera_parts(view: View, camera: Camera, mask: Mask) -> list[Part]:
             figures.append(figure)
             words += word
     if not words:
-        words = [("residuals", "No mean residual changes with direction or elevation by more than chance allows.")]
+        words = [(phrase("report_panoramas.residuals"), phrase("report_panoramas.no_trend"))]
     words += _eccentricity_words(view, result)
     parts.append(Statements(statements=tuple(words)))
     parts.append(Figures(figures=tuple(figures)))
@@ -68,8 +76,7 @@ def _camera_parts(view: View, camera: Camera, mask: Mask) -> list[Part]:
             figures=(
                 Figure(
                     drawing=sketch,
-                    caption="Seen from above. Bars: image points by direction. Middle: the axis of rotation (cross) "
-                    "and the projection centre beside it for a view upwards, enlarged, with its standard deviations.",
+                    caption=phrase("report_panoramas.sketch"),
                 ),
             )
         )
@@ -95,7 +102,8 @@ def _against(
     sigma = np.sqrt(view.given.observations.cov_px2[rows, axis])
     windows = int(np.clip(len(rows) // 12, 12, 60))
     curve = running(at, v, low, max(high, low + 1e-6), windows, sigma)
-    p = f"; by chance with probability {probability(curve.probability)}" if math.isfinite(curve.probability) else ""
+    arc = axis == 0
+    chance = [note("report_panoramas.chance", p=float(curve.probability))] if math.isfinite(curve.probability) else []
     figure = Figure(
         drawing=series_figure(
             at,
@@ -106,16 +114,13 @@ def _against(
             f"residuals {which} against {name}",
             x_range=(low, max(high, low + 1e-6)),
         ),
-        caption=f"Residuals {which} against {name}, running mean; band: 95 % of the means if there is nothing{p}.",
+        caption=Text.of(note("report_panoramas.against", arc=arc, angle=name), *chance),
     )
     if not curve.probability < BELIEVED:
         return figure, []
     size = float(np.nanmax(np.abs(curve.mean)))
-    told = (
-        f"The mean residual {which} changes with the {name}, by up to {significant(size, 2)} px: something is left "
-        "that the model lacks, as an eccentricity, a tilt of the line, an axis that tumbles or refraction."
-    )
-    return figure, [(name, told)]
+    trend = phrase("report_panoramas.trend", arc=arc, angle=name, size_px=size)
+    return figure, [(phrase("report_panoramas.angle", angle=name), trend)]
 
 
 def _parameter(result: InteriorResult | None, symbol: str) -> ParameterResult | None:
@@ -124,15 +129,15 @@ def _parameter(result: InteriorResult | None, symbol: str) -> ParameterResult | 
 
 def _eccentricity_words(view: View, result: InteriorResult | None) -> list[tuple[str, str]]:
     """The eccentricity with its standard deviation in words."""
-    found: list[str] = []
-    for symbol, name in (("e", "along the view"), ("d", "across it")):
+    found = [note("report_panoramas.eccentric")]
+    for symbol in ("e", "d"):
         p = _parameter(result, symbol)
         if p is not None and p.std:
-            shown = with_sigma(p.value * view.factor, p.std * view.factor)
-            found.append(f"{shown[0]} ± {shown[1]} {view.unit} {name}")
-    if not found:
+            value, sigma = p.value * view.factor, p.std * view.factor
+            found.append(note("report_panoramas.offset", symbol=symbol, value=value, sigma=sigma, unit=view.unit))
+    if len(found) == 1:
         return []
-    return [("eccentricity", f"The projection centre stands beside the axis of rotation: {', '.join(found)}.")]
+    return [(phrase("report_panoramas.eccentricity"), Text.of(*found))]
 
 
 def _sketch(view: View, result: InteriorResult | None, direction: Array) -> Drawing:

@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.network import FEW
 from raybundle.adjustment.result import InteriorResult
+from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.chapters import Occasion, chapter
 from raybundle.report.facts import PhotographFacts
@@ -49,10 +50,8 @@ from raybundle.report.sections.tie_points import tie_point_section
 from raybundle.report.text.numbers import (
     NONE,
     cells,
-    counted,
     fixed,
     grouped,
-    listed,
     per_cent,
     significant,
     with_sigma,
@@ -86,29 +85,29 @@ def overview_section(view: View, facts: PhotographFacts, images: Index, common: 
     rays = view.rays[view.rays > 0]
     key = Facts(
         facts=(
-            Fact(label="photographs oriented", value=f"{grouped(used)} of {grouped(given)}",
-                 remark=_lost_words(facts)),
-            *([Fact(label="cameras", value=grouped(len(facts.cameras)),
-                    remark=listed((c.name for c in facts.cameras), 3))] if facts.cameras else []),
-            Fact(label="object points", value=grouped(len(rays)),
-                 remark=f"{fixed(float(rays.mean()), 1)} rays each in the mean" if len(rays) else ""),
-            Fact(label="measured image point", value=f"{significant(facts.sigma_px, 2)} px",
-                 remark="standard deviation of a coordinate (rms), from the residuals"),
+            Fact(
+                label=phrase("report_photographs.oriented"), value=phrase("label.n_of", n=used, of=given),
+                remark=phrase(
+                    "report_photographs.excluded", not_oriented=len(facts.not_oriented), refused=len(facts.refused)
+                ),
+            ),
+            *([Fact(label=phrase("label.cameras"), value=grouped(len(facts.cameras)),
+                    remark=phrase("report_photographs.names", names=[c.name for c in facts.cameras]))]
+              if facts.cameras else []),
+            Fact(
+                label=phrase("label.object_points"), value=grouped(len(rays)),
+                remark=phrase("report_photographs.mean_rays", mean=float(rays.mean())) if len(rays) else "",
+            ),
+            Fact(
+                label=phrase("report_photographs.image_point"), value=f"{significant(facts.sigma_px, 2)} px",
+                remark=phrase("report_photographs.image_point_meaning"),
+            ),
         )
     )  # fmt: skip
     each = _photo_table(view, facts, images, common)
-    folded = Folded(summary=counted(len(each.rows), "photograph"), parts=(each,))
+    folded = Folded(summary=phrase("report_photographs.count", n=len(each.rows)), parts=(each,))
     parts: list[Part] = [key, *_left_out(facts), folded]
-    return Section(anchor="photographs", title="Photographs", parts=tuple(parts))
-
-
-def _lost_words(facts: PhotographFacts) -> str:
-    lost = []
-    if facts.not_oriented:
-        lost.append(f"{grouped(len(facts.not_oriented))} without orientation")
-    if facts.refused:
-        lost.append(f"{counted(len(facts.refused), 'file')} refused")
-    return ", ".join(lost) or "none was left out"
+    return Section(anchor="photographs", title=phrase("report_photographs.title"), parts=tuple(parts))
 
 
 def _photo_table(view: View, facts: PhotographFacts, images: Index, common: Array) -> Table:
@@ -144,9 +143,11 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: Arra
         numbers = [grouped(float(count[i])), per_cent(many[i] / max(count[i], 1)), grouped(partners)]
         rows.append([*about, *numbers, fixed(float(residual[i]), 2), per_cent(share)])
     columns = (
-        text("photograph"), text("camera"), whole("size [px]"), whole("taken"), text("position"),
-        number("image points"), number("in 3 images or more"), number("neighbours"), number("rms residual", "px"),
-        number("format covered"),
+        text(phrase("label.photograph")), text(phrase("label.camera")), whole(phrase("report_photographs.size")),
+        whole(phrase("report_photographs.taken")), text(phrase("report_photographs.position")),
+        number(phrase("label.image_points")), number(phrase("report_photographs.in_three_images")),
+        number(phrase("report_photographs.neighbours")), number(phrase("report_photographs.rms_residual"), "px"),
+        number(phrase("report_photographs.covered")),
     )  # fmt: skip
     cut = list(zip(*rows, strict=True)) if rows else [() for _ in columns]
     # what no photograph states needs no column
@@ -154,9 +155,11 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: Arra
     return table(
         [columns[k] for k in shown],
         [cut[k] for k in shown],
-        note=f"Neighbours: photographs with {FEW} common points or more. Format covered: share of 10 × 10 cells that "
-        f"hold an image point. Marked: without orientation, without neighbours, or less than {per_cent(THIN)} covered; "
-        "distortion is known there only where there are points.",
+        note=Text.of(
+            note("report_photographs.neighbours_note", least=FEW),
+            note("report_photographs.covered_note"),
+            note("report_photographs.marked_note", share=THIN),
+        ),
         rest="images.csv",
         marked=marked,
     )
@@ -170,21 +173,26 @@ def _left_out(facts: PhotographFacts) -> list[Part]:
         *(
             (
                 f,
-                "refused",
+                phrase("report_photographs.refused"),
                 r,
-                "A copy of another photograph: delete one of the two. Else export it again and start the same command.",
+                phrase("report_photographs.refused_remedy"),
             )
             for f, r in facts.refused
         ),
         *(
-            (f, "not oriented", r, "Add photographs between it and its neighbours (60 % overlap or more), or leave it.")
+            (f, phrase("report_photographs.not_oriented"), r, phrase("report_photographs.not_oriented_remedy"))
             for f, r in facts.not_oriented
         ),
     ]
     return [
-        Heading(text="Left out"),
+        Heading(text=phrase("report_photographs.excluded_heading")),
         table(
-            (text("file"), text("what"), text("why"), text("what to do")),
+            (
+                text(phrase("label.file")),
+                text(phrase("label.status")),
+                text(phrase("label.reason")),
+                text(phrase("label.remedy")),
+            ),
             list(zip(*lost, strict=True)),
             rest="result.json",
             most=400,
@@ -199,22 +207,21 @@ def connection_section(view: View, facts: PhotographFacts, plan: Plan, images: I
         ids = [view.given.images.ids[i] for i in images]
         graph = match_graph(view, plan, images, common)
         matrix, group = match_matrix(ids, common)
-        cell = "" if group == 1 else f" A cell stands for {group} × {group} images and shows their strongest pair."
+        cell = [] if group == 1 else [note("report_photographs.matrix_cell", n=group)]
         parts.append(
             Figures(
                 figures=(
                     Figure(
                         drawing=graph,
-                        caption=f"Images at their projection centres, {plan.words}. Lines join images with common "
-                        f"points, wider for more of them: blue from {STRONG}, rust below {FEW}.",
+                        caption=phrase("report_photographs.graph", oblique=plan.oblique, strong=STRONG, weak=FEW),
                     ),
-                    Figure(drawing=matrix, caption=f"Common points of every two images.{cell}"),
+                    Figure(drawing=matrix, caption=Text.of(note("report_photographs.matrix"), *cell)),
                 )
             )
         )
     if facts.pairs:
         parts.append(_pair_table(facts))
-    return Section(anchor="connections", title="Connections between the photographs", parts=tuple(parts))
+    return Section(anchor="connections", title=phrase("report_photographs.connections"), parts=tuple(parts))
 
 
 def _connection_words(view: View, facts: PhotographFacts, images: Index, common: Array) -> tuple[tuple[str, str], ...]:
@@ -226,15 +233,19 @@ def _connection_words(view: View, facts: PhotographFacts, images: Index, common:
     if facts.pairs:
         kept = sum(p.verified > 0 for p in facts.pairs)
         words.append(
-            ("compared", f"{counted(len(facts.pairs), 'pair')} of photographs; {grouped(kept)} of them fit together.")
+            (
+                phrase("report_photographs.compared"),
+                phrase("report_photographs.pairs_compared", n=len(facts.pairs), fit=kept),
+            )
         )
     words.append(
         (
-            "joined",
-            (
-                f"{counted(joined, 'pair')} of images share points in the result; an image has "
-                f"{grouped(float(np.median(partners))) if len(partners) else 0} neighbours (median) with {FEW} "
-                "common points or more."
+            phrase("report_photographs.joined"),
+            phrase(
+                "report_photographs.pairs_joined",
+                n=joined,
+                median=round(float(np.median(partners))) if len(partners) else 0,
+                least=FEW,
             ),
         )
     )
@@ -242,22 +253,16 @@ def _connection_words(view: View, facts: PhotographFacts, images: Index, common:
     if weak and len(ids) > 2:
         words.append(
             (
-                "weak",
-                (
-                    f"{listed(weak)}: fewer than 2 neighbours with {FEW} common points. Their orientation hangs on "
-                    "one connection; add photographs from positions between theirs and the next."
-                ),
+                phrase("report_photographs.weak"),
+                phrase("report_photographs.weak_photographs", names=weak, least=FEW),
             )
         )
     parts = _parts_of(others >= FEW)
     if parts > 1:
         words.append(
             (
-                "loose",
-                (
-                    f"With {FEW} common points as the least, the images fall into {grouped(parts)} parts, which hold "
-                    "together by fewer points. Take photographs that show both sides of each gap."
-                ),
+                phrase("report_photographs.loose"),
+                phrase("report_photographs.loose_parts", n=parts, least=FEW),
             )
         )
     return tuple(words)
@@ -272,46 +277,56 @@ def _parts_of(joined: Array) -> int:
 
 
 YES_NO = {"yes", "no"}
-GEOMETRIES = {
-    "general": "seen from different positions",
-    "planar": "a plane, or nearly one",
-    "rotation": "turned on the spot: no depth can be measured",
-    "watermark": "the same marks at the same place: not used",
-    "none": "do not fit together",
-}
-"""Kinds of pairs in words."""
+GEOMETRIES = ("general", "planar", "rotation", "watermark", "none")
+"""Kinds of pairs"""
 
 
 def _pair_table(facts: PhotographFacts) -> Folded:
     """Compared pairs by what their geometry is, and the strongest of them."""
     rows: list[list[str]] = []
-    for kind, words in GEOMETRIES.items():
+    for kind in GEOMETRIES:
         own = [p for p in facts.pairs if p.geometry == kind]
         if own:
             verified = np.array([p.verified for p in own], float)
             share = verified.sum() / max(sum(p.candidates for p in own), 1)
             rows.append(
-                [kind, words, grouped(len(own)), significant(float(np.median(verified)), 3), per_cent(share)]
-            )  # fmt: skip
+                [
+                    phrase("report_photographs.geometry", kind=kind),
+                    phrase("report_photographs.geometry_meaning", kind=kind),
+                    grouped(len(own)),
+                    significant(float(np.median(verified)), 3),
+                    per_cent(share),
+                ]
+            )
     kinds = table(
-        (text("geometry"), text("meaning"), number("pairs"), number("matches (median)"), number("of candidates")),
+        (
+            text(phrase("report_photographs.geometry_label")),
+            text(phrase("label.meaning")),
+            number(phrase("label.pairs")),
+            number(phrase("report_photographs.matches")),
+            number(phrase("report_photographs.of_candidates")),
+        ),
         zip(*rows, strict=True) if rows else [[] for _ in range(5)],
     )
     best = sorted(facts.pairs, key=lambda p: -p.verified)
     listing = table(
-        (text("photograph"), text("photograph"), number("candidates"), number("verified"), text("geometry")),
+        (
+            text(phrase("label.photograph")), text(phrase("label.photograph")),
+            number(phrase("report_photographs.candidates")), number(phrase("report_photographs.verified")),
+            text(phrase("report_photographs.geometry_label")),
+        ),
         (
             [p.first for p in best], [p.second for p in best], [grouped(p.candidates) for p in best],
-            [grouped(p.verified) for p in best], [p.geometry for p in best],
+            [grouped(p.verified) for p in best], [phrase("report_photographs.geometry", kind=p.geometry) for p in best],
         ),
         most=300,
     )  # fmt: skip
     shown = spread_rows(len(listing.rows), PRINTED)
     listing = on_a_page(
         listing, shown,
-        f"{grouped(len(shown))} of {grouped(len(best))} pairs, evenly chosen from the strongest to the weakest.",
+        phrase("report_network.pairs_chosen", n=len(shown), of=len(best)),
     )  # fmt: skip
-    return Folded(summary=f"{counted(len(facts.pairs), 'compared pair')}", parts=(kinds, listing))
+    return Folded(summary=phrase("report_photographs.compared_pairs", n=len(facts.pairs)), parts=(kinds, listing))
 
 
 def coverage_section(view: View, plan: Plan) -> Section:
@@ -319,38 +334,31 @@ def coverage_section(view: View, plan: Plan) -> Section:
     parts: list[Part] = []
     cells_found = overlap_cells(view, plan)
     if cells_found is None:
-        parts.append(Paragraph(text="No object point has coordinates: there is nothing to map."))
-        return Section(anchor="coverage", title="Coverage and overlap", parts=tuple(parts))
+        parts.append(Paragraph(text=phrase("report_photographs.no_coordinates")))
+        return Section(anchor="coverage", title=phrase("report_photographs.coverage"), parts=tuple(parts))
     count = cells_found[1]
     seen = count[count > 0]
     thin = float((seen < 3).mean())
-    words = (
-        f"Half of the mapped parts of the object lie in {grouped(float(np.median(seen)))} images or more; "
-        f"{per_cent(thin)} of them in fewer than 3."
-    )
+    words = [note("report_photographs.overlap", median=round(float(np.median(seen))), share=thin)]
     if thin > 0.1:
-        words += (
-            " A blunder there shows only in part, and depth is weak: add photographs so that every part is seen "
-            "from 3 positions or more."
-        )
+        words.append(note("report_photographs.little_overlap"))
     drawn, shown, total = ray_map(view, plan)
     parts += [
-        Paragraph(text=words),
+        Paragraph(text=Text.of(*words)),
         Figures(
             figures=(
                 Figure(
                     drawing=drawn,
-                    caption=f"{grouped(shown)} of {grouped(total)} object points by their number of rays; "
-                    f"{plan.words}.",
+                    caption=phrase("report_photographs.ray_map", n=shown, of=total, oblique=plan.oblique),
                 ),
                 Figure(
                     drawing=overlap_map(plan, cells_found),
-                    caption="Number of images with an object point in each cell, on the same map.",
+                    caption=phrase("report_photographs.overlap_map"),
                 ),
             )
         ),
     ]
-    return Section(anchor="coverage", title="Coverage and overlap", parts=tuple(parts))
+    return Section(anchor="coverage", title=phrase("report_photographs.coverage"), parts=tuple(parts))
 
 
 def start_section(view: View, facts: PhotographFacts) -> Section:
@@ -365,7 +373,7 @@ def start_section(view: View, facts: PhotographFacts) -> Section:
         rows.append(
             [
                 c.camera, c.name, grouped(c.photographs), c.source, fixed(c.c_px, 1),
-                "held" if held else fixed(c.sigma_c_px, 1), *shown, *cells([value - c.c_px, change], 1),
+                phrase("label.held") if held else fixed(c.sigma_c_px, 1), *shown, *cells([value - c.c_px, change], 1),
             ]
         )  # fmt: skip
         remarks += [(c.camera, r) for r in c.remarks]
@@ -373,27 +381,25 @@ def start_section(view: View, facts: PhotographFacts) -> Section:
             remarks.append(
                 (
                     c.camera,
-                    (
-                        f"the estimate differs from its starting value by {fixed(abs(change), 1)} of its standard "
-                        "deviations. Look whether zoom or focus were moved, or the photographs cropped or scaled; a "
-                        "flat object taken squarely does not determine the camera constant."
-                    ),
+                    phrase("report_photographs.start_differs", ratio=abs(change)),
                 )
             )
     parts: list[Part] = [
         table(
             (
-                text("camera"), text("name"), number("photographs"), text("start from"), number("start c", "px"),
-                number("sigma", "px"), number("estimated c", "px"), number("sigma", "px"), number("change", "px"),
-                number("in sigmas of the start"),
+                text(phrase("label.camera")), text(phrase("label.name")), number(phrase("label.photographs")),
+                text(phrase("report_photographs.start_source")), number(phrase("report_photographs.start_c"), "px"),
+                number(phrase("label.sigma"), "px"), number(phrase("report_photographs.estimated_c"), "px"),
+                number(phrase("label.sigma"), "px"), number(phrase("report_photographs.change"), "px"),
+                number(phrase("report_photographs.in_sigmas")),
             ),
             zip(*rows, strict=True) if rows else [[] for _ in range(10)],
-            note="c: camera constant in pixel widths. Interior orientation shows every parameter with its tests.",
+            note=phrase("report_photographs.c_note"),
         ),
     ]  # fmt: skip
     if remarks:
         parts.append(Statements(statements=tuple(remarks)))
-    return Section(anchor="cameras-start", title="Cameras: start and estimate", parts=tuple(parts))
+    return Section(anchor="cameras-start", title=phrase("report_photographs.start"), parts=tuple(parts))
 
 
 def _estimated(view: View, camera: str) -> tuple[float, float]:
@@ -413,35 +419,47 @@ def processing_section(facts: PhotographFacts) -> Section:
     total = sum(x.seconds for x in s)
     body = table(
         (
-            text("stage"), number("time", "s"), number("share"), number("processor time", "s"),
-            number("memory", "MB"), text("result"),
+            text(phrase("report_photographs.stage")), number(phrase("label.time"), "s"),
+            number(phrase("label.share")), number(phrase("report_photographs.processor_time"), "s"),
+            number(phrase("report_photographs.memory"), "MB"), text(phrase("label.result")), text(""),
         ),
         (
             [x.name for x in s], [fixed(x.seconds, 1) for x in s],
             [per_cent(x.seconds / total) if total > 0 else NONE for x in s],
             [fixed(x.cpu_seconds, 1) for x in s], [grouped(x.peak_memory_mb) for x in s],
-            [x.summary + (" (kept from an earlier run)" if x.from_cache else "") for x in s],
+            [x.summary for x in s], [phrase("report_photographs.stored") if x.from_cache else "" for x in s],
         ),
-        note="Memory: largest of the process up to the end of the stage. A stage kept from an earlier run takes only "
-        "the time to read it.",
+        note=phrase("report_photographs.memory_note"),
     )  # fmt: skip
     key = Facts(
         facts=(
-            Fact(label="time", value=_duration(total), remark="all stages of this run"),
-            Fact(label="processor time", value=_duration(sum(x.cpu_seconds for x in s)), remark="all processors"),
-            Fact(label="memory", value=f"{grouped(max(x.peak_memory_mb for x in s))} MB", remark="at the most"),
+            Fact(
+                label=phrase("label.time"),
+                value=_duration(total),
+                remark=phrase("report_photographs.all_stages"),
+            ),
+            Fact(
+                label=phrase("report_photographs.processor_time"),
+                value=_duration(sum(x.cpu_seconds for x in s)),
+                remark=phrase("report_photographs.all_processors"),
+            ),
+            Fact(
+                label=phrase("report_photographs.memory"),
+                value=f"{grouped(max(x.peak_memory_mb for x in s))} MB",
+                remark=phrase("report_photographs.at_most"),
+            ),
         )
     )
     asked = () if not facts.settings else (_settings_table(facts.settings),)
-    return Section(anchor="processing", title="Time and memory", parts=(key, body, *asked))
+    return Section(anchor="processing", title=phrase("report_photographs.processing"), parts=(key, body, *asked))
 
 
 def _settings_table(settings: Sequence[tuple[str, str]]) -> Table:
     """What was asked for beside the defaults."""
     return table(
-        (text("setting"), text("value")),
+        (text(phrase("label.setting")), text(phrase("label.value"))),
         ([Said(name) for name, _ in settings], [value if value in YES_NO else Said(value) for _, value in settings]),
-        note="Settings that are not as by default, by the names in project.toml and in Python.",
+        note=phrase("report_photographs.settings_note"),
     )  # fmt: skip
 
 

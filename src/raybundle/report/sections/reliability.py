@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from raybundle.adjustment.cell_means import cell_means
+from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import ALPHA, CRITICAL_W, DELTA0, POWER
 from raybundle.report.chapters import section
@@ -28,7 +31,7 @@ from raybundle.report.parts import (
     text,
 )
 from raybundle.report.residuals import image_rows, normalised
-from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, fixed, grouped, per_cent, significant
+from raybundle.report.text.numbers import NONE, cells, column_decimals, fixed, grouped, per_cent, significant
 from raybundle.report.view import View
 
 LARGEST, WEAKEST, MOST_REJECTED = 20, 15, 500
@@ -41,55 +44,61 @@ POORLY = 0.1
 @section("reliability", after="residuals")
 def reliability_section(view: View) -> Section:
     """How well the observations control one another."""
-    title = "Reliability"
+    title = phrase("report_reliability.title")
     a = view.adjustment
     rejected = _rejected(view)
     if a.precision is None:
-        why = Paragraph(text="Redundancy numbers and tests were not computed (statistics are off).")
+        why = Paragraph(text=phrase("report_reliability.no_statistics"))
         return Section(anchor="reliability", title=title, parts=(why, *rejected))
     parts: list[Part] = [Paragraph(text=_words(view)), *_figures(view), *_detectable(view)]
-    parts += [Heading(text="Largest residuals"), _largest(view), *rejected, *_suspects(view), _critical(view)]
+    parts += [
+        Heading(text=phrase("report_reliability.largest")),
+        _largest(view),
+        *rejected,
+        *_suspects(view),
+        _critical(view),
+    ]
     return Section(anchor="reliability", title=title, parts=tuple(parts))
 
 
-def _words(view: View) -> str:
+def _words(view: View) -> Text:
     r = view.adjustment.image_observations.redundancy[view.used]
     r = r[np.isfinite(r)]
     if not len(r):
-        return "No image observation has a redundancy number."
+        return phrase("report_reliability.no_redundancy_number")
     share = controlled_share(view)[view.used]
     poor = int((share < POORLY).sum())
-    text_ = (
-        "The redundancy number r is the share of an observation's error that shows in its own residual. Its mean "
-        f"over the image coordinates is {fixed(float(r.mean()), 3)}, its smallest {fixed(float(r.min()), 3)}."
-    )
+    found = [note("report_reliability.redundancy", mean=float(r.mean()), least=float(r.min()))]
     if poor:
-        text_ += (
-            f" {counted(poor, 'image coordinate')} ({per_cent(poor / len(r))}) with r below {POORLY:g}: a blunder "
-            "there would go almost whole into the result."
-        )
-    return text_ + _below_zero(view)
+        found.append(note("report_reliability.poor", n=poor, share=poor / len(r), limit=POORLY))
+    return Text.of(*found, *_below_zero(view))
 
 
-def _below_zero(view: View) -> str:
-    """What redundancy numbers below zero mean, where there are any; empty where there are none."""
+def _below_zero(view: View) -> list[Message]:
+    """What redundancy numbers below zero mean, where there are any."""
     s = view.adjustment.image_observations
     r = np.nan_to_num(s.redundancy)
     rows = (r < BELOW).any(axis=1)
     if not rows.any():
-        return ""
-    least = s.least_control[rows]
-    largest = r[rows].sum(axis=1) - least
+        return []
+    smaller = s.least_control[rows]
+    larger = r[rows].sum(axis=1) - smaller
     count = int((r < BELOW).sum())
-    return (
-        f" {counted(count, 'redundancy number')} ({per_cent(count / (2 * int(view.used.sum())))}) "
-        f"{'lie' if count > 1 else 'lies'} below zero, down to {fixed(float(r.min()), 3)}. That is no error: x and y "
-        "of these observations are correlated, and r is then no share of one coordinate's error alone. The eigenvalues "
-        "of such a point's 2 × 2 block, whose sum is r x + r y, lie within 0 … 1: the smaller ones here from "
-        f"{fixed(float(least.min()), 3)} to {fixed(float(least.max()), 3)}, the larger ones from "
-        f"{fixed(float(largest.min()), 3)} to {fixed(float(largest.max()), 3)}. Tests and smallest detectable blunders "
-        "rest on the variance of P v, which is positive."
-    )
+    return [
+        note(
+            "report_reliability.below_zero",
+            n=count,
+            share=count / (2 * int(view.used.sum())),
+            least=float(r.min()),
+        ),
+        note(
+            "report_reliability.eigenvalues",
+            smaller_from=float(smaller.min()),
+            smaller_to=float(smaller.max()),
+            larger_from=float(larger.min()),
+            larger_to=float(larger.max()),
+        ),
+    ]
 
 
 def _figures(view: View) -> list[Part]:
@@ -100,8 +109,7 @@ def _figures(view: View) -> list[Part]:
         Figure(
             drawing=redundancy_map(cell_means(a, view.given.cameras[c], mask, tests), view.given.cameras[c],
                                    f"redundancy numbers over the format of camera {view.given.cameras[c].id}"),
-            caption=f"Mean redundancy number over the format, camera {view.given.cameras[c].id}; red where the "
-            "observations hardly control one another.",
+            caption=phrase("report_reliability.map", camera=view.given.cameras[c].id),
         )
         for c, mask in view.cameras()[:6]
     ]  # fmt: skip
@@ -110,7 +118,7 @@ def _figures(view: View) -> list[Part]:
             drawing=histogram(
                 np.clip(r, 0, 1), "redundancy number", "histogram of redundancy numbers", edges=np.linspace(0, 1, 21)
             ),
-            caption="Redundancy numbers of the image coordinates.",
+            caption=phrase("report_reliability.histogram"),
         )
     )
     parts: list[Part] = [Figures(figures=tuple(figures))]
@@ -120,7 +128,8 @@ def _figures(view: View) -> list[Part]:
         drawn = image_columns(
             ids, np.array([row.redundancy for row in rows]), "mean r", "mean redundancy number of each image"
         )
-        parts.append(Figures(figures=(Figure(drawing=drawn, caption="Mean redundancy number of each image."),)))
+        caption = phrase("report_reliability.of_images")
+        parts.append(Figures(figures=(Figure(drawing=drawn, caption=caption),)))
     return parts
 
 
@@ -133,35 +142,27 @@ def _detectable(view: View) -> list[Part]:
     """Smallest detectable blunders and what they would do to the object points."""
     mdb, external = detectable(view)
     if not np.isfinite(mdb).any():
-        return [Paragraph(text="No image observation is controlled: no blunder can be found.")]
+        return [Paragraph(text=phrase("report_reliability.uncontrolled"))]
     words = _detectable_words(view, mdb[np.isfinite(mdb)], external[np.isfinite(external)])
-    parts: list[Part] = [Heading(text="Smallest detectable blunders"), Paragraph(text=words)]
+    parts: list[Part] = [Heading(text=phrase("report_reliability.detectable_heading")), Paragraph(text=words)]
     weakest = _weakest(view, mdb, external)
     if weakest.rows:
-        parts.append(Folded(summary="The weakest image coordinates", parts=(weakest,)))
+        parts.append(Folded(summary=phrase("report_reliability.weakest_list"), parts=(weakest,)))
     return parts
 
 
-def _detectable_words(view: View, mdb: Array, effect: Array) -> str:
-    px = [significant(float(q)) for q in np.quantile(mdb, [0.5, 0.95, 1.0])]
-    words = (
-        f"A blunder in an image coordinate is found with {per_cent(POWER)} probability at a level of "
-        f"{per_cent(ALPHA)} if it is larger than {px[0]} px (median), {px[1]} px (95 % of the coordinates), {px[2]} "
-        "px (all)."
-    )
+def _detectable_words(view: View, mdb: Array, effect: Array) -> Text:
+    def sizes(values: Array) -> dict[str, Any]:
+        names = ("median", "most", "largest")
+        return dict(zip(names, np.quantile(values, [0.5, 0.95, 1.0]).tolist(), strict=True))
+
+    found = [note("report_reliability.detectable", power=POWER, level=ALPHA, **sizes(mdb))]
     if len(effect) and (effect > 0).any():
-        size = [f"{significant(float(q))} {view.unit}" for q in np.quantile(effect, [0.5, 0.95, 1.0])]
-        words += (
-            f" Undetected, one of that size would move its object point by up to {size[0]} (median), {size[1]} (95 "
-            f"%), {size[2]} (largest)."
-        )
-    lost = 2 * int(view.used.sum()) - len(mdb)
-    if lost:
-        words += (
-            f" Not counted: {counted(lost, 'image coordinate')} with r below {UNTESTED:g}, where practically no "
-            "blunder is found (along the epipolar line of points with two rays)."
-        )
-    return words
+        found.append(note("report_reliability.effect", unit=view.unit, **sizes(effect)))
+    uncounted = 2 * int(view.used.sum()) - len(mdb)
+    if uncounted:
+        found.append(note("report_reliability.untested", n=uncounted, limit=UNTESTED))
+    return Text.of(*found)
 
 
 def _weakest(view: View, mdb: Array, external: Array) -> Table:
@@ -175,16 +176,17 @@ def _weakest(view: View, mdb: Array, external: Array) -> Table:
     axis, at = effect[rows].argmax(axis=1), np.arange(len(rows))
     return table(
         (
-            text("image"), text("point"), text("axis"), number("rays"), number("r"), number("mdb", "px"),
-            number("effect on the point", view.unit),
+            text(phrase("label.image")), text(phrase("label.point")), text(phrase("label.axis")),
+            number(phrase("label.rays")), number("r"), number("MDB", "px"),
+            number(phrase("report_reliability.effect_on_point"), view.unit),
         ),
         (
             images, points, ["xy"[k] for k in axis], [grouped(float(view.rays[i])) for i in o.point[rows]],
             cells(s.redundancy[rows][at, axis].tolist(), 3), cells(mdb[rows][at, axis].tolist(), 2),
             [significant(float(v)) for v in external[rows][at, axis]],
         ),
-        caption="Image coordinates whose undetected blunders would do most harm",
-        note="mdb: smallest detectable blunder.",
+        caption=phrase("report_reliability.weakest"),
+        note=phrase("label.mdb_note"),
     )  # fmt: skip
 
 
@@ -203,30 +205,37 @@ def _largest(view: View) -> Table:
     beyond = [k for k, row in enumerate(rows) if np.nan_to_num(np.abs(s.t[row])).max() > a.critical_tau]
     return table(
         (
-            text("image"), text("point"), number("x", "px"), number("y", "px"), number("v x", "px"),
-            number("v y", "px"),
+            text(phrase("label.image")), text(phrase("label.point")), number("x", "px"), number("y", "px"),
+            number("v x", "px"), number("v y", "px"),
             number("r x"), number("r y"), number("w x"), number("w y"), number("τ x"), number("τ y"),
-            number("mdb x", "px"), number("mdb y", "px"),
+            number("MDB x", "px"), number("MDB y", "px"),
         ),
         (
             images, points, *pair(o.xy_px, 1), *pair(s.residuals_px, decimals), *pair(s.redundancy, 2), *pair(s.w, 2),
             *pair(s.t, 2), *pair(s.mdb_px, 2),
         ),
-        note=f"The {grouped(len(rows))} largest |w|. w = v / (s √r) with the a-priori sigma, τ = w / σ₀; mdb: "
-        "smallest detectable blunder; marked where |τ| exceeds its family-wise critical value "
-        f"{significant(a.critical_tau)}.",
+        note=Text.of(
+            note("report_reliability.largest_note", n=len(rows)), note("label.mdb_note"),
+            note("report_reliability.marked", limit=a.critical_tau),
+        ),
         marked=beyond,
     )  # fmt: skip
 
 
 def _rejected(view: View) -> list[Part]:
-    rows = view.rejected
+    rows, heading = view.rejected, Heading(text=phrase("report_reliability.rejected"))
     if not len(rows):
-        return [Heading(text="Rejected observations"), Paragraph(text="No image observation was rejected.")]
+        return [heading, Paragraph(text=phrase("report_reliability.none_rejected"))]
     images, points = _names(view, rows)
     xy, reasons = view.given.observations.xy_px[rows], view.adjustment.image_observations.rejected
     listed = table(
-        (text("image"), text("point"), number("x", "px"), number("y", "px"), text("reason")),
+        (
+            text(phrase("label.image")),
+            text(phrase("label.point")),
+            number("x", "px"),
+            number("y", "px"),
+            text(phrase("label.reason")),
+        ),
         (
             images,
             points,
@@ -238,15 +247,13 @@ def _rejected(view: View) -> list[Part]:
         rest="observations.csv",
     )
     shown = spread_rows(len(listed.rows), PRINTED)
-    note = f"{grouped(len(shown))} of {grouped(len(rows))} rows, evenly chosen; all are in observations.csv."
-    listed = on_a_page(listed, shown, note)
-    share = per_cent(len(rows) / len(view.used))
-    words = Paragraph(text=f"{counted(len(rows), 'image observation')} ({share}) took no part.")
-    heading = Heading(text="Rejected observations")
+    chosen = phrase("label.rows_chosen", n=len(shown), of=len(rows), rest="observations.csv")
+    listed = on_a_page(listed, shown, chosen)
+    words = Paragraph(text=phrase("report_reliability.rejected_share", n=len(rows), share=len(rows) / len(view.used)))
     return (
         [heading, words, listed]
         if len(rows) <= 30
-        else [heading, words, Folded(summary="List of rejected observations", parts=(listed,))]
+        else [heading, words, Folded(summary=phrase("report_reliability.rejected_list"), parts=(listed,))]
     )
 
 
@@ -255,26 +262,38 @@ def _suspects(view: View) -> list[Part]:
     if not suspects:
         return []
     listed = table(
-        (text("image"), text("point"), number("largest |w|"), number("largest correlation with another")),
+        (
+            text(phrase("label.image")), text(phrase("label.point")), number(phrase("label.largest_w")),
+            number(phrase("report_reliability.correlation_of_suspects")),
+        ),
         (
             [s[0] for s in suspects], [s[1] for s in suspects], [fixed(s[2], 2) for s in suspects],
             [fixed(s[3], 2) if np.isfinite(s[3]) else NONE for s in suspects],
         ),
-        note="Two suspects whose test values correlate strongly cannot be told apart: only one of them may be wrong.",
+        note=phrase("report_reliability.suspects_note"),
         rest="observations.csv",
         most=200,
     )  # fmt: skip
-    return [Heading(text="Suspects and how well they can be told apart"), listed]
+    return [Heading(text=phrase("report_reliability.suspects")), listed]
 
 
 def _critical(view: View) -> Folded:
     a = view.adjustment
     level = per_cent(a.options.significance)
     rows = [
-        ("|w| of a single test", f"{CRITICAL_W:.4f}", per_cent(ALPHA), "Baarda 1968"),
-        ("|w|, all tests together", f"{a.critical_w:.4f}", level, "Bonferroni"),
-        ("|τ|, all tests together", fixed(a.critical_tau, 4), level, "Pope 1976"),
-        ("shift of w that is found", f"{DELTA0:.4f}", f"{per_cent(ALPHA)}, power {per_cent(POWER)}", "Baarda 1968"),
-    ]
-    body = table((text("test"), number("value"), text("level"), text("source")), zip(*rows, strict=True))
-    return Folded(summary="Critical values", parts=(body,))
+        (phrase("report_reliability.single_test"), f"{CRITICAL_W:.4f}", per_cent(ALPHA), "Baarda 1968"),
+        (phrase("report_reliability.all_tests", symbol="w"), f"{a.critical_w:.4f}", level, "Bonferroni"),
+        (phrase("report_reliability.all_tests", symbol="τ"), fixed(a.critical_tau, 4), level, "Pope 1976"),
+        (
+            phrase("report_reliability.noncentrality"), f"{DELTA0:.4f}",
+            phrase("report_reliability.level_and_power", level=ALPHA, power=POWER), "Baarda 1968",
+        ),
+    ]  # fmt: skip
+    columns = (
+        text(phrase("label.test")),
+        number(phrase("label.value")),
+        text(phrase("label.level")),
+        text(phrase("label.source")),
+    )
+    body = table(columns, zip(*rows, strict=True))
+    return Folded(summary=phrase("report_reliability.critical_values"), parts=(body,))

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from raybundle.adjustment.cell_means import FAMILY, CellMeans, cell_means
+from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.chapters import section
 from raybundle.report.figures.residuals import (
@@ -42,7 +43,7 @@ from raybundle.report.residuals import (
     radial_profile,
     rows_of_images,
 )
-from raybundle.report.text.numbers import cells, counted, fixed, grouped, per_cent, significant
+from raybundle.report.text.numbers import cells, grouped
 from raybundle.report.view import View, adjusted_interior, rms
 
 MOST_DRAWN = 120
@@ -57,18 +58,18 @@ SMALL = 219.0
 def residual_section(view: View) -> Section:
     """Residuals: distribution, systematic part, and each image."""
     if not view.used.any():
-        nothing = Paragraph(text="No image observation took part.")
-        return Section(anchor="residuals", title="Residuals of the image observations", parts=(nothing,))
+        nothing = Paragraph(text=phrase("report_residuals.none"))
+        return Section(anchor="residuals", title=phrase("report_residuals.title"), parts=(nothing,))
     tests = normalised(view)
     parts: list[Part] = [_whole(view), *_distribution(view, tests)]
     for k, (camera, mask) in enumerate(view.cameras()[:6]):
-        told = _systematic(view, camera, mask, tests)
-        head, figures = told[:-1], told[-1]
-        folded = Folded(summary=f"Systematic part of camera {view.given.cameras[camera].id}", parts=(figures,))
+        *head, figures = _systematic(view, camera, mask, tests)
+        name = view.given.cameras[camera].id
+        folded = Folded(summary=phrase("report_residuals.systematic_of", camera=name), parts=(figures,))
         parts += [*head, figures if k < OPEN_DRAWN else folded]
     rows = image_rows(view, tests)
     parts += _images(view, rows, tests)
-    return Section(anchor="residuals", title="Residuals of the image observations", parts=tuple(parts))
+    return Section(anchor="residuals", title=phrase("report_residuals.title"), parts=tuple(parts))
 
 
 def _whole(view: View) -> Paragraph:
@@ -76,8 +77,9 @@ def _whole(view: View) -> Paragraph:
     x, y = (rms(v[:, k]) for k in (0, 1))
     largest = float(np.abs(v).max())
     return Paragraph(
-        text=f"Residuals are adjusted minus observed, in the pixel frame (y down). Their rms is {significant(x)} px "
-        f"in x and {significant(y)} px in y; the largest is {significant(largest)} px."
+        text=Text.of(
+            note("report_residuals.rms", x_px=x, y_px=y, largest_px=largest), note("report_residuals.definition")
+        )
     )
 
 
@@ -94,14 +96,18 @@ def _distribution(view: View, tests: Array) -> list[Part]:
             figures=(
                 Figure(
                     drawing=normal_histogram(t, name, "histogram of normalised residuals"),
-                    caption=f"Normalised residuals {name} of {grouped(len(t))} image coordinates and the normal "
-                    f"curve. {grouped(beyond)} lie beyond 3.29, where {significant(expected, 2)} are expected; "
-                    f"excess kurtosis {fixed(kurtosis, 2)}.",
+                    caption=phrase(
+                        "report_residuals.histogram",
+                        symbol=name,
+                        n=len(t),
+                        beyond=beyond,
+                        expected=expected,
+                        kurtosis=kurtosis,
+                    ),
                 ),
                 Figure(
                     drawing=normal_quantiles(t, name, "quantiles of normalised residuals"),
-                    caption="Their quantiles against those of the normal distribution: on the line if errors are "
-                    "normal; steeper ends mean more large residuals than a normal distribution has.",
+                    caption=phrase("report_residuals.quantiles"),
                 ),
             )
         )
@@ -112,24 +118,21 @@ def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
     camera = view.given.cameras[index]
     means = cell_means(view.adjustment, camera, mask, tests)
     white = view.adjustment.noise.kind == "white"
-    taken = "residuals taken as uncorrelated" if white else "by how far single photographs scatter"
     results = [i for i in view.adjustment.interior if i.camera == camera.id]
     centre = adjusted_interior(view, results[0]).principal_point if results else np.zeros(2)
     profile = radial_profile(view, camera, mask, centre)
     return [
-        Heading(text=f"Systematic part, camera {camera.id}"),
+        Heading(text=phrase("report_residuals.systematic_of", camera=camera.id)),
         Paragraph(text=_systematic_words(means, rms(view.adjustment.image_observations.residuals_px[mask].ravel()))),
         Figures(
             figures=(
                 Figure(
                     drawing=mean_field(means, camera, f"mean residuals of camera {camera.id}"),
-                    caption="Residuals averaged over cells of the format, with the number of points. Shaded cells: "
-                    f"the mean differs from zero ({fixed(100 * FAMILY, 0)} % for all cells together; {taken}).",
+                    caption=phrase("report_residuals.cells", level=FAMILY, white=white),
                 ),
                 Figure(
                     drawing=profile_figure(profile, f"mean residuals of camera {camera.id} against the radius"),
-                    caption="Mean radial (outwards) and tangential residual in rings of equal number of points, with "
-                    "the standard deviation of each mean. A trend is distortion that the model lacks.",
+                    caption=phrase("report_residuals.profile"),
                 ),
             ),
             first=True,
@@ -137,21 +140,19 @@ def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
     ]
 
 
-def _systematic_words(means: CellMeans, overall: float) -> str:
+def _systematic_words(means: CellMeans, overall: float) -> Text:
     beyond = int(means.significant.sum())
     if not means.well_filled.any():
-        return "There are too few points for averages."
-    verdict = (
-        "no systematic part can be proven"
-        if not beyond
-        else "the camera model leaves a systematic part"
-        if means.systematic
-        else "a small systematic part is left in places"
-    )
-    return (
-        f"In {grouped(beyond)} of {grouped(means.tested)} cells the mean residual differs from zero: {verdict}. The "
-        f"rms of the cell means is {significant(means.rms_px, 2)} px, {per_cent(means.rms_px / overall)} of the rms "
-        f"residual; the largest mean {significant(means.largest_px, 2)} px."
+        return phrase("report_residuals.too_few_points")
+    verdict = "none" if not beyond else "systematic" if means.systematic else "small"
+    return Text.of(
+        note("report_residuals.cell_tests", n=beyond, of=means.tested, verdict=verdict),
+        note(
+            "report_residuals.cell_means",
+            rms_px=means.rms_px,
+            share=means.rms_px / overall,
+            largest_px=means.largest_px,
+        ),
     )
 
 
@@ -168,32 +169,31 @@ def _images(view: View, rows: list[ImageRow], tests: Array) -> list[Part]:
         picture = image_vectors(view, row.image, of_image[row.image], tests, enlarged, SMALL)
         return Figure(drawing=picture, caption=caption_of(row, ids[row.image]))
 
-    parts: list[Part] = [Heading(text="Images")]
+    parts: list[Part] = [Heading(text=phrase("report_residuals.images"))]
     if len(rows) > 1:
         columns = image_columns([ids[r.image] for r in rows], sizes, "rms [px]", "rms residual of each image", overall)
-        caption = f"Rms residual of each image; dashed: of all, {significant(overall)} px."
+        caption = phrase("report_residuals.rms_of_images", rms_px=overall)
         parts.append(Figures(figures=(Figure(drawing=columns, caption=caption),)))
-    scale = Figure(drawing=reference(enlarged, SMALL), caption="Scale of the vectors.")
+    scale = Figure(drawing=reference(enlarged, SMALL), caption=phrase("report_residuals.scale"))
     shown = (
         Paragraph(text=_vector_words(view, len(order), len(rows))),
         Figures(figures=(scale, *(drawn(r) for r in order)), small=True),
     )
-    parts.append(Folded(summary=f"Residual vectors of {counted(len(order), 'image')}", parts=shown))
-    parts.append(Folded(summary="Residuals of each image as a table", parts=(_image_table(view, rows),)))
+    parts.append(Folded(summary=phrase("report_residuals.vectors", n=len(order)), parts=shown))
+    parts.append(Folded(summary=phrase("report_residuals.table"), parts=(_image_table(view, rows),)))
     return parts
 
 
-def _vector_words(view: View, drawn: int, count: int) -> str:
-    order = ", in the order of their rms, the largest first" if count > 1 else ""
-    cut = f"; {grouped(drawn)} of {grouped(count)} images are drawn" if drawn < count else ""
+def _vector_words(view: View, drawn: int, count: int) -> Text:
     per_image = np.bincount(view.given.observations.image[view.used])
-    thinned = (
-        f"; at most {MOST_VECTORS} vectors an image, the largest among them"
-        if per_image.max(initial=0) > MOST_VECTORS
-        else ""
-    )
-    crossed = "; rejected points are crossed" if len(view.rejected) else ""
-    return f"Residual vectors of each image with its rms residual{order}{cut}{thinned}{crossed}."
+    found = [note("report_residuals.vectors_order")]
+    if drawn < count:
+        found.append(note("report_residuals.images_drawn", n=drawn, of=count))
+    if per_image.max(initial=0) > MOST_VECTORS:
+        found.append(note("report_residuals.vectors_drawn", n=MOST_VECTORS))
+    if len(view.rejected):
+        found.append(note("report_residuals.crossed"))
+    return Text.of(*found)
 
 
 def _image_table(view: View, rows: list[ImageRow]) -> Table:
@@ -203,9 +203,10 @@ def _image_table(view: View, rows: list[ImageRow]) -> Table:
     names = [images.ids[r.image] for r in rows]
     return table(
         (
-            text("image"), text("file"), number("points"), number("rejected"), number("rms x", "px"),
-            number("rms y", "px"),
-            number("largest |w| / σ₀"), number("mean r"), number("σ a posteriori / a priori"), text(""),
+            text(phrase("label.image")), text(phrase("label.file")), number(phrase("label.points")),
+            number(phrase("label.rejected")), number("rms x", "px"), number("rms y", "px"),
+            number(phrase("report_residuals.largest_w")), number(phrase("report_residuals.mean_r")),
+            number(phrase("label.sigma_ratio")), text(""),
         ),
         (
             names,
@@ -217,10 +218,8 @@ def _image_table(view: View, rows: list[ImageRow]) -> Table:
             cells([r.largest for r in rows], 2),
             cells([r.redundancy for r in rows], 2),
             cells([ratio.get(n, math.nan) for n in names], 3),
-            ["differs from the others" if n in strange else "" for n in names],
+            [phrase("report_residuals.differs") if n in strange else "" for n in names],
         ),
-        note=f"“Differs”: the image's own σ is not that of the whole block ({per_cent(0.01)} level each)."
-        if strange
-        else "",
-        rest="observations.csv (by image)",
+        note=phrase("report_residuals.differs_note", level=0.01) if strange else "",
+        rest="observations.csv",
     )  # fmt: skip

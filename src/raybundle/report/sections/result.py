@@ -128,7 +128,7 @@ def _counts(view: View) -> list[tuple[str, str]]:
     n = counts(a)
     rows: list[tuple[str, str]] = [
         (phrase("label.block"), block.name),
-        (phrase("label.cameras"), grouped(len(block.cameras))),
+        (phrase("label.heading_cameras"), grouped(len(block.cameras))),
         (phrase("label.images"), phrase("result_section.used", used=n.images_used, given=n.images_given, rejected=0)),
         (
             phrase("label.object_points"),

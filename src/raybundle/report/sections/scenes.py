@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.result import InteriorResult
 from raybundle.block import Camera
+from raybundle.errors import Message, Text, message_of_text, note, phrase, text_of_error
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.chapters import section
 from raybundle.report.figures.corrections import correction_figures
@@ -32,7 +33,7 @@ from raybundle.report.parts import (
     text,
 )
 from raybundle.report.residuals import normalised
-from raybundle.report.text.numbers import NONE, counted, fixed, grouped, listed, probability, significant, with_sigma
+from raybundle.report.text.numbers import NONE, fixed, grouped, significant, with_sigma
 from raybundle.report.text.words import printed
 from raybundle.report.view import View, rms, rows_of
 
@@ -48,6 +49,8 @@ GRID = 8
 LINES, COLUMNS = 240, 5
 """Lines and columns at which a rigorous scene is compared with its RPC."""
 RELIEF_M = 300.0
+MOST_WAVES = 8
+"""Trends along the track that a sentence lists"""
 BELIEVED = 0.001
 """Probability by chance below which a wave along the track counts as seen."""
 SMOOTH_PX = 0.001
@@ -61,17 +64,10 @@ def scene_section(view: View) -> Section | None:
     images = [i for i in _images(view) if not is_strip(_camera(view, i))]
     if not images:
         return None
-    about = (
-        f"{counted(len(images), 'scene')} with the geometry of their vendors; what the adjustment adds is listed here. "
-        "A bias is added to what the geometry projects, in pixels of the scene. Maps and figures of the network show a "
-        "scene near its ground, in the direction from which it was taken."
-    )
-    known = (
-        "Stated sigma: what was known before, as the vendor's ERR_BIAS. Marked: more than three times as large, which "
-        "says that the file, the control or its coordinate system deserves a second look."
-    )
+    about = Text.of(note("report_scenes.scenes", n=len(images)), note("report_scenes.bias"), note("report_scenes.maps"))
+    known = Text.of(note("report_scenes.sigma_of_scenes"), note("report_scenes.marked"))
     parts = [Paragraph(text=about), _bias_table(view, images, known), *_figures_and_words(view, images, "scene")]
-    return Section(anchor="scenes", title="Satellite scenes", parts=tuple(parts))
+    return Section(anchor="scenes", title=phrase("report_scenes.title"), parts=tuple(parts))
 
 
 @section("strips", after="trajectories")
@@ -80,20 +76,20 @@ def strip_section(view: View) -> Section | None:
     images = [i for i in _images(view) if is_strip(_camera(view, i))]
     if not images:
         return None
-    about = (
-        f"{counted(len(images), 'strip')} of line scanners, whose lines were placed by GNSS and INS. What the "
-        "adjustment adds to these positions and attitudes is listed and drawn here: along track, across track and in "
-        "height; about the axes of the line; and where they were estimated, the offset of the clocks and the lever arm."
+    about = Text.of(
+        note("report_scenes.strips", n=len(images)),
+        note("report_scenes.corrections"),
+        note("report_scenes.further_parameters"),
     )
-    known = (
-        "Stated sigma: that of positions and attitudes as their table tells it; – where nothing was known, as of the "
-        "misalignment of the INS. Marked: more than three times as large, which says that the table, the control or "
-        "its coordinate system deserves a second look."
-    )
+    known = Text.of(note("report_scenes.sigma_of_strips"), note("report_scenes.marked"))
     body = _bias_table(view, images, known)
-    shown: list[Part] = [body] if len(body.rows) <= OPEN_ROWS else [Folded(summary="Every parameter", parts=(body,))]
+    shown: list[Part] = (
+        [body]
+        if len(body.rows) <= OPEN_ROWS
+        else [Folded(summary=phrase("report_scenes.every_parameter"), parts=(body,))]
+    )
     parts = [Paragraph(text=about), *shown, *_figures_and_words(view, images, "strip")]
-    return Section(anchor="strips", title="Strips of line scanners", parts=tuple(parts))
+    return Section(anchor="strips", title=phrase("report_scenes.strips_title"), parts=tuple(parts))
 
 
 def is_strip(camera: Camera) -> bool:
@@ -117,11 +113,11 @@ def _figures_and_words(view: View, images: list[int], noun: str) -> list[Part]:
     parts: list[Part] = [Statements(statements=_words(view, images, found, noun))]
     for n, i in enumerate(images[:MOST_DRAWN]):
         own = _scene_parts(view, i, found[i])
-        name = f"{noun.capitalize()} {view.given.images.ids[i]}"
+        name = phrase("report_scenes.name", kind=noun, name=view.given.images.ids[i])
         parts += [Heading(text=name), *own] if n < 2 else [Folded(summary=name, parts=tuple(own))]
     if len(images) > MOST_DRAWN:
         parts.append(
-            Paragraph(text=f"Figures are drawn for {MOST_DRAWN} of {grouped(len(images))} {noun}s.", note=True)
+            Paragraph(text=phrase("report_scenes.figures_drawn", n=MOST_DRAWN, of=len(images), kind=noun), note=True)
         )
     return parts
 
@@ -134,13 +130,15 @@ def _result(view: View, camera: Camera) -> InteriorResult | None:
     return next((r for r in view.adjustment.interior if r.camera == camera.id), None)
 
 
-def _bias_table(view: View, images: list[int], note: str) -> Table:
+def _bias_table(view: View, images: list[int], remark: Text) -> Table:
     """A row for every parameter of every scene."""
     ground = any(_camera(view, i).model == "rpc" for i in images)
     columns: tuple[Column, ...] = (
-        text("strip" if is_strip(_camera(view, images[0])) else "scene"), text("model"), number("image points"),
-        text("parameter"), number("value"), number("sigma"), *([number("on the ground", "m")] if ground else []),
-        number("stated sigma"), number("value / stated sigma"), number("r"), number("w"),
+        text(phrase("report_scenes.kind", kind="strip" if is_strip(_camera(view, images[0])) else "scene")),
+        text(phrase("label.model")), number(phrase("label.image_points")), text(phrase("label.parameter")),
+        number(phrase("label.value")), number(phrase("label.sigma")),
+        *([number(phrase("report_scenes.on_ground"), "m")] if ground else []),
+        number(phrase("label.stated_sigma")), number(phrase("report_scenes.value_by_sigma")), number("r"), number("w"),
     )  # fmt: skip
     rows: list[list[str]] = []
     marked: list[int] = []
@@ -157,7 +155,11 @@ def _bias_table(view: View, images: list[int], note: str) -> Table:
             sigma = next(c.sigma.get(s, math.nan) for c in view.given.cameras if c.id == camera.id)
             value, std = (camera.values[s], None) if p is None else (p.value, p.std)
             factor, unit = printed(view, camera.sensor.parameters[symbols.index(s)].unit)
-            shown = with_sigma(value * factor, std * factor) if std else (significant(value * factor, 4), "held")
+            shown = (
+                with_sigma(value * factor, std * factor)
+                if std
+                else (significant(value * factor, 4), phrase("label.held"))
+            )
             ratio = abs(value) / sigma if sigma > 0 else math.nan
             if ratio > 3:
                 marked.append(len(rows))
@@ -167,7 +169,7 @@ def _bias_table(view: View, images: list[int], note: str) -> Table:
     return table(
         columns,
         zip(*rows, strict=True),
-        note=note,
+        note=remark,
         marked=marked,
         rest="result.json",
     )
@@ -177,7 +179,7 @@ def _kind(camera: Camera) -> str:
     sensor = cast("SceneSensor", camera.scene)
     if camera.model == "rpc":
         return f"RPC, {getattr(sensor, 'bias', '')}"
-    return "GNSS and INS" if is_strip(camera) else "orbit and attitude"
+    return phrase("report_scenes.model", strip=is_strip(camera))
 
 
 def _tested(view: View, camera: Camera, symbol: str) -> tuple[str, str]:
@@ -220,7 +222,7 @@ def _words(
 ) -> tuple[tuple[str, str], ...]:
     """What the residuals along the track say, and what they do not."""
     ids = view.given.images.ids
-    waves: list[str] = []
+    waves: list[Message] = []
     for i in images:
         track = found[i]
         if track is None:
@@ -228,32 +230,20 @@ def _words(
         for axis, curve in zip("xy", track[1:], strict=True):
             if curve.probability < BELIEVED:
                 size = float(np.nanmax(np.abs(curve.mean)))
-                waves.append(f"{ids[i]} in {axis} by up to {significant(size, 2)} px")
-    remedy = (
-        "Jitter of the attitude or a drift that the bias does not have looks like this; a bias of the kind drift, or a "
-        "curve for a rigorous scene, takes it up."
-        if noun == "scene"
-        else "Movements of the aircraft between the fixes of the corrections look like this; more fixes take them up."
-    )
-    words = [
-        (
-            "along track",
-            f"The mean residual changes with the line: {listed(waves)}, which is less than 0.1 % likely by chance. "
-            f"{remedy}"
-            if waves
-            else "No mean residual changes with the line by more than chance allows: no jitter is seen.",
-        )
+                waves.append(note("report_scenes.wave", name=ids[i], axis=axis, size_px=size))
+    if len(waves) > MOST_WAVES:
+        waves = [*waves[:MOST_WAVES], note("report_scenes.more_waves", n=len(waves) - MOST_WAVES)]
+    trend = Text.of(note("report_scenes.trend", level=BELIEVED), *waves, note("report_scenes.cause", kind=noun))
+    words: list[tuple[str, str]] = [
+        (phrase("report_scenes.along_track"), trend if waves else phrase("report_scenes.no_trend"))
     ]
     rays = view.rays[view.given.observations.point]
     two = [i for i in images if found[i] is not None and float(np.median(rays[rows_of(view, i)])) < 3]
     if two:
         words.append(
             (
-                "not seen",
-                (
-                    f"Most points are seen by two {noun}s. An error along the plane of their two rays goes into "
-                    "heights and leaves no residual: jitter along the track of a stereo pair shows here only in part."
-                ),
+                phrase("report_scenes.hidden"),
+                Text.of(note("report_scenes.two_rays", kind=noun), note("report_scenes.jitter_in_heights")),
             )
         )
     return tuple(words)
@@ -275,8 +265,15 @@ def _scene_parts(view: View, image: int, track: tuple[Index, Running, Running] |
         figures.append(
             Figure(
                 drawing=drawn,
-                caption=f"Residuals as vectors, {significant(length, 1)} px drawn as {fixed(length * scale, 0)} px of "
-                f"this page; rms {significant(rms(v[rows_of(view, image)].ravel()))} px. Rejected points are crossed.",
+                caption=Text.of(
+                    note(
+                        "report_scenes.residuals",
+                        rms_px=rms(v[rows_of(view, image)].ravel()),
+                        length_px=length,
+                        drawn_px=round(length * scale),
+                    ),
+                    note("report_residuals.crossed"),
+                ),
             )
         )
     if figures:
@@ -320,10 +317,9 @@ def _bias_figure(camera: Camera) -> Figure | None:
         ]
         unit = round_below(1.6 * largest)
         parts.append(scale_bar(plot, unit * scale, f"{significant(unit, 1)} px", "vector bold"))
-    words = "the same everywhere" if sensor.bias == "shift" else "it changes over the scene"
     return Figure(
         drawing=drawing(plot.width, plot.height, parts, "bias of the RPC over the scene"),
-        caption=f"Bias over the scene, {words}; to be added to what the RPC projects. The dot is the beginning.",
+        caption=phrase("report_scenes.bias_map", constant=sensor.bias == "shift"),
     )
 
 
@@ -334,15 +330,15 @@ def _track_figures(view: View, image: int, track: tuple[Index, Running, Running]
     height = float(_camera(view, image).height_px)
     figures: list[Figure] = []
     for k, (axis, curve) in enumerate(zip("xy", curves, strict=True)):
-        p = f"; by chance with probability {probability(curve.probability)}" if math.isfinite(curve.probability) else ""
+        known = math.isfinite(curve.probability)
+        chance = [note("report_panoramas.chance", p=float(curve.probability))] if known else []
         figures.append(
             Figure(
                 drawing=series_figure(
                     at, v[:, k], curve, "line [px]", f"residual in {axis} [px]", f"residuals in {axis} along the track",
                     x_range=(0.0, height),
                 ),
-                caption=f"Residuals in {axis} along the track and their running mean; band: 95 % of the means if there "
-                f"is nothing{p}.",
+                caption=Text.of(note("report_scenes.track", axis=axis), *chance),
             )
         )  # fmt: skip
     return tuple(figures)
@@ -366,13 +362,11 @@ def _jitter(camera: Camera) -> Part | None:
         xy = np.stack([a.ravel() for a in np.meshgrid(xs, lines)], axis=1)
         miss = (xy - fit.rpc.project(localise(xy, np.full(len(xy), middle)))).reshape(LINES, COLUMNS, 2).mean(axis=1)
     except RaybundleError as error:
-        return Paragraph(text=f"No RPC stands for this scene, and no jitter plot is drawn: {error.text()}", note=True)
+        reason = Text.of(note("report_scenes.no_jitter_plot"), message_of_text(text_of_error(error)))
+        return Paragraph(text=reason, note=True)
     size = [rms(miss[:, k]) for k in (0, 1)]
     if max(size) < SMOOTH_PX:
-        return Paragraph(
-            text=f"The adjusted rigorous model is as smooth as an RPC: one fitted to it agrees along the lines within "
-            f"{significant(SMOOTH_PX)} px (rms). It holds no jitter."
-        )
+        return Paragraph(text=phrase("report_scenes.no_jitter", limit_px=SMOOTH_PX))
     drawn: Drawing = line_figure(
         lines, (("x", miss[:, 0], None), ("y", miss[:, 1], None)), "line [px]", "rigorous − RPC [px]",
         "rigorous model minus its RPC along the lines", width=860,
@@ -381,9 +375,7 @@ def _jitter(camera: Camera) -> Part | None:
         figures=(
             Figure(
                 drawing=drawn,
-                caption=f"The adjusted rigorous model minus the RPC fitted to it, mean over the columns: rms "
-                f"{significant(size[0], 2)} px in x, {significant(size[1], 2)} px in y. An RPC is too smooth for "
-                "jitter: this is what it leaves of it.",
+                caption=phrase("report_scenes.jitter", x_px=size[0], y_px=size[1]),
             ),
         )
     )

@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
+from raybundle.errors import Text, note, phrase
 from raybundle.io.block.folder import angles_deg
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.natural import natural_order
@@ -31,9 +32,9 @@ from raybundle.report.parts import (
     table,
     text,
 )
-from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, grouped
+from raybundle.report.text.numbers import NONE, cells, column_decimals, grouped
 from raybundle.report.view import View
-from raybundle.settings import in_words, option
+from raybundle.settings import in_words
 
 MOST_CORRELATED = 200
 """Points up to which a list tells correlations of coordinates: one that is read, point by point"""
@@ -50,10 +51,10 @@ def tables_section(view: View, *, all_coordinates: bool = False) -> Section:
     images = _images(view)
     return Section(
         anchor="tables",
-        title="Coordinates and orientations",
+        title=phrase("report_tables.title"),
         parts=(
-            Folded(summary=f"{counted(len(view.given.points), 'object point')}", parts=(points,)),
-            Folded(summary=f"{counted(len(view.given.images), 'image')}", parts=(images,)),
+            Folded(summary=phrase("report_tables.object_points", n=len(view.given.points)), parts=(points,)),
+            Folded(summary=phrase("report_tables.images", n=len(view.given.images)), parts=(images,)),
         ),
     )
 
@@ -75,11 +76,8 @@ def printed_points(view: View, order: Index) -> Index:
     return order[np.isin(order, list(chosen))]
 
 
-def _printed_note(shown: int, count: int) -> str:
-    return (
-        f"{grouped(shown)} of {grouped(count)} points: known and named ones, those with the largest standard "
-        f"deviations, and a sample. All are in points.csv, and here with {option('all_coordinates', True)}."
-    )
+def _printed_note(shown: int, count: int) -> Text:
+    return Text.of(note("report_tables.points_printed", n=shown, of=count), note("report_tables.all_points"))
 
 
 def _points(view: View, rows: Index) -> Table:
@@ -89,24 +87,25 @@ def _points(view: View, rows: Index) -> Table:
     fine = column_decimals(std)
     coarse = fine + round(math.log10(view.factor))
     angle = np.full(len(p), np.nan) if a.network is None else np.degrees(a.network.intersection_angle)
-    total = grouped(len(p))
     shown = len(p) <= MOST_CORRELATED and a.precision is not None
     r = correlation_of(a.precision.object_points[rows]) if shown and a.precision is not None else np.zeros((0, 3))
     return table(
         (
-            text("point"), text("role"), *(number(axis, view.length_unit) for axis in "XYZ"),
-            *(number(f"sigma {axis}", view.unit) for axis in "XYZ"),
-            *(number(f"r {pair}") for pair in ("XY", "XZ", "YZ") if shown), number("rays"), number("angle", "°"),
+            text(phrase("label.point")), text(phrase("label.role")),
+            *(number(axis, view.length_unit) for axis in "XYZ"),
+            *(number(phrase("label.sigma_of", symbol=axis), view.unit) for axis in "XYZ"),
+            *(number(f"r {pair}") for pair in ("XY", "XZ", "YZ") if shown), number(phrase("label.rays")),
+            number(phrase("label.angle"), "°"),
         ),
         (
-            pick(rows, p.ids), [Role(int(r)).name.lower() for r in p.role[rows]],
+            pick(rows, p.ids), [phrase("label.role_of", role=Role(int(r)).name.lower()) for r in p.role[rows]],
             *(cells(p.xyz[rows, k].tolist(), coarse) for k in range(3)),
             *(cells(std[rows, k].tolist(), fine) for k in range(3)),
             *(cells(r[:, k].tolist(), 2) for k in range(3) if shown),
             [grouped(float(k)) for k in view.rays[rows]], cells(angle[rows].tolist(), 1),
         ),
-        note=f"The first {grouped(len(rows))} of {total} points; all are in points.csv, and here with "
-        f"{option('all_coordinates', True)}." if len(p) > len(rows) else "",
+        note=Text.of(note("report_tables.first_points", n=len(rows), of=len(p)), note("report_tables.all_points"))
+        if len(p) > len(rows) else "",
         most=max(len(rows), 1),
     )  # fmt: skip
 
@@ -128,9 +127,11 @@ def _images(view: View) -> Table:
     order = np.array(natural_order(images.ids), np.int32)
     return table(
         (
-            text("image"), text("camera"), *(number(axis, view.length_unit) for axis in "XYZ"),
+            text(phrase("label.image")), text(phrase("label.camera")),
+            *(number(axis, view.length_unit) for axis in "XYZ"),
             *(number(s, "°") for s in "ωφκ"),
-            *(number(f"sigma {axis}", view.unit) for axis in "XYZ"), *(number(f"sigma {s}", "°") for s in "ωφκ"),
+            *(number(phrase("label.sigma_of", symbol=axis), view.unit) for axis in "XYZ"),
+            *(number(phrase("label.sigma_of", symbol=s), "°") for s in "ωφκ"),
         ),
         (
             pick(order, images.ids), [a.given.cameras[int(c)].id for c in images.camera[order]],
@@ -160,22 +161,38 @@ def provenance_section(view: View) -> Section:
     options = replace(view.adjustment.options, datum_over=view.adjustment.options.datum_over or "all")
     names = [f.name for f in fields(AdjustmentOptions)]
     values = [getattr(options, n) for n in names]
-    changed = ["" if v == getattr(default, n) else "not the default" for n, v in zip(names, values, strict=True)]
-    settings = table((text("setting"), text("value"), text("")), (said(names), [_shown(v) for v in values], changed))
+    changed = [
+        "" if v == getattr(default, n) else phrase("report_tables.changed") for n, v in zip(names, values, strict=True)
+    ]
+    settings = table(
+        (text(phrase("label.setting")), text(phrase("label.value")), text("")),
+        (said(names), [_shown(v) for v in values], changed),
+    )
     prints = fingerprints(view.given)
-    hashes = table((text("input"), text("rows"), text("SHA-256 of the values")), zip(*prints, strict=True))
+    hashes = table(
+        (text(phrase("report_tables.input_label")), text(phrase("label.rows")), text(phrase("report_tables.hash"))),
+        zip(*prints, strict=True),
+    )
     found = versions()
-    software = table((text("software"), text("version")), (said(found), said(found.values())))
-    parts: list[Part] = [Heading(text="Settings"), settings, Heading(text="Input"), hashes]
-    for label, words in (
-        ("Description", view.given.about),
-        ("Source", view.given.source),
-        ("Licence", view.given.licence),
+    software = table(
+        (text(phrase("report_tables.software_label")), text(phrase("label.version"))),
+        (said(found), said(found.values())),
+    )
+    parts: list[Part] = [
+        Heading(text=phrase("report_tables.settings")),
+        settings,
+        Heading(text=phrase("report_tables.input")),
+        hashes,
+    ]
+    for kind, words in (
+        ("description", view.given.about),
+        ("source", view.given.source),
+        ("licence", view.given.licence),
     ):
         if words:
-            parts.append(Paragraph(text=f"{label}: {words}", note=True))
-    parts += [Heading(text="Software"), software]
-    return Section(anchor="provenance", title="Settings, input and software", parts=tuple(parts))
+            parts.append(Paragraph(text=phrase("report_tables.about", kind=kind, text=words), note=True))
+    parts += [Heading(text=phrase("report_tables.software")), software]
+    return Section(anchor="provenance", title=phrase("report_tables.provenance"), parts=tuple(parts))
 
 
 def _shown(value: object) -> str:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from raybundle.adjustment.roughness import doubled
+from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures.network import ray_histogram
 from raybundle.report.figures.photographs import CLASSES, radius_figure, radius_profile, seen_points
@@ -22,16 +23,13 @@ def tie_point_section(view: View, sigma_px: float) -> Section:
     size = None if view.std is None else np.sqrt((view.std**2).sum(axis=1))
     rays = seen_points(view)
     if not len(rays):
-        return Section(
-            anchor="tie-points", title="Tie points", parts=(Paragraph(text="No object point has a used ray."),)
-        )
-    scale = (
-        " The scale is arbitrary: only ratios of these numbers mean anything until a scale bar or control is given."
-        if view.arbitrary_scale
-        else ""
-    )
+        none = Paragraph(text=phrase("report_tie_points.none"))
+        return Section(anchor="tie-points", title=phrase("report_tie_points.title"), parts=(none,))
+    scale = [note("report_tie_points.arbitrary_scale")] if view.arbitrary_scale else []
     parts += [_ray_table(view, size, scale)]
-    figures = [Figure(drawing=ray_histogram(view.rays, "rays per point"), caption="Number of rays of each point.")]
+    figures = [
+        Figure(drawing=ray_histogram(view.rays, "rays per point"), caption=phrase("report_tie_points.ray_histogram"))
+    ]
     good = np.zeros(0) if size is None else size[np.isfinite(size)]
     if len(good):
         top = float(np.quantile(good, 0.97)) * 1.1
@@ -40,46 +38,39 @@ def tie_point_section(view: View, sigma_px: float) -> Section:
             Figure(
                 drawing=histogram(good, f"sigma of a point [{view.unit}]", "precision of points", edges=edges,
                                   y_label="points", width=300),
-                caption="Standard deviation of position, √(σX² + σY² + σZ²); the last column holds all larger ones.",
+                caption=phrase("report_tie_points.deviations"),
             )
         )  # fmt: skip
     else:
-        parts.append(
-            Paragraph(text="Standard deviations of points are not known (statistics are off, or all are held).")
-        )
+        parts.append(Paragraph(text=phrase("report_tie_points.no_deviations")))
     wide, of = doubled(view.adjustment.precision)
     if of:
         parts.append(
             Paragraph(
-                text="A tie point is the mean of the surface in its matching window. Its standard deviations contain "
-                f"what relief within the window adds; it more than doubles those of {per_cent(wide / of)} of the "
-                "points (column roughness of points.csv)."
+                text=Text.of(note("report_tie_points.relief", share=wide / of), note("report_tie_points.roughness"))
             )
         )
     profile = radius_profile(view)
     if np.isfinite(profile[1]).any():
         figures.append(Figure(drawing=radius_figure(profile), caption=_radius_words(profile, sigma_px)))
     parts.append(Figures(figures=tuple(figures), small=True))
-    return Section(anchor="tie-points", title="Tie points", parts=tuple(parts))
+    return Section(anchor="tie-points", title=phrase("report_tie_points.title"), parts=tuple(parts))
 
 
-def _radius_words(profile: tuple[Array, Array, Array], sigma_px: float) -> str:
+def _radius_words(profile: tuple[Array, Array, Array], sigma_px: float) -> Text:
     _, residual, count = profile
     inner, outer = count[:5] > 20, count[5:] > 20
-    words = "Residuals of a coordinate against the distance of the image point from the middle of the format."
+    found = [note("report_tie_points.radius")]
     if math.isfinite(sigma_px):
-        words += f" Over the whole format an image coordinate has a sigma of {significant(sigma_px, 2)} px (rms)."
+        found.append(note("report_tie_points.sigma", sigma_px=sigma_px))
     if inner.any() and outer.any():
         ratio = float(residual[5:][outer].max() / max(residual[:5][inner].min(), 1e-12))
         if ratio > 2:
-            words += (
-                f" The largest outside is {significant(ratio, 2)} times the smallest inside: look at the mean "
-                "residuals over the format for distortion that the model lacks."
-            )
-    return words
+            found.append(note("report_tie_points.outer_residuals", ratio=ratio))
+    return Text.of(*found)
 
 
-def _ray_table(view: View, size: Array | None, scale: str) -> Table:
+def _ray_table(view: View, size: Array | None, scale: list[Message]) -> Table:
     """Points by number of rays, with their precision."""
     rows: list[list[str]] = []
     total = int((view.rays > 0).sum())
@@ -92,15 +83,13 @@ def _ray_table(view: View, size: Array | None, scale: str) -> Table:
             median = float(np.median(middle)) if len(middle) else math.nan
             rows.append([words, grouped(n), per_cent(n / total), significant(median), significant(sigma)])
     two = int(((view.rays > 0) & (view.rays <= 2)).sum()) / max(total, 1)
-    note = (
-        f"sigma: standard deviation of position. {per_cent(two)} of the points have 2 rays: for them a wrong match "
-        f"along the line of sight stays hidden.{scale}"
-    )
+    remark = Text.of(note("report_tie_points.sigma_note"), note("report_tie_points.two_rays", share=two), *scale)
     return table(
         (
-            text("rays"), number("points"), number("share"), number("median sigma", view.unit),
-            number("rms sigma", view.unit),
+            text(phrase("label.rays")), number(phrase("label.points")), number(phrase("label.share")),
+            number(phrase("report_tie_points.median_sigma"), view.unit),
+            number(phrase("report_tie_points.rms_sigma"), view.unit),
         ),
         zip(*rows, strict=True),
-        note=note,
+        note=remark,
     )  # fmt: skip

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.adjustment.result import InteriorResult, ObservationGroup
+from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import decimals_for
 from raybundle.report.chapters import section
@@ -25,7 +26,7 @@ from raybundle.report.parts import (
     table,
     text,
 )
-from raybundle.report.text.numbers import NONE, counted, fixed, grouped, significant, with_sigma
+from raybundle.report.text.numbers import NONE, fixed, grouped, significant, with_sigma
 from raybundle.report.text.words import printed
 from raybundle.report.view import View, rms
 
@@ -41,7 +42,10 @@ NAMES = {"X": "east", "Y": "north", "Z": "height"}
 class Line:
     """The observed images of one flight line, in their order."""
 
+    kind: str
+    """antenna | positions | attitudes"""
     name: str
+    """Of the antenna; else empty"""
     images: Index
     """Positions in the block"""
     at: Array
@@ -61,17 +65,18 @@ def trajectory_section(view: View) -> Section | None:
     if groups:
         parts += [Paragraph(text=_about(view)), _comparison(view, groups)]
     if carried:
-        parts += [Heading(text="Lever arms, shifts, drifts and misalignments"), _carried_table(view, carried)]
+        parts += [Heading(text=phrase("report_trajectories.carried")), _carried_table(view, carried)]
     lines = _lines(view, groups)
     for n, line in enumerate(lines[:MOST_LINES]):
         figures = _line_figures(view, groups, line)
         own: list[Part] = [Figures(figures=figures)] if figures else []
-        title = f"{line.name}, {counted(len(line.images), 'image')}"
+        title = phrase("report_trajectories.line", kind=line.kind, name=line.name, n=len(line.images))
         parts += [Heading(text=title), *own] if n < 3 else [Folded(summary=title, parts=tuple(own))]
     if len(lines) > MOST_LINES:
-        parts.append(Paragraph(text=f"{MOST_LINES} of {grouped(len(lines))} lines are drawn.", note=True))
+        drawn = phrase("report_trajectories.lines_drawn", n=MOST_LINES, of=len(lines))
+        parts.append(Paragraph(text=drawn, note=True))
     parts += moving
-    return Section(anchor="trajectories", title="Observed positions and attitudes", parts=tuple(parts))
+    return Section(anchor="trajectories", title=phrase("report_trajectories.title"), parts=tuple(parts))
 
 
 def _name(view: View, component: str) -> str:
@@ -84,15 +89,13 @@ def _is_carried(view: View, result: InteriorResult) -> bool:
     return any(i.id == result.camera for i in view.given.instruments)
 
 
-def _about(view: View) -> str:
+def _about(view: View) -> Text:
     block = view.given
-    told = f"{counted(len(np.unique(block.stations.image)), 'position')}" if len(block.stations) else ""
-    if len(block.attitudes):
-        told += f"{' and ' if told else ''}{counted(len(block.attitudes), 'attitude')}"
-    return (
-        f"{told} were observed. Direct orientation takes them as they are; integrated orientation adjusts them with "
-        "the image points. Their difference, observed minus adjusted, holds the errors of GNSS and INS and whatever "
-        "the lever arm, the misalignment and the clocks lack."
+    positions = len(np.unique(block.stations.image)) if len(block.stations) else 0
+    return Text.of(
+        note("report_trajectories.observed", positions=positions, attitudes=len(block.attitudes)),
+        note("report_trajectories.methods"),
+        note("report_trajectories.difference"),
     )
 
 
@@ -125,17 +128,21 @@ def _comparison(view: View, groups: dict[str, ObservationGroup]) -> Table:
             values = (float(d.mean()) * factor, size, float(np.abs(d).max()) * factor, stated, after)
             # to what a standard deviation can tell: finer digits of a mean or rms say nothing
             decimals = decimals_for(stated if stated > 0 else size) + 1
-            name = _name(view, component)
+            name = phrase("report_trajectories.component", component=_name(view, component))
             rows.append([name, unit, grouped(len(d)), *(fixed(v, min(decimals, 9)) for v in values)])
     return table(
         (
-            text("component"), text("unit"), number("observed"), number("mean"), number("rms"), number("largest"),
-            number("stated sigma"), number("sigma after adjustment"),
+            text(phrase("report_trajectories.component_label")), text(phrase("label.unit")),
+            number(phrase("label.observed")), number(phrase("label.mean")), number("rms"),
+            number(phrase("label.largest")), number(phrase("label.stated_sigma")),
+            number(phrase("report_trajectories.sigma_after")),
         ),
         zip(*rows, strict=True),
-        caption="Direct minus integrated orientation",
-        note="After lever arm, shift, drift and misalignment, where they are estimated. Marked: the rms is more than "
-        "twice what was stated. Sigma after adjustment: of the integrated value, in the datum of the block.",
+        caption=phrase("report_trajectories.comparison"),
+        note=Text.of(
+            note("report_trajectories.corrected"), note("report_trajectories.marked"),
+            note("report_trajectories.sigma_after_note"),
+        ),
         marked=marked,
     )  # fmt: skip
 
@@ -150,19 +157,22 @@ def _carried_table(view: View, carried: list[InteriorResult]) -> Table:
                 continue
             factor, unit = printed(view, p.unit)
             shown = (
-                with_sigma(p.value * factor, p.std * factor) if p.std else (significant(p.value * factor, 4), "held")
+                with_sigma(p.value * factor, p.std * factor)
+                if p.std
+                else (significant(p.value * factor, 4), phrase("label.held"))
             )
             if p.status == "not determinable":
                 marked.append(len(rows))
-            rows.append([r.camera, p.symbol, p.meaning, unit, *shown, NONE if p.t is None else fixed(p.t, 1), p.status])
+            status = phrase("report_interior.status", status=p.status.replace(" ", "_"))
+            rows.append([r.camera, p.symbol, p.meaning, unit, *shown, NONE if p.t is None else fixed(p.t, 1), status])
     return table(
         (
-            text("carrier"), text("symbol"), text("meaning"), text("unit"), number("value"), number("sigma"),
-            number("t"), text("status"),
+            text(phrase("report_trajectories.carrier")), text(phrase("label.symbol")), text(phrase("label.meaning")),
+            text(phrase("label.unit")), number(phrase("label.value")), number(phrase("label.sigma")), number("t"),
+            text(phrase("label.status")),
         ),
         zip(*rows, strict=True),
-        note="t: value over sigma. With all images level and heads alike, a lever arm and a shift are one; a constant "
-        "error of the attitude hides in the misalignment.",
+        note=Text.of(note("report_interior.t_note"), note("report_trajectories.separability")),
         marked=marked,
     )  # fmt: skip
 
@@ -173,33 +183,34 @@ def _lines(view: View, groups: dict[str, ObservationGroup]) -> list[Line]:
     ids = {name: k for k, name in enumerate(block.images.ids)}
     seen = {ids[i] for g in groups.values() for i in g.ids if i in ids}
     stations = block.stations
-    key: dict[int, tuple[str, float]] = {}
+    key: dict[int, tuple[tuple[str, str], float]] = {}
     for row, image in enumerate(stations.image.tolist()):
         antenna = -1 if stations.antenna is None else int(stations.antenna[row])
-        name = f"Antenna {block.instruments[antenna].id}" if antenna >= 0 else "Positions"
+        name = ("antenna", block.instruments[antenna].id) if antenna >= 0 else ("positions", "")
         key[image] = name, math.nan if stations.time is None else float(stations.time[row])
-    members: dict[str, list[int]] = {}
+    members: dict[tuple[str, str], list[int]] = {}
     for image in sorted(seen):
-        members.setdefault(key[image][0] if image in key else "Attitudes", []).append(image)
+        members.setdefault(key[image][0] if image in key else ("attitudes", ""), []).append(image)
     found: list[Line] = []
-    for name, images in members.items():
+    for (kind, name), images in members.items():
         if len(images) < FEWEST:
             continue
         time = np.array([key[i][1] if i in key else math.nan for i in images])
         if np.isfinite(time).all() and np.ptp(time) > 0:
             order = np.argsort(time, kind="stable")
-            found.append(Line(name=name, images=np.array(images)[order], at=time[order], unit="time [s]"))
+            found.append(Line(kind=kind, name=name, images=np.array(images)[order], at=time[order], unit="time [s]"))
             continue
         centre = view.adjusted.images.centre[images]
         steps = np.linalg.norm(np.diff(centre, axis=0), axis=1)
         at = np.concatenate([[0.0], np.cumsum(np.nan_to_num(steps))])
-        found.append(Line(name=name, images=np.array(images), at=at, unit=f"way flown [{view.length_unit}]"))
+        found.append(Line(kind=kind, name=name, images=np.array(images), at=at, unit=f"way flown [{view.length_unit}]"))
     return found
 
 
 def _line_figures(view: View, groups: dict[str, ObservationGroup], line: Line) -> tuple[Figure, ...]:
     """Observed minus adjusted along one line, a figure for each component."""
     names = [view.given.images.ids[int(i)] for i in line.images]
+    named = f"Antenna {line.name}" if line.name else line.kind.capitalize()
     figures: list[Figure] = []
     for kind, components, factor, unit in (
         ("station", ("X", "Y", "Z"), view.factor, view.unit),
@@ -218,13 +229,12 @@ def _line_figures(view: View, groups: dict[str, ObservationGroup], line: Line) -
             name = _name(view, component)
             drawn = line_figure(
                 line.at, ((name, value, stated),), line.unit, f"observed − adjusted [{unit}]",
-                f"observed minus adjusted {name} along {line.name}", width=285, marks=len(names) <= MARKED,
+                f"observed minus adjusted {name} along {named}", width=285, marks=len(names) <= MARKED,
             )  # fmt: skip
             figures.append(
                 Figure(
                     drawing=drawn,
-                    caption=f"Observed minus adjusted {name}, rms {significant(rms(value), 3)}\u00a0{unit}; band: 95 % "
-                    "by the stated standard deviation.",
+                    caption=phrase("report_trajectories.along_line", component=name, rms=rms(value), unit=unit),
                 )
             )
     return tuple(figures)
@@ -237,9 +247,9 @@ def _motion(view: View) -> list[Part]:
         return []
     at = np.arange(1, len(own) + 1, dtype=float)
     figures: list[Figure] = []
-    for symbols, factor, unit, name in (
-        (("vx", "vy", "vz"), 1.0, f"{view.length_unit}/s", "velocity during read-out"),
-        (("wx", "wy", "wz"), math.degrees(1), "°/s", "rotation during read-out"),
+    for symbols, factor, unit, name, kind in (
+        (("vx", "vy", "vz"), 1.0, f"{view.length_unit}/s", "velocity during read-out", "velocity"),
+        (("wx", "wy", "wz"), math.degrees(1), "°/s", "rotation during read-out", "rotation"),
     ):
         value, sigma = (
             np.array(
@@ -260,9 +270,5 @@ def _motion(view: View) -> list[Part]:
             name,
             marks=len(own) <= MARKED,
         )
-        figures.append(
-            Figure(
-                drawing=drawn, caption=f"{name.capitalize()} of each image, in the order of the block, and its sigma."
-            )
-        )
-    return [Heading(text="Motion while images are read out"), Figures(figures=tuple(figures))]
+        figures.append(Figure(drawing=drawn, caption=phrase("report_trajectories.motion", kind=kind)))
+    return [Heading(text=phrase("report_trajectories.motion_heading")), Figures(figures=tuple(figures))]

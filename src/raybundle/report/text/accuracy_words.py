@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from raybundle.adjustment.accuracy_class import AccuracyClass, Judged, all_kept
-from raybundle.errors import Message, Text, Value, note
+from raybundle.errors import Message, Text, note
 from raybundle.report.languages import Said
 from raybundle.report.outcome import Outcome
 from raybundle.report.text.numbers import plain
@@ -19,7 +20,7 @@ _FOUND = {
 }
 
 
-def length_values(name: str, metres: float) -> dict[str, Value]:
+def length_values(name: str, metres: float) -> dict[str, Any]:
     """A length as values of a phrase, with its unit: metres from one metre on, else millimetres."""
     whole = abs(metres) >= 1
     return {name: metres if whole else 1000 * metres, f"{name}_unit": "m" if whole else "mm"}

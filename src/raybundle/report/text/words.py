@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from raybundle.adjustment.reliability import UNCONTROLLED
 from raybundle.adjustment.result import Adjustment, NetworkFigures, ObservationGroup
 from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
 from raybundle.adjustment.spread import FewHold, few_hold
-from raybundle.errors import Message, Text, Value, joined_texts, message_of_text, note, phrase
+from raybundle.errors import Message, Text, joined_texts, message_of_text, note, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
 from raybundle.observations import observation_kinds
@@ -40,13 +40,13 @@ class Verdict:
 def verdict(view: View) -> Verdict:
     """The verdict on an adjustment."""
     statements = [
-        (phrase("label.adjusted"), _adjusted(view)),
+        (phrase("label.heading_adjusted"), _adjusted(view)),
         (phrase("label.precision"), _precision(view)),
         (phrase("label.accuracy"), _accuracy(view)),
         (phrase("label.fit"), Text.of(*_fit(view))),
         (phrase("label.control"), Text.of(*_control(view))),
         (phrase("label.blunders"), Text.of(*_blunders(view))),
-        (phrase("label.cameras"), Text.of(*_cameras(view))),
+        (phrase("label.heading_cameras"), Text.of(*_cameras(view))),
     ]
     grade = _grade(view)
     return Verdict(grade=grade, headline=_headline(view, grade), statements=tuple(s for s in statements if s[1]))
@@ -118,7 +118,7 @@ def left_out(network: NetworkFigures) -> str:
     return "" if share == 0 else f", without the {share:.0f} % of the points that are least precise"
 
 
-def relative_values(view: View) -> dict[str, Value] | None:
+def relative_values(view: View) -> dict[str, Any] | None:
     """Values of a phrase on the relative precision 1 : N and the quotient behind it; None where there is none."""
     network = view.adjustment.network
     if network is None or (relative := relative_number(network)) is None:
@@ -168,7 +168,7 @@ def unsettled(view: View) -> tuple[Text, ...]:
     return (phrase("verdict.faults", n=n),) if (n := _faults(view)) else ()
 
 
-def axis_values(values: Array, unit: str, names: Sequence[str] = "XYZ") -> dict[str, Value]:
+def axis_values(values: Array, unit: str, names: Sequence[str] = "XYZ") -> dict[str, Any]:
     """Values of `verdict.each_axis`: the root mean squares (n, 3) or (3,) along the axes that have any.
 
     Without heights (n, 2).
@@ -219,7 +219,7 @@ def datum_words(view: View) -> Text:
     return Text.of(*found, note("verdict.datum_by"), *taken)
 
 
-def open_values(names: tuple[str, ...]) -> dict[str, Value]:
+def open_values(names: tuple[str, ...]) -> dict[str, Any]:
     """Values of a phrase on the open parts of the datum: which by name, else their symbols."""
     whole = open_datum(names)
     if whole == [ABOUT_LINE]:

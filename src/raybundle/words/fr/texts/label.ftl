@@ -4,8 +4,6 @@ label-adjusted_minus_given = compensé moins donné
 
 label-camera = caméra
 
-label-cameras = Caméras
-
 label-check_points = points de contrôle
 
 label-coordinate = coordonnée
@@ -13,6 +11,8 @@ label-coordinate = coordonnée
 label-format = format
 
 label-given = donné
+
+label-heading_cameras = Caméras
 
 label-image_points = points image
 
