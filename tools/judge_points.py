@@ -5,8 +5,9 @@ raybundle orient FOLDER/photos --out PROJECT --control FOLDER/control.csv --mark
 
 Control gives the frame: nothing is fitted. The errors of the orientation are part of the errors that are judged, as
 they are part of the standard deviations. For results without control, --datum fit moves, turns and scales the points
-onto the true surface first (seven parameters, from smooth ground and slopes). Errors are those along the normal of the
-true surface in the window of the point.
+onto the true surface first (seven parameters, from smooth ground and slopes). Errors from the true surface are those
+along the way that is shortest in units of the covariance of the point, and along the normal of the plane of best fit in
+its window, which leans away from the rays at a step.
 """
 
 from __future__ import annotations
@@ -17,6 +18,12 @@ from pathlib import Path
 
 from renderer.judging import by_class, fitted, read_points
 from renderer.truth import read_surface
+
+KINDS = {
+    "surface": "from the true surface, along the shortest way by the covariance",
+    "normal": "from the true surface, along the normal of the plane of best fit in the window",
+    "window": "from the mean of the surface over the window",
+}
 
 
 def main() -> None:
@@ -41,13 +48,13 @@ def main() -> None:
             {"class": name, "flagged": label, **numbers}
             for name, label, numbers in by_class(surface, points, coordinates, half, kind)
         ]
-        for kind in ("surface", "window")
+        for kind in KINDS
     }
     if options.json:
         print(json.dumps({"datum": options.datum, "window_px": options.window, **found}, indent=1))
         return
     for kind, rows in found.items():
-        print(f"errors from the {'true surface' if kind == 'surface' else 'mean of the surface over the window'}")
+        print(f"errors {KINDS[kind]}")
         print("class               n  chi-square  > 5 sigma  sigma mm  error mm  Spearman")
         for row in rows:
             label = f"{row['class']} {row['flagged']}".strip()

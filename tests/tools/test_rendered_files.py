@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 from renderer.camera import camera
 from renderer.classes import BORDER, CLUTTER, CURVED, NAMES, RIDGE, SMOOTH, STEP
 from renderer.height_field import HeightField
-from renderer.judging import Points, fitted, read_points, robust_chi_square, statistics
+from renderer.judging import Points, fitted, nearest_ways, read_points, robust_chi_square, statistics
 from renderer.network import photographs
 from renderer.sensor import Sensor, camera_tables, demosaiced, mosaic, write_photograph
 from renderer.sets import SetSettings, render_set
@@ -149,6 +149,34 @@ def test_correlations_enter_the_sigma_along_a_direction():
     Q = np.array([[1, 0, -1], [0, 1, 0], [-1, 0, 4.0]])
     n = np.array([[0.6, 0, 0.8]])
     np.testing.assert_allclose(points.sigma_along(n), np.sqrt(n[0] @ Q @ n[0]))
+
+
+def test_the_way_to_a_plane_is_the_shortest_by_the_covariance():
+    rng = np.random.default_rng(4)
+    normals = rng.normal(size=(50, 3))
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    A = rng.normal(size=(50, 3, 3)) * [1, 1, 5]
+    C = A @ A.swapaxes(1, 2)
+    ways, sigma = nearest_ways(normals, C)
+    np.testing.assert_allclose(np.linalg.norm(ways, axis=1), 1)
+    distance = 0.7
+    to_plane = distance / np.einsum("pi,pi->p", ways, normals)
+    across = np.sqrt(np.einsum("pi,pij,pj->p", normals, C, normals))
+    np.testing.assert_allclose(to_plane / sigma, distance / across)
+    other = rng.normal(size=(50, 3))
+    other /= np.linalg.norm(other, axis=1, keepdims=True)
+    steps = distance / np.einsum("pi,pi->p", other, normals)
+    lengths = np.sqrt(np.einsum("pi,pij,pj->p", other, np.linalg.inv(C), other))
+    assert (np.abs(steps) * lengths >= to_plane / sigma - 1e-9).all()
+
+
+def test_a_normal_that_leans_at_a_step_is_no_error_of_its_point():
+    lean = np.radians(70)
+    normal = np.array([[np.sin(lean), 0, np.cos(lean)]])
+    C = np.diag([0.02, 0.02, 0.1])[None] ** 2
+    ways, sigma = nearest_ways(normal, C)
+    assert np.degrees(np.arccos(ways[0, 2])) < 7
+    assert sigma[0] == pytest.approx(0.1, rel=0.15)
 
 
 @pytest.fixture(scope="module")

@@ -37,9 +37,13 @@ class Points:
 
     def sigma_along(self, directions: Array) -> Array:
         """Standard deviations (n,) [m] along unit vectors (n, 3)."""
-        part = directions * self.sigma
-        crossed = part[:, [0, 0, 1]] * part[:, [1, 2, 2]] * self.correlation
-        return np.sqrt(np.maximum((part**2).sum(axis=1) + 2 * crossed.sum(axis=1), 0))
+        return np.sqrt(np.maximum(np.einsum("pi,pij,pj->p", directions, self.covariances(), directions), 0))
+
+    def covariances(self) -> Array:
+        """(n, 3, 3) [m^2]."""
+        R = np.broadcast_to(np.eye(3), (len(self.sigma), 3, 3)).copy()
+        R[:, [0, 0, 1], [1, 2, 2]] = R[:, [1, 2, 2], [0, 0, 1]] = self.correlation
+        return R * self.sigma[:, :, None] * self.sigma[:, None, :]
 
 
 def read_points(path: Path, flag_column: str = "flag") -> Points:
@@ -76,6 +80,19 @@ def statistics(error: Array, sigma: Array) -> dict[str, float]:
         "error_mm": float(1e3 * np.median(np.abs(error)) / NORMAL_MEDIAN) if len(error) else float("nan"),
         "spearman": float(np.asarray(spearmanr(np.abs(error), sigma))[0]) if len(error) > 5 else float("nan"),
     }
+
+
+def nearest_ways(normals: Array, covariances: Array) -> tuple[Array, Array]:
+    """Unit directions (n, 3) of the ways to planes that are shortest in units of points' covariances; sigmas (n,).
+
+    Of all places of a plane with normal n, that along C n lies nearest by the covariance C: sqrt(n' C n) to the plane.
+    At an edge the normal of the plane of best fit leans away from the rays. Along it errors grow by 1 / cos of the
+    angle between them and standard deviations shrink by cos, also those of points that lie well; along C n they do not.
+    """
+    ways = np.einsum("pij,pj->pi", covariances, normals)
+    length = np.linalg.norm(ways, axis=1)
+    sigma = np.sqrt(np.maximum(np.einsum("pi,pi->p", normals, ways), 0))
+    return ways / length[:, None], length / sigma
 
 
 def similarity(source: Array, target: Array) -> tuple[float, Array, Array]:
@@ -115,20 +132,25 @@ def fitted(points: Array, surface: Surface | MeshSurface, half: float, sigma: Ar
 def by_class(
     surface: Surface | MeshSurface, points: Points, coordinates: Array, half: float, error_of: str = "surface"
 ) -> Iterator[tuple[str, str, dict[str, float]]]:
-    """Statistics of points in the core: (class, whether flagged, statistics); `error_of` is surface or window.
+    """Statistics of points in the core: (class, whether flagged, statistics).
+
+    error_of             "surface": along the shortest way to the surface by the covariance; "normal": along the normal
+                         of the plane of best fit in the window; "window": from the mean of the surface over it
 
     coordinates  (n, 3)  where the points are judged: those of the table, or after a fit
     half                 half side of the matching window on the object [m]
     """
     inside = surface.in_core(coordinates)
     part, flagged = coordinates[inside], points.flagged[inside]
-    normals = surface.normals(part, half)
-    error = surface.distances(part, normals) if error_of == "surface" else surface.window_distances(part, normals, half)
-    whole = np.zeros((len(coordinates), 3))
-    whole[inside] = normals
-    sigma = points.sigma_along(whole)[inside]
+    normals, covariances = surface.normals(part, half), points.covariances()[inside]
+    error = surface.window_distances(part, normals, half)
+    sigma = np.sqrt(np.einsum("pi,pij,pj->p", normals, covariances, normals))
+    if error_of != "window":
+        ways, length = nearest_ways(normals, covariances) if error_of == "surface" else (normals, sigma)
+        exact = surface.distances(part, ways)
+        met = np.isfinite(exact)
+        error, sigma = np.where(met, exact, error), np.where(met, length, sigma)
     codes = surface.classes_at(part, half)
-    error = np.where(np.isfinite(error), error, surface.window_distances(part, normals, half))
     for code, name in enumerate(NAMES):
         for label, chosen in (("", ~flagged), ("flagged", flagged)):
             of_class = (codes == code) & chosen
