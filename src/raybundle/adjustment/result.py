@@ -219,8 +219,8 @@ class Precision:
     interior_exterior: Mapping[str, Array]
     """The same keys -> (images of the camera, k, 6) correlations between interior and exterior orientation."""
     roughness: Array | None = None
-    """(p, 3) what relief within the windows of tie points adds, which `object_points` holds: a vector along the mean
-    ray, as long as its standard deviation; None where no window is known."""
+    """(p, 3) what relief within the windows of tie points and noise of their places add, which `object_points` holds:
+    a vector along the mean ray, as long as its standard deviation; None where no window is known."""
 
     @property
     def object_point_std(self) -> Array:

@@ -1,25 +1,34 @@
-"""What relief within the windows of matching adds to the variances of tie points.
+"""What matching adds to the variances of tie points: relief within the windows, and noise that a place has more of.
 
 A tie point is measured where its window lies, not where its surface does: relief within the window moves all of its
 rays alike, along their mean direction, and no residual of the adjustment shows it.  Residuals of the grey values do.
 With M how far their variance exceeds that of noise (`Points.misfit` less 1), S the share of their power that displaces
 parts of the window along the parallax (1 - 1 / `Points.relief`), T the square sum of the point's residuals over its
-redundancy, and W how much larger its window is than the smallest of its neighbours, it is
+redundancy r, W how much larger its window w is than the smallest of its neighbours, and s the standard deviation along
+the rays without it, which holds how steep grey values are, and how parallax follows depth, it is
 
-    variance = s^2 FACTOR M^a S^b T^c W^d
+    variance = w^2 FACTOR M^a S^b T^c W^d (s^2 (1 + r) / w^2)^e
 
-where s is the standard deviation along the rays without it, which holds how steep grey values are, and how parallax
-follows depth: displacements of equal size make M s^2 equal. In a larger window noise averages out and relief, which
-holds together, less.  M and S are the larger of those of the point and of the median of its neighbours: relief is a
-matter of a place. Exponents and factor by maximum likelihood (Student's distribution with 3 degrees of freedom) of
-the errors of 12 000 tie points of three rendered sets of other pixels on the object (1, 2 and 4 mm), compression and
-blur, of smooth, steep and broken ground and clutter. The scale of that distribution holds 61 % of the errors; FACTOR
-is 1.43 times that of the fit, so that one standard deviation holds 68 %.
+s^2 (1 + r) is the variance by few rays: what moves all rays alike does not average out.  In a larger window noise
+averages out and relief, which holds together, less.  M and S are the larger of those of the point and of the median
+of its neighbours: relief is a matter of a place.  Neighbours stand on the same relief, and scatter by it about a plane:
+1 / variance is that of above and 1 / (OF_SCATTER scatter^2) together.  It is at least OF_PLACE times the median of the
+neighbours.
+
+Residuals of a point and its neighbours whose square sum is larger than their redundancy, beyond chance, show noise
+that grey values do not promise: where texture is weak, that of compression is no white noise.  The variance grows as
+their ratio.
+
+Exponents and factors by maximum likelihood (Student's distribution with 3 degrees of freedom) of the errors of tie
+points of 18 rendered sets of other pixels on the object (1 to 4 mm), compression and blur
+(`benchmarks/tie_roughness.py`).  The scale of that distribution holds 61 % of the errors; factors are 1.43 times those
+of the fit, so that one standard deviation holds 68 %, rounded up.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -27,20 +36,59 @@ from raybundle.adjustment.network import with_std
 from raybundle.adjustment.result import Adjustment, Notice, Precision
 from raybundle.block import Role
 from raybundle.block.rigs import without_rigs
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 
-FACTOR, BY_MISFIT, BY_RELIEF, BY_RESIDUALS, BY_WINDOW = 1.45, 1.55, 1.3, 0.9, 1.0
+FACTOR, BY_MISFIT, BY_RELIEF, BY_RESIDUALS, BY_WINDOW, BY_NOISE = 120.0, 2.0, 2.0, 1.0, 5.5, 2.5
+OF_SCATTER, OF_PLACE = 2.1, 0.25
 LEAST_MISFIT, LEAST_SHARE = 0.1, 0.03
 """What is less is noise of the figures."""
-NEIGHBOURS = 25
+NEIGHBOURS, NEAREST, OF_PLANE = 25, 9, 10
+"""Points of a place, the nearest of them, each with the point itself; neighbours through which a plane is laid"""
+BEYOND = 2.0
+"""Standard deviations by which chance lets residuals of a place exceed their redundancy."""
 FIGURES = ("window", "misfit", "relief")
 """Columns of object points that relief is taken from, all or none."""
 HIGHEST = 2.0
 """Windows (`Points.window`): a window shows no relief that is higher than it is wide."""
+PART = 50_000
+"""Points whose neighbours are held at a time."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Witnesses:
+    """What k tie points and their neighbours show of relief and noise."""
+
+    along: Array
+    """(k,) variances along the mean rays by the adjustment"""
+    window: Array
+    """(k,)"""
+    terms: Array
+    """(k, 5) logarithms of M, S, T, W and s^2 (1 + r) / w^2"""
+    scatter: Array
+    """(k,) variances of neighbours about planes, along the mean ray, median of a place; infinite where they are few"""
+    noise: Array
+    """(k,) by how much variances are larger than the adjustment has them, by the residuals of a place; at least 1"""
+    near: Index
+    """(k, <= NEAREST) the point and its nearest neighbours"""
+
+    def variance(
+        self,
+        factor: float = FACTOR,
+        exponents: Sequence[float] = (BY_MISFIT, BY_RELIEF, BY_RESIDUALS, BY_WINDOW, BY_NOISE),
+        of_scatter: float = OF_SCATTER,
+        of_place: float = OF_PLACE,
+    ) -> Array:
+        """(k,) what is added along the mean rays."""
+        own = self.window**2 * np.minimum(factor * np.exp(self.terms @ np.asarray(exponents)), HIGHEST**2)
+        bound = of_scatter * self.scatter
+        with np.errstate(divide="ignore"):
+            own = 1 / (1 / own + 1 / bound)
+        relief = np.maximum(own, of_place * np.median(own[self.near], axis=1))
+        return relief + (self.noise - 1) * self.along
 
 
 def with_roughness(result: Adjustment) -> Adjustment:
-    """The result with variances of tie points that hold the relief within their windows; `Precision.roughness`."""
+    """The result with variances of tie points that hold relief and noise of their place; `Precision.roughness`."""
     points, precision = result.adjusted.points, result.precision
     if precision is None or points.misfit is None or points.relief is None or points.window is None:
         return result
@@ -48,16 +96,13 @@ def with_roughness(result: Adjustment) -> Adjustment:
     figures = np.stack([points.misfit, points.relief, points.window], axis=1)
     known = np.isfinite(figures).all(axis=1) & np.isfinite(variance).all(axis=1)
     known &= (np.asarray(points.role) == Role.TIE) & np.isfinite(points.xyz).all(axis=1)
-    direction, towards = _mean_rays(result)
+    direction, towards = mean_rays(result)
     known &= towards
     if not known.any():
         return result
-    d, C = direction[known], precision.object_points[known]
-    exponents = np.array([BY_MISFIT, BY_RELIEF, BY_RESIDUALS, BY_WINDOW])
-    factor = FACTOR * np.exp(terms(result, known) @ exponents)
-    along = np.maximum(np.einsum("pi,pij,pj->p", d, C, d), 0.0)
+    d = direction[known]
     roughness = np.zeros((len(points), 3))
-    roughness[known] = np.minimum(np.sqrt(factor * along), HIGHEST * points.window[known])[:, None] * d
+    roughness[known] = np.sqrt(witnesses(result, known, d).variance())[:, None] * d
     wider = widened(precision, roughness)
     network = None if result.network is None else with_std(result.network, wider.object_point_std)
     return replace(result, precision=wider, network=network)
@@ -93,38 +138,77 @@ def doubled(precision: Precision | None) -> tuple[int, int]:
     return int((whole > 4 * (whole - square)).sum()), len(r)
 
 
-def terms(result: Adjustment, known: Mask) -> Array:
-    """(k, 4) logarithms of M, S, T and W of the points of a mask (p,) of which window, misfit and relief are known."""
+def witnesses(result: Adjustment, known: Mask, direction: Array) -> Witnesses:
+    """Of the points of a mask (p,) of which window, misfit and relief are known, with unit mean rays (k, 3)."""
     from scipy.spatial import KDTree  # noqa: PLC0415
 
-    points = result.adjusted.points
+    points, precision = result.adjusted.points, result.precision
+    assert precision is not None
     assert points.misfit is not None
     assert points.relief is not None
     assert points.window is not None
-    xyz = points.xyz[known]
+    xyz, window = points.xyz[known], points.window[known]
     near = KDTree(xyz).query(xyz, k=min(NEIGHBOURS, len(xyz)))[1].reshape(len(xyz), -1)
+    along = np.einsum("pi,pij,pj->p", direction, precision.object_points[known], direction)
+    along = np.maximum(along, np.finfo(float).tiny)
+    square, redundancy = (w[known] for w in _squares(result))
     own = (
         np.log(np.maximum(points.misfit[known] - 1, LEAST_MISFIT)),
         np.log(np.maximum(1 - 1 / np.maximum(points.relief[known], 1), LEAST_SHARE)),
     )
-    of_places = [np.maximum(t, np.median(t[near], axis=1)) for t in own]
-    window = points.window[known]
-    larger = np.log(window / window[near].min(axis=1))
-    return np.stack([*of_places, np.log(_residual_ratio(result)[known]), larger], axis=1)
+    terms = (
+        *(np.maximum(t, np.median(t[near], axis=1)) for t in own),
+        np.log((square + 1) / (redundancy + 1)),
+        np.log(window / window[near].min(axis=1)),
+        np.log(along * (1 + redundancy) / window**2),
+    )
+    nearest = near[:, :NEAREST]
+    return Witnesses(
+        along=along, window=window, terms=np.stack(terms, axis=1), scatter=_scatter(xyz, direction, near),
+        noise=_noise(square[nearest].sum(axis=1), redundancy[nearest].sum(axis=1)), near=nearest,
+    )  # fmt: skip
 
 
-def _residual_ratio(result: Adjustment) -> Array:
-    """(p,) square sum of standardised residuals over the redundancy of each point; drawn to 1 where that is little."""
+def _noise(square: Array, redundancy: Array) -> Array:
+    """(k,) square sums of residuals over their redundancies where they are larger beyond chance; else 1."""
+    r = np.maximum(redundancy, 1e-9)
+    return np.where(square > r + BEYOND * np.sqrt(2 * r), square / r, 1.0)
+
+
+def _scatter(xyz: Array, direction: Array, near: Index) -> Array:
+    """(k,) see `Witnesses.scatter`; of points (k, 3) with unit directions (k, 3) and rows of neighbours (k, n)."""
+    count = min(near.shape[1] - 1, OF_PLANE)
+    if count <= 3:
+        return np.full(len(xyz), np.inf)
+    found = np.empty(len(xyz))
+    for k in range(0, len(xyz), PART):
+        d = direction[k : k + PART]
+        v = xyz[near[k : k + PART, 1 : count + 1]]
+        v = v - v.mean(axis=1, keepdims=True)
+        z = np.einsum("pki,pi->pk", v, d)
+        v -= z[..., None] * d[:, None]
+        N = np.einsum("pki,pkj->pij", v, v)
+        # along d there is nothing to solve for; neighbours on a line leave one slope open, which is then none
+        size = np.trace(N, axis1=1, axis2=2)[:, None, None] + 1e-100
+        N += size * (d[:, :, None] * d[:, None, :] + 1e-9 * np.eye(3))
+        slope = np.linalg.solve(N, np.einsum("pki,pk->pi", v, z)[..., None])
+        left = z - (v @ slope)[..., 0]
+        found[k : k + PART] = (left**2).sum(axis=1) / (count - 3)
+    return np.median(found[near[:, : OF_PLANE + 1]], axis=1)
+
+
+def _squares(result: Adjustment) -> tuple[Array, Array]:
+    """(p,) each: square sum of standardised residuals of each point, and its redundancy."""
     s, o = result.image_observations, result.given.observations
     rows, count = np.flatnonzero(s.used), len(result.given.points)
     sigma2 = o.cov_px2[rows, :2] * result.variance_factor
     square = (s.residuals_px[rows] ** 2 / sigma2).sum(axis=1)
     redundancy = np.nan_to_num(s.redundancy[rows].sum(axis=1))
     squares, redundancies = (np.bincount(o.point[rows], np.nan_to_num(w), count) for w in (square, redundancy))
-    return (squares + 1) / (redundancies + 1)
+    return squares, redundancies
 
 
-def _mean_rays(result: Adjustment) -> tuple[Array, Mask]:
+def mean_rays(result: Adjustment) -> tuple[Array, Mask]:
     """(p, 3) mean unit direction from each point to its projection centres, and for which points there is one."""
     block, o = without_rigs(result.adjusted), result.given.observations
     rows = np.flatnonzero(result.image_observations.used)
