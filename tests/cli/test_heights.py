@@ -302,7 +302,7 @@ def test_differences_of_height_are_of_places_that_were_measured(cone, capsys):
     assert "[section.no_height]" in refused(capsys, *inside)
     assert "0.2 twice. [section.same_place]" in refused(capsys, *line, "--between", 0.2, 0.2)
     assert main([*map(str, hole)]) == 0
-    assert "warning: that mean is of" in capsys.readouterr().out
+    assert "[section.partly_measured]" in capsys.readouterr().out
 
 
 def test_bad_lines_are_refused(cone, capsys, tmp_path):

@@ -11,6 +11,7 @@ from raybundle.commands.planning.flight import FlightSettings
 from raybundle.io.block.folder import read_block
 from raybundle.planning.flight import forecast, plan_flight
 from raybundle.planning.uav_networks import Flight, flight_block
+from raybundle.words import headline
 
 PUBLISHED = ("--base", "16", "--line-spacing", "48", "--ground", "120", "--tie-points", "9")
 
@@ -171,7 +172,7 @@ def test_a_mission_tells_its_precision(capsys, tmp_path):
     told = capsys.readouterr().out
     assert "predicted without control" in told
     assert "  RTK (0.02, 0.02, 0.03 m): plan " in told
-    assert "warning: flown exactly as planned, c cannot be determined" in told
+    assert headline("plan.flown_lost", {"parameters": ["c"]}) in told
     written = json.loads((out / "precision.json").read_text(encoding="utf-8"))
     assert written["not_determinable_as_planned"] == ["c"]
     assert written["rtk"]["not_determinable"] == []

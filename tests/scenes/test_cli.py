@@ -11,6 +11,7 @@ from raybundle.cli.main import main
 from raybundle.io.scenes import read_scene
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.scenes.rpc import observe_rpc
+from raybundle.words import headline
 
 
 @pytest.fixture
@@ -30,7 +31,7 @@ def test_there_and_back(file, rpc, tmp_path, capsys):
     lon, lat, _ = rpc.ground_offset.tolist()
     points.write_text(f"point,lon_deg,lat_deg,h_m\nA,{lon!r},{lat!r},120\nB,{lon + 0.001!r},{lat!r},1000\n")
     assert main(["rpc", "project", str(file), str(points), "--out", str(image)]) == 0
-    assert "1 point outside the range" in capsys.readouterr().out
+    assert "[rpc.points_beyond]" in capsys.readouterr().out
     expected = rpc.project(np.array([[lon, lat, 120.0]]))[0]
     rows = table(image)
     assert [float(rows[0][k]) for k in ("x_px", "y_px")] == pytest.approx(expected, abs=1e-6)
@@ -165,14 +166,14 @@ def test_every_point_keeps_its_row(file, rpc, tmp_path, capsys):
     expected = rpc.project(np.array([[lon, lat, 120.0]]))[0]
     assert [float(inside[k]) for k in ("x_px", "y_px")] == pytest.approx(expected, abs=1e-6)
     assert inside["note"] == ""
-    assert "note: 1 point outside the range for which the RPC was made: high (height 1500 m" in said
-    assert "warning: 1 point without image coordinates, their cells are empty: away (" in said
+    assert headline("rpc.points_beyond", {"n": 1, "points": ["high"]}) in said
+    assert headline("rpc.points_lost", {"n": 1, "points": ["away"], "which": "image"}) in said
     assert (away["x_px"], away["y_px"]) == ("", "")
     assert "[rpc.point_far_away]" in away["note"]
     assert high["x_px"] != ""
     points.write_text("point,x_px,y_px,h_m\nA,100,100,200\nB,100,100,90000\n")
     assert main(["rpc", "project", str(file), str(points), "--to-ground", "--out", str(back)]) == 0
-    assert "1 point without ground coordinates" in capsys.readouterr().out
+    assert "[rpc.points_lost]" in capsys.readouterr().out
     found, none = table(back)
     assert [none[k] for k in ("x_px", "y_px", "lon_deg", "lat_deg", "h_m")] == ["100", "100", "", "", "90000"]
     assert "no ground point" in none["note"]

@@ -10,6 +10,7 @@ from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.scenes import read_scene
 from raybundle.io.scenes.rpc_text import write_rpb, write_rpc_text
+from raybundle.words import headline
 from tests.scenes.test_rpc_writing import of_gdal, same_in_gdal, write_picture
 
 SHIFTS = {"a": (3.0, -2.0), "b": (-5.0, 1.0), "c": (0.5, 8.0)}
@@ -54,7 +55,7 @@ def test_a_folder(folder, control, rpc, tmp_path, capsys):
     assert main(words) == 0
     printed = capsys.readouterr().out
     assert "3 of 4 scenes corrected" in printed
-    assert "warning: d_RPC.TXT is left out" in printed
+    assert headline("rpc.scene_left_out", {"scene": "d_RPC.TXT"}) in printed
     assert sorted(p.name for p in out.iterdir()) == ["a_RPC.TXT", "b_RPC.TXT", "biases.csv", "c_RPC.TXT"]
     rows = table(out / "biases.csv")
     assert list(rows) == ["a.tif", "b.tif", "c_RPC.TXT", "d_RPC.TXT"]

@@ -6,6 +6,7 @@ mean nothing in another block.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -15,9 +16,8 @@ from raybundle.block.block import Block, Points
 from raybundle.block.merge import PER_M, merge_blocks
 from raybundle.block.points import automatic, automatic_name, automatic_number
 from raybundle.block.transform import transform_block
-from raybundle.errors import InputError, Message, Severity, Value
+from raybundle.errors import InputError, Message, Severity, Value, note, warning
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted, significant
 from raybundle.numerics.transform import SimilarityTransform, similarity
 
 FEWEST = 3
@@ -270,20 +270,15 @@ def _new(old: str, block: str, taken: Sequence[str]) -> str:
     return found
 
 
-def words_of(joint: Joint, unit: str) -> list[str]:
-    """What is told of a joint."""
+def joint_messages(joint: Joint, unit: str) -> list[Message]:
+    """How a block came into the common frame, and its points that lie apart from those of the same name."""
+    scale = math.nan if joint.transform is None else joint.transform.scale
+    frame = "same" if joint.transform is None else "moved"
     n = len(joint.common)
-    if joint.transform is None:
-        how = "stands in the same frame"
-    else:
-        how = f"brought there by {counted(n, 'common point')}, scale {joint.transform.scale:.6g}"
-    off = f"; a coordinate of these is off by {significant(joint.rms)} {unit} (rms)" if np.isfinite(joint.rms) else ""
-    lines = [f"{joint.name}: {how}{off}"]
+    found = [note("join.block", name=joint.name, frame=frame, n=n, scale=scale, rms=joint.rms, unit=unit)]
     if joint.apart:
-        names = ", ".join(f"{p} ({significant(d)} {unit})" if np.isfinite(d) else p for p, d in joint.apart[:8])
-        more = " ..." if len(joint.apart) > 8 else ""
-        lines.append(
-            f"warning: {counted(len(joint.apart), 'point')} of one name lie apart and are kept as two: {names}{more}; "
-            "has it moved, or is it another point?"
-        )
-    return lines
+        names, distances = [p for p, _ in joint.apart], [float(d) for _, d in joint.apart]
+        found.append(warning(
+            "join.points_apart", name=joint.name, n=len(names), points=names, distances=distances, unit=unit
+        ))  # fmt: skip
+    return found

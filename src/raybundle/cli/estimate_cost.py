@@ -10,7 +10,9 @@ import click
 
 from raybundle.cli.common import FOLDER, Command, common_options, counted, facts, grouped, significant
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.estimate_cost import EstimateCostSettings, run_estimate_cost
+from raybundle.errors import warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -108,7 +110,7 @@ def _limits(found: Estimate) -> Iterator[str]:
     first = found.limits[0]
     over = [x for x in found.limits if x.share > 1]
     for x in over:
-        yield f" warning: {x.what}: {_size(x.needed)} needed, {_size(x.given)} there"
+        yield f" {notice_line(warning('costs.exceeded', what=x.what, needed=_size(x.needed), given=_size(x.given)))}"
     if over:
         yield from _remedies(over)
     else:

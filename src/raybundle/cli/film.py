@@ -10,7 +10,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.film import FilmSettings, run_film
+from raybundle.errors import note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -66,18 +68,12 @@ def _print(films: Mapping[str, Film], points: Marks | None) -> None:
         fit = f"  {f.image:<14}{len(f.marks):>4}  {sigma0}  {rms:8.1f}"
         click.echo(f"{fit}   {x:>12}, {y:<12} {shear:8.1f}   {turn:9.4f}{mirror}")
         if f.mirrored:
-            click.echo(
-                "    mirrored: the film was scanned from behind, or two marks opposite to each other are exchanged"
-            )
+            click.echo(f"    {notice_line(warning('film.mirrored', image=f.image))}")
         if np.abs(s.values[:2]).max() > LARGE_SHRINKAGE:
-            click.echo("    no film shrinks by more than 1 %: look at --pixel-mm")
+            click.echo(f"    {notice_line(warning('film.shrinkage', image=f.image, limit=LARGE_SHRINKAGE))}")
         if f.misfit > 1:
-            click.echo(
-                f"    residuals are larger than stated; standard deviations are enlarged by sigma0 = {f.sigma0:.3g}"
-            )
+            click.echo(f"    {notice_line(warning('film.residuals_enlarged', image=f.image, sigma0=f.sigma0))}")
         if bad := suspects(f):
-            click.echo(f"    suspect marks: {', '.join(bad)}; measure them again")
+            click.echo(f"    {notice_line(warning('film.suspects', image=f.image, marks=list(bad)))}")
     if all(f.redundancy == 0 for f in films.values()):
-        click.echo(
-            " note: as many marks as unknowns: a wrong one is not noticed; measure more, or take a simpler model"
-        )
+        click.echo(f" {notice_line(note('film.as_many_marks'))}")

@@ -9,6 +9,7 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.merge import MergeSettings, run_merge
 from raybundle.settings import made
 
@@ -30,7 +31,7 @@ def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
       raybundle merge inside-project outside-project --out both
       raybundle adjust both --reject snooping --out both-result
     """  # noqa: D301
-    from raybundle.block.joined import words_of  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.block.joined import joint_messages  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.numerics.counting import counted  # noqa: PLC0415
 
@@ -45,7 +46,8 @@ def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
     )  # fmt: skip
     lines = [f"{', '.join(counts)} in the frame of {done.first}"]
     for joint in done.joints:
-        lines += words_of(joint, "units" if block.free_scale else block.length_unit)
+        first, *others = joint_messages(joint, "units" if block.free_scale else block.length_unit)
+        lines += [first.headline(), *map(notice_line, others)]
     for m in (*done.cautions, *done.remarks):
         lines += f"{m.severity}: {m.text()}".splitlines()
     click.echo("\n".join(f" {line}" for line in lines))

@@ -9,7 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, counted, facts, significant
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.rectify import RectifySettings, run_rectify
+from raybundle.errors import warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -77,10 +79,7 @@ def _of_plane(plane: Plane, done: Rectification) -> list[str]:
     by = f"level plane through the middle height of {plane.points}{of} points" if level else None
     told = [(by or f"plane of {plane.points}{of} points") + (", plumb" if exact else f", which lie {off} off it (rms)")]
     if plane.points < FEW * plane.of:
-        told.append(
-            f"warning: {100 * plane.points / plane.of:.0f} % of the points lie in this plane, so that most of what the "
-            "picture shows is displaced; --plane A,B,C takes the wall that you mean"
-        )
+        told.append(notice_line(warning("picture.few_points_in_plane", share=plane.points / plane.of)))
     told += [f"warning: {words}" for words in plane.cautions]
     if plane.lean is not None and plane.plumb is not None and not plane.cautions:
         told.append(f"its points lean {plane.lean.words} (vertical: {plane.plumb.words})")
@@ -91,11 +90,8 @@ def _of_plane(plane: Plane, done: Rectification) -> list[str]:
         told.append(f"the level is at height {plane.height:.2f}")
     if exact or not slope * plane.rms > done.grid.pixel:
         return told
-    off, pixels = significant(slope * plane.rms, 2), significant(slope * plane.rms / done.grid.pixel, 2)
-    told.append(
-        f"warning: its points, as far off it as they are, are displaced by {off} {done.unit} in the picture (rms, "
-        f"{pixels} px); what must be truer is measured in the photographs"
-    )
+    off, pixels = slope * plane.rms, slope * plane.rms / done.grid.pixel
+    told.append(notice_line(warning("picture.points_displaced", off=off, unit=done.unit, pixels=pixels)))
     return told
 
 
@@ -112,20 +108,12 @@ def _of_photo(single: SinglePhoto, sigma_px: float) -> list[str]:
         lines.append(f"sigma0 {fit.sigma0:.2f} (1 = marks as good as {sigma_px:g} px), redundancy {fit.redundancy}")
         if not fit.adequate:
             worst = names[int(np.linalg.norm(fit.residuals_px, axis=1).argmax())]
-            x, y = np.sqrt(np.mean(fit.residuals_px**2, axis=0))
-            lines.append(
-                f"warning: residuals of {x:.3g}, {y:.3g} px (rms) are {fit.sigma0:.3g} times what marks of "
-                f"{sigma_px:g} px explain; the largest is that of {worst}. A mark or a coordinate is wrong, two names "
-                "are exchanged, a point does not lie in the plane, or the lens bends straight lines (a calibrated "
-                "camera takes that off)"
-            )
+            x, y = np.sqrt(np.mean(fit.residuals_px**2, axis=0)).tolist()
+            lines.append(notice_line(warning("picture.residuals", x=x, y=y, sigma0=fit.sigma0, worst=worst)))
     else:
-        lines.append("warning: just enough points; one more would show whether they are right")
+        lines.append(notice_line(warning("picture.no_redundancy")))
     if single.mirrored:
-        lines.append(
-            "warning: the picture is mirrored: the control runs the other way round in the photograph than in the "
-            "plane. Is right taken for left, an axis for its opposite, or the film turned over?"
-        )
+        lines.append(notice_line(warning("picture.mirrored")))
     if single.off_plane > 0:
         lines.append(f"the control points lie {significant(single.off_plane)} off their plane (rms)")
     return lines

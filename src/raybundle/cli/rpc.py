@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,8 +12,9 @@ from raybundle.cli.rpc_batch import batch
 from raybundle.cli.rpc_correct import correct
 from raybundle.cli.rpc_ortho import ortho
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.rpc import RpcFitSettings, RpcProjectSettings, run_fit, run_project
-from raybundle.errors import NotSolvable
+from raybundle.errors import NotSolvable, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.rpc import Rpc
 
-SHOWN = 6
-"""Points named in a line."""
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 
 
@@ -90,12 +88,13 @@ def project(scene: Path, points: Path, **given: Any) -> None:
     done = run_project(settings)
     facts(points=len(done.ids), beyond=[done.ids[k] for k in done.beyond], lost=[done.ids[k] for k in done.lost])
     if done.beyond:
-        told = f"{counted(len(done.beyond), 'point')} outside the range for which the RPC was made"
-        click.echo(f" note: {told}: {_named(done.ids, done.notes, done.beyond)}")
+        click.echo(
+            f" {notice_line(note('rpc.points_beyond', n=len(done.beyond), points=[done.ids[k] for k in done.beyond]))}"
+        )
     if done.lost:
         which = "ground" if settings.to_ground else "image"
-        told = f"{counted(len(done.lost), 'point')} without {which} coordinates, their cells are empty"
-        click.echo(f" warning: {told}: {_named(done.ids, done.notes, done.lost)}")
+        lost = [done.ids[k] for k in done.lost]
+        click.echo(f" {notice_line(warning('rpc.points_lost', n=len(lost), points=lost, which=which))}")
     click.echo(f" {counted(len(done.ids), 'point')}: {settings.out}")
 
 
@@ -167,9 +166,3 @@ def _tell_agreement(s: Scene) -> None:
         f"standard deviation {spread[0]:.3f}, {spread[1]:.3f} px"
     )
     check_agreement(s)
-
-
-def _named(ids: tuple[str, ...], notes: Sequence[str], rows: Sequence[int]) -> str:
-    """Points with what is to be said of them, the first few."""
-    told = "; ".join(f"{ids[k]} ({notes[k]})" for k in rows[:SHOWN])
-    return told + (f"; and {len(rows) - SHOWN} more, see the column note" if len(rows) > SHOWN else "")

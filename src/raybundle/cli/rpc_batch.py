@@ -9,7 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts, significant
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.scenes.batch import RpcBatchSettings, run_batch
+from raybundle.errors import warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -47,10 +49,10 @@ def batch(scenes: tuple[Path, ...], progress: str, **given: Any) -> None:
         click.echo(f" {scene.name[:31]:32}{c.fit.kind:>8}{used:8d}{rms:>18}{significant(c.errors.err_bias_m):>14}")
         for remark in scene.remarks:
             click.echo(f"   note: {remark}")
-        for k in c.advice.set_aside:
-            click.echo(f"   warning: {c.ids[k]} contradicts the others and took no part")
+        if wrong := [c.ids[k] for k in c.advice.set_aside]:
+            click.echo(f"   {notice_line(warning('rpc.control_set_aside', scene=scene.name, points=wrong))}")
     for scene in done.failed:
-        click.echo(f" warning: {scene.name} is left out: {scene.problem_line}")
+        click.echo(f" {notice_line(warning('rpc.scene_left_out', scene=scene.name))}\n   {scene.problem_line}")
     click.echo(f" {len(done.corrected)} of {counted(len(done.scenes), 'scene')} corrected: {done.table}")
 
 

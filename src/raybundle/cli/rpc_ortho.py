@@ -9,8 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.scenes.ortho import RpcOrthoSettings, run_ortho
-from raybundle.errors import InputError
+from raybundle.errors import InputError, note
 from raybundle.settings import made
 
 
@@ -45,5 +46,5 @@ def ortho(scene: Path, progress: str, **given: Any) -> None:
         f" {done.width} x {done.height} px of {done.pixel:g} in {done.crs}, {done.share:.1%} of them seen; "
         f"{done.nodata:g} where nothing is"
     )
-    click.echo(" note: what hides what is not found out: behind steep slopes and buildings a place may appear twice")
+    click.echo(f" {notice_line(note('picture.hidden_places'))}")
     click.echo(f" map: {done.out}")

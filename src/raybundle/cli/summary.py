@@ -80,11 +80,11 @@ def lines(summary: Summary, *, verbose: bool) -> list[str]:
     found = [m.headline() for m in summary.done]
     if verbose:
         found += [f"  {d if isinstance(d, str) else d.text()}" for d in summary.details]
-    found += [_line(n, whole=verbose) for n in shown]
+    found += [notice_line(n, whole=verbose) for n in shown]
     if len(grave) > len(shown):
         found.append(headline("summary.more", {"n": len(grave) - len(shown)}, reader()))
     if verbose:
-        found += [_line(n, whole=True) for n in summary.notices if _message(n).severity is Severity.NOTE]
+        found += [notice_line(n, whole=True) for n in summary.notices if _message(n).severity is Severity.NOTE]
     step = _remedy(grave) or (summary.next_step.headline() if summary.next_step else "")
     if step:
         found.append(headline("summary.next", {"step": step}, reader()))
@@ -95,7 +95,7 @@ def lines(summary: Summary, *, verbose: bool) -> list[str]:
 
 def loud(summary: Summary) -> list[str]:
     """What a quiet command prints: faults and warnings."""
-    return [_line(n) for n in _grave(summary.notices)]
+    return [notice_line(n) for n in _grave(summary.notices)]
 
 
 def data(summary: Summary) -> dict[str, Any]:
@@ -120,7 +120,7 @@ def _grave(notices: Iterable[Message | Coded]) -> list[Message | Coded]:
     return sorted(grave, key=lambda n: order.index(_message(n).severity))
 
 
-def _line(notice: Message | Coded, *, whole: bool = False) -> str:
+def notice_line(notice: Message | Coded, *, whole: bool = False) -> str:
     """Severity, what happened and the code, which leads to the rest; `whole`: why it matters and its details too."""
     message, also = _message(notice), getattr(notice, "also", ())
     stored = getattr(notice, "message", "")
@@ -132,6 +132,12 @@ def _line(notice: Message | Coded, *, whole: bool = False) -> str:
         return "\n".join([f"{message.severity.value}: {first}{also} [{message.code}]", *others])
     others = f" (+{len(also)})" if also else ""
     return f"{message.severity.value}: {message.headline()}{others} [{message.code}]"
+
+
+def remark_lines(text: str) -> list[str]:
+    """The lines of a remark: each of its messages with its severity, a text as a note."""
+    messages = getattr(text, "messages", ())
+    return [notice_line(m) for m in messages] or [f"note: {text}"]
 
 
 def _remedy(grave: Sequence[Message | Coded]) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, note, warning
 from raybundle.missions.mission import NO_LINE, FlightLine, Mission, Trigger, TriggerBy, WayPoints
 from raybundle.missions.patterns import Line, Wish, patterns
 from raybundle.missions.places import places
@@ -88,8 +88,8 @@ def plan_mission(task: Task) -> Mission:
     if not lines or (pattern.shape == "area" and _covered(outline, zones)):
         raise InputError("mission.area_in_zones")
     if lost:
-        what = f"{lost:.0f} m of lines" if lines[0].base else f"{lost:.0f} photographs"
-        remarks.append(f"no-go zones take out {what}; what is seen from there alone is not photographed")
+        kind = "metres" if lines[0].base else "photographs"
+        remarks.append(Text.of(note("mission.zones_taken_out", kind=kind, metres=lost, n=round(lost))))
     photographs = sum(len(line.xy) if line.base is None else line.length / line.base for line in lines)
     if photographs > MOST:
         raise InputError("mission.too_many_photographs", n=round(photographs), most=MOST)
@@ -99,10 +99,7 @@ def plan_mission(task: Task) -> Mission:
     legs = [_leg(line, n, task, speed) for n, line in enumerate(lines)]
     raised = max(leg.raised for leg in legs)
     if raised > task.tolerance:
-        remarks.append(
-            f"the ground is steeper than the vehicle climbs at {speed:.1f} m/s: the way lies up to {raised:.1f} m "
-            "higher than asked for; fly more slowly to follow it"
-        )
+        remarks.append(Text.of(warning("mission.ground_too_steep", speed=speed, raised=raised)))
     if task.take_off is None:
         begin = legs[0].xyz[0, :2]
     home = np.append(begin, task.ground(begin[None])[0])
@@ -145,9 +142,9 @@ def _speed(task: Task, base: float, remarks: list[str]) -> float:
     by_blur = task.blur_px * task.wish.gsd / camera.exposure_s
     if task.speed is None:
         speed = min(task.vehicle.speed, by_interval, by_blur)
-        why = {by_interval: "the interval of the camera", by_blur: "motion blur"}.get(speed)
-        if why and speed < task.vehicle.speed - 1e-9:
-            remarks.append(f"{why} limits the speed to {speed:.1f} m/s, the vehicle could {task.vehicle.speed:g} m/s")
+        limit = {by_interval: "camera_interval", by_blur: "blur"}.get(speed)
+        if limit and speed < task.vehicle.speed - 1e-9:
+            remarks.append(Text.of(note("mission.speed_limited", limit=limit, speed=speed, vehicle=task.vehicle.speed)))
         return speed
     if task.speed > task.vehicle.speed:
         raise InputError(
@@ -165,10 +162,11 @@ def _speed(task: Task, base: float, remarks: list[str]) -> float:
         )
     if task.speed > by_blur * (1 + 1e-9):
         blur = task.speed * camera.exposure_s / task.wish.gsd
-        remarks.append(
-            f"warning: at {task.speed:g} m/s and 1/{1 / camera.exposure_s:.0f} s the image moves by {blur:.1f} px, "
-            f"more than {task.blur_px:g} px; fly at {by_blur:.1f} m/s, or expose more briefly"
-        )
+        blurred = warning(
+            "mission.blur", speed=task.speed, exposure=round(1 / camera.exposure_s), blur=blur, limit=task.blur_px,
+            slower=by_blur,
+        )  # fmt: skip
+        remarks.append(Text.of(blurred))
     return task.speed
 
 

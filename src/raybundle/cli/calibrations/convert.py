@@ -9,7 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.calibrations import CalibrationConvertSettings, converted, write_converted
+from raybundle.errors import warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -61,7 +63,7 @@ def _tell(conversion: Conversion) -> None:
     )
     click.echo(f" camera {c.id}: {conversion.variant}, {how}")
     if conversion.covered < 1:
-        click.echo(f" warning: its distortion has an inverse over {conversion.covered:.1%} of the format alone")
+        click.echo(f" {notice_line(warning('calibration.inverse_in_part', camera=c.id, share=conversion.covered))}")
     click.echo(f" {'note' if conversion.validity.whole_format else 'warning'}: {conversion.validity}")
     for remark in c.remarks:
         click.echo(f" note: {remark}")

@@ -10,6 +10,7 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, counted, facts, significant
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.calibrations import (
     CalibrationAddSettings,
     CalibrationFindSettings,
@@ -19,6 +20,7 @@ from raybundle.commands.calibrations import (
     run_list,
     write_best,
 )
+from raybundle.errors import warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -72,7 +74,7 @@ def list_(*, as_json: bool, **given: Any) -> None:
     for entry in found.entries:
         click.echo(_row(entry))
     for path, why in found.refused:
-        click.echo(f" warning: {path.name} cannot be used: {why}")
+        click.echo(f" {notice_line(warning('calibration.file_unusable', name=path.name))}\n   {why}")
 
 
 @click.command("find", cls=Command)

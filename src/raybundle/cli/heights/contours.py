@@ -10,7 +10,9 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, counted, facts
 from raybundle.cli.heights.words import FREE, cautions
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.heights.contours import HeightsContoursSettings, run_contours
+from raybundle.errors import warning
 from raybundle.settings import made
 
 
@@ -35,10 +37,8 @@ def command(source: Path, **given: Any) -> None:
     unit = f" {found.unit}" if found.unit else ""
     click.echo(f" {counted(lines, 'line')} of {counted(len(found.contours), 'height')}, {low:.6g} to {high:.6g}{unit}")
     if found.interval < 2 * found.sigma:
-        click.echo(
-            f" warning: the interval {found.interval:g} is less than two standard deviations of a height "
-            f"({found.sigma:.2g}{unit}): neighbouring lines are not told apart by it"
-        )
+        close = warning("contours.interval_too_small", interval=found.interval, sigma=found.sigma, unit=found.unit)
+        click.echo(f" {notice_line(close)}")
     if not unit:
         click.echo(f" {FREE}")
     for line in cautions(found.cautions):

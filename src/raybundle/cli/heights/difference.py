@@ -11,7 +11,9 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, counted, facts
 from raybundle.cli.heights.words import FREE, cautions, measured, plain, two_digits
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.heights.difference import HeightsDifferenceSettings, run_difference
+from raybundle.errors import warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -99,11 +101,8 @@ def _lines(found: MeasuredDifference) -> list[str]:
         )
     if len(m.regions) > MOST_SHOWN:
         lines.append(f"  and {len(m.regions) - MOST_SHOWN} more")
-    if any(_times(r) < UNSURE for r in m.regions):
-        lines.append(
-            "warning: an inner part of less than 2 of its own sigma is no sure movement: that sigma has what errors at "
-            "edges and in filled holes have in common over the region, of which a window counts the part nearby"
-        )
+    if unsure := sum(_times(r) < UNSURE for r in m.regions):
+        lines.append(notice_line(warning("displacement.unsure", n=unsure, limit=UNSURE)))
     lines += _smallest(found)
     if found.orientations:
         lines.append(found.orientations)

@@ -10,8 +10,10 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts, significant
 from raybundle.cli.heights.words import FREE, cautions
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.heights.ground import HeightsGroundSettings, run_ground
-from raybundle.settings import made, option
+from raybundle.errors import warning
+from raybundle.settings import made
 
 SPANNED = 0.2
 """Share of a ground beyond which the gaps it spans are warned of: what a volume may have of filled holes"""
@@ -46,10 +48,7 @@ def command(source: Path, **given: Any) -> None:
             f"of it spans gaps, sigma {significant(found.filled_sigma)}{unit}"
         )
     if found.filled > SPANNED:
-        click.echo(
-            f" warning: {found.filled:.0%} of this ground was not measured but spans gaps: a smaller "
-            f"{option('largest')} or a larger {option('slope')} leaves more of what was"
-        )
+        click.echo(f" {notice_line(warning('terrain.spans_gaps', share=found.filled))}")
     if not unit:
         click.echo(f" {FREE}")
     for line in cautions(found.cautions):

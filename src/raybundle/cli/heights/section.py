@@ -10,7 +10,9 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
 from raybundle.cli.heights.words import FREE, LEAST_TOLD, cautions, measured, plain
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.heights.section import HeightsSectionSettings, run_section
+from raybundle.errors import warning
 from raybundle.numerics.length_units import precision_unit
 from raybundle.settings import made
 
@@ -63,7 +65,7 @@ def _lines(found: MeasuredSections) -> list[str]:
             f"{_with_unit(float(np.median(m.section.sigma[known])), found.unit)} in the median"
         )
         if share < 1:
-            lines.append(f"warning: that mean is of {_share(share)} of the line; of the rest nothing was measured")
+            lines.append(notice_line(warning("section.partly_measured", name=m.name, share=share)))
         if m.section.filled_share >= LEAST_TOLD:
             lines.append(f"{m.section.filled_share:.2%} of what has a height was filled: no photograph measured it")
         if m.difference is not None:

@@ -9,8 +9,10 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line, remark_lines
 from raybundle.commands.planning.check import PlanCheckSettings, run_plan_check
 from raybundle.commands.planning.check_list import is_list, run_list_check
+from raybundle.errors import warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -76,7 +78,7 @@ def lines(done: CheckedFlight) -> list[str]:
         asked = " and ".join(f"{100 * v:.0f} %" for v in m.overlap)
         across = "" if c.across is None else f", across {_overlap(c.across)}"
         text.append(f" overlap along {_overlap(c.along)}{across}; {asked} were asked for")
-    text += [f" note: {r}" for r in done.remarks]
+    text += [f" {one}" for r in done.remarks for one in remark_lines(r)]
     text += [f" left out: {path.name}: {why}" for path, why in done.refused]
     text += _gaps(c)
     if done.files:
@@ -104,17 +106,11 @@ def list_lines(done: CheckedList) -> list[str]:
     if done.left_out:
         text.append(f" not oriented (blurred, or of something else): {', '.join(done.left_out[:NAMED])}")
     if t.alike:
-        text.append(
-            " warning: this list looks the same after a turn; which photograph is which follows their order. If they "
-            "were taken in another one, what is missing may be on another side"
-        )
+        text.append(f" {notice_line(warning('plan.list_alike_turned'))}")
     if 2 * len(beside) > len(done.names):
-        text.append(" warning: most photographs are beside the list: are they of this list?")
+        text.append(f" {notice_line(warning('plan.list_most_beside', n=len(beside), of=len(done.names)))}")
     elif 2 * len(t.missing) > n:
-        text.append(
-            " warning: most of the list is missing; few photographs agree with many places by chance: are they of this "
-            "list?"
-        )
+        text.append(f" {notice_line(warning('plan.list_most_missing', n=len(t.missing), of=n))}")
     text += [f" warning: {r}" for r in done.remarks]
     if done.files:
         text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,7 +12,9 @@ import click
 from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, facts
 from raybundle.cli.plan.precision import cell, control_lines, figure, length, positions
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.planning.flight import FlightSettings, run_plan_flight
+from raybundle.errors import Severity, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -82,9 +85,11 @@ def _head(plan: Flight) -> list[str]:
         f" positions of {positions(plan.station_sigma)} ({kind})",
     ]
     if along < 0.5:
-        lines.append(" warning: below 50 % along, points between the photographs of a line are seen once")
+        lines.append(f" {notice_line(warning('plan.little_overlap', overlap=along))}")
     if across < 0:
-        lines.append(" fault: the lines leave gaps; fly them nearer to each other")
+        lines.append(
+            f" {notice_line(replace(warning('plan.gaps_between_lines', overlap=across), severity=Severity.FAULT))}"
+        )
     return lines
 
 

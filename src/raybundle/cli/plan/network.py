@@ -8,8 +8,10 @@ import click
 
 from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, significant
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.planning.network import NetworkSettings, run_plan_network
 from raybundle.commands.planning.network_files import free_camera_words, purpose_words, side_words, told
+from raybundle.errors import note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -99,16 +101,14 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     out = plan.left_out
     if len(out):
         sides = dict.fromkeys(side_words(n) for n in out.normal)
+        total = len(out) + len(plan.site.points)
         lines.append(
-            f"warning: {len(out)} of {len(out) + len(plan.site.points)} points ({', '.join(sides)}) cannot be seen "
-            f"{settings.rays} times from where one may stand; nothing is promised of them (--heights, --clearance, "
-            "--incidence, --around)"
+            notice_line(
+                warning("plan.points_out_of_sight", n=len(out), of=total, sides=list(sides), rays=settings.rays)
+            )
         )
     elif o["seen_twice"] < SEEN:
-        lines.append(
-            f"note: {100 - 100 * o['seen_twice']:.0f} % of the object lies between the points and is not seen twice; "
-            "with more --object-points it is less"
-        )
+        lines.append(notice_line(note("plan.object_between_points", share=1 - o["seen_twice"])))
     return [*lines, f"{settings.out}: network.html, stations.csv, points.csv, block"]
 
 
@@ -117,13 +117,10 @@ def _seldom(plan: NetworkPlan) -> list[str]:
     often = plan.promise.often
     lines = list[str]()
     if (often < 1).any():
-        lines.append(
-            "note: these points are not found in every photograph that shows them, "
-            f"{100 * (1 - often.mean()):.1f} % of them less than twice; figures are medians over drawings of what is "
-            f"found; in one of ten surveys the worst point has {_mm(plan.promise.unlucky)}"
-        )
+        share, worst = float(1 - often.mean()), plan.promise.unlucky
+        lines.append(notice_line(note("plan.points_seldom_found", share=share, worst=1000 * worst, unit="mm")))
     if plan.promise.lost > 0:
-        lines.append(f"warning: in {100 * plan.promise.lost:.0f} % of the drawings the network falls apart; take more")
+        lines.append(notice_line(warning("plan.network_falls_apart", share=plan.promise.lost)))
     if words := free_camera_words(plan):
         lines.append(f"warning: {words}")
     return lines

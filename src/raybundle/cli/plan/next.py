@@ -9,7 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import notice_line
 from raybundle.commands.planning.next import NextSettings, run_plan_next
+from raybundle.errors import note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -65,10 +67,7 @@ def lines(plan: NextPlan, settings: NextSettings) -> list[str]:
     if n > SHOWN:
         text.append(f"... {n - SHOWN} more in next.csv")
     if n < plan.wanted:
-        text.append(f"note: no further photograph within reach lowers it; {plan.wanted} were asked for")
+        text.append(notice_line(note("plan.nothing_lowers", n=n, wanted=plan.wanted)))
     elif np.isfinite(first.value) and last.value > HARDLY * first.value:
-        text.append(
-            "note: photographs within reach hardly lower it; control, scale bars, more precise image points or room "
-            "to stand elsewhere (--step, --around) would"
-        )
+        text.append(notice_line(note("plan.hardly_lowers", share=1 - last.value / first.value)))
     return [*text, f"{settings.out}: network.html, next.csv, next.json, block"]

@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from raybundle.cli.summary import notice_line
+from raybundle.errors import note, warning
+
 if TYPE_CHECKING:
     from raybundle.planning.aerial import ControlRow, ControlTable, Precision
     from raybundle.planning.mission import MissionForecast
@@ -66,22 +69,19 @@ def forecast_lines(f: MissionForecast) -> list[str]:
     if f.without_rtk is not None:
         lines.append(_predicted(f"no RTK ({positions(NO_RTK)}){held}", f.without_rtk, f.pixel_mm))
     if f.lost_even:
-        lines.append(f" warning: {_left_open(f)}")
+        lines += _left_open(f)
     return lines
 
 
-def _left_open(f: MissionForecast) -> str:
+def _left_open(f: MissionForecast) -> list[str]:
     from raybundle.planning.aerial import UNSOLVED  # noqa: PLC0415
 
     if f.lost_even == (UNSOLVED,):
-        return (
-            "flown exactly as planned, the photographs do not hold together: what neighbours have in common is too "
-            "narrow; ask for more overlap (--overlap)"
-        )
-    told = f"flown exactly as planned, {', '.join(f.lost_even)} cannot be determined"
+        return [f" {notice_line(warning('plan.flown_apart'))}"]
+    found = f" {notice_line(warning('plan.flown_lost', parameters=list(f.lost_even)))}"
     if not f.mends:
-        return f"{told}; no change that was tried determines all of it: hold the camera as calibrated before the flight"
-    return f"{told}; what determines everything: {', or '.join(_mend(m) for m in f.mends)}"
+        return [found, f" {notice_line(note('plan.flown_calibrated'))}"]
+    return [found, f"   what determines them: {', or '.join(_mend(m) for m in f.mends)}"]
 
 
 def _mend(mend: Mend) -> str:

@@ -138,3 +138,8 @@ calibration-not_possible = Die Kamera lässt sich aus diesen Aufnahmen nicht kal
 calibration-spline_worse = Kamera { $camera }: Das Modell spline passt am Ende schlechter ({ NUM($rms_px, digits: 2) } px) als zu Beginn ({ NUM($start_rms_px, digits: 2) } px).
     .why = Diese Aufnahmen bestimmen seine Flächen nicht (Kamerakonstante { $c_mm } mm).
     .do = { OPTION("model") } weglassen oder Aufnahmen hinzufügen, die das Format bis in die Ecken füllen.
+
+calibration-inverse_in_part = Kamera { $camera }: die Verzeichnung hat nur für { PERCENT($share) } des Formats eine Umkehrung.
+    .do = Verwenden Sie keine Bildpunkte außerhalb davon.
+
+calibration-file_unusable = { $name } ist nicht verwendbar.

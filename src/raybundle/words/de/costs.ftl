@@ -9,3 +9,5 @@ costs-photographs_and_number = Aufnahmen und { OPTION("images", $n) } schließen
 
 costs-overlap_too_small = { OPTION("flight_overlap", $along, $across) }: Eine Stelle ist in { $n } Aufnahmen; nötig sind { $needed }.
     .do = Mindestens 0,6 längs und 0,3 quer angeben.
+
+costs-exceeded = { $what }: { $needed } nötig, { $given } vorhanden.

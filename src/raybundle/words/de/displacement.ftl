@@ -16,3 +16,9 @@ displacement-by_place = { $n } { $n ->
     .why = Ein Punkt, der sich um mehr als den halben Abstand verschiebt, gilt als ein anderer.
 
 displacement-axes = Achsen X, Y, Z: die von { $file_name }, eingepasst über { $points }.
+
+displacement-unsure = { $n } { $n ->
+    [one] Gebiet ist
+    *[other] Gebiete sind
+ } keine sichere Bewegung: das Mittel des inneren Teils ist kleiner als { $limit } Standardabweichungen.
+    .why = Fehler an Kanten und in gefüllten Lücken gelten für das ganze Gebiet; ein Fenster enthält nur die benachbarten.

@@ -56,3 +56,20 @@ film-scans_not_transformed = Scans, die sich nicht transformieren lassen: { $n }
 
 film-one_camera = Angegebene Kameras: { $n }; Scans von Film benötigen genau eine, die Kamera des Films.
     .do = Eine Kamera angeben: { OPTION("calibration", "CAMERA") }.
+
+film-as_many_marks = So viele Marken wie Unbekannte: eine falsche Marke fällt nicht auf.
+    .do = Messen Sie mehr Marken oder wählen Sie eine einfachere Transformation.
+
+film-mirrored = Bild { $image } ist gespiegelt.
+    .why = Der Film wurde von hinten gescannt, oder zwei gegenüberliegende Marken sind vertauscht.
+    .do = Scannen Sie den Film von vorn, oder tauschen Sie die beiden Marken.
+
+film-shrinkage = Bild { $image }: der Film wäre um mehr als { PERCENT($limit) } geschrumpft.
+    .why = Das tut kein Film.
+    .do = Prüfen Sie { OPTION("pixel_mm") }.
+
+film-residuals_enlarged = Bild { $image }: die Verbesserungen der Marken sind { NUM($sigma0, digits: 3) }-mal so groß wie angegeben.
+    .why = Die Standardabweichungen sind um diesen Faktor vergrößert.
+
+film-suspects = Bild { $image }: Marken sind vielleicht falsch: { $marks }.
+    .do = Messen Sie diese Marken neu.

@@ -151,3 +151,15 @@ join-frame_of_system = { $block } ist in einem lokalen System von { $system }.
         [yes] {" "}(Geoid { $geoid_m } m über dem Ellipsoid)
        *[no] {""}
     }.
+
+join-points_apart = { $name }: Punkte gleichen Namens liegen auseinander und bleiben zwei Punkte: { $points }.
+    .why = Ein solcher Punkt hat sich bewegt oder ist ein anderer.
+    .do = Prüfen Sie diese Punkte.
+
+join-block = { $name }: { $frame ->
+    [same] im selben System
+    *[moved] transformiert über { $n } { $n ->
+        [one] gemeinsamen Punkt
+        *[other] gemeinsame Punkte
+    }, Maßstab { NUM($scale, digits: 6) }, Koordinaten { NUM($rms, digits: 3) } { $unit } auseinander (quadratisches Mittel)
+ }.

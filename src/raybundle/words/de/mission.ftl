@@ -118,3 +118,23 @@ mission-shape = Das Muster { $pattern } braucht { $wanted ->
 
 mission-several_outlines = { $area } enthält { $n } Umrisse; eine Mission hat einen.
     .do = Die Umrisse einzeln angeben oder zu einem verbinden.
+
+mission-blur = Bei { $speed } m/s und 1/{ $exposure } s bewegt sich das Bild um { NUM($blur, decimals: 1) } px (Grenze { $limit } px).
+    .do = Fliegen Sie mit { NUM($slower, decimals: 1) } m/s, oder belichten Sie kürzer.
+
+mission-zones_taken_out = Durch Sperrgebiete entfallen { $kind ->
+    [metres] { NUM($metres, decimals: 0) } m der Linien
+    *[photographs] { $n ->
+        [one] eine Aufnahme
+        *[other] { $n } Aufnahmen
+    }
+ }.
+    .why = Was nur von dort sichtbar ist, wird nicht aufgenommen.
+
+mission-speed_limited = { $limit ->
+    [camera_interval] Die Bildfolgezeit der Kamera
+    *[blur] Die Bewegungsunschärfe
+ } begrenzt die Geschwindigkeit auf { NUM($speed, decimals: 1) } m/s (Fluggerät: { $vehicle } m/s).
+
+mission-ground_too_steep = Das Gelände ist steiler, als das Fluggerät bei { NUM($speed, decimals: 1) } m/s steigt: bis { NUM($raised, decimals: 1) } m zu hoch.
+    .do = Fliegen Sie langsamer, um dem Gelände zu folgen.

@@ -61,3 +61,24 @@ picture-control_on_line = Die Passpunkte liegen auf einer Geraden (Grenze { PERC
 
 picture-area_not_shown = Die Aufnahme zeigt das Gebiet nicht.
     .do = Eine andere { OPTION("extent") } angeben.
+
+picture-hidden_places = Von Steilhängen oder Gebäuden verdeckte Stellen werden nicht erkannt.
+    .why = Eine solche Stelle kann zweimal im Bild erscheinen.
+
+picture-few_points_in_plane = { PERCENT($share) } der Punkte liegen in dieser Ebene.
+    .why = Das meiste im Bild ist versetzt.
+    .do = Wählen Sie die Wand mit { OPTION("plane") }.
+
+picture-points_displaced = Punkte sind im Bild um { NUM($off, digits: 2) } { $unit } versetzt ({ NUM($pixels, digits: 2) } px, mittlerer Fehler), da sie nicht in der Ebene liegen.
+    .do = Messen Sie in den Aufnahmen, was genauer sein muss.
+
+picture-residuals = Verbesserungen von { NUM($x, digits: 3) }, { NUM($y, digits: 3) } px (quadratisches Mittel) sind { NUM($sigma0, digits: 3) }-mal so groß wie erwartet; größte: { $worst }.
+    .why = Eine Marke oder Koordinate ist falsch, Namen sind vertauscht, ein Punkt liegt nicht in der Ebene, oder das Objektiv verzeichnet.
+    .do = Prüfen Sie { $worst }, oder nehmen Sie eine kalibrierte Kamera.
+
+picture-no_redundancy = Das Bild beruht auf der Mindestzahl von Punkten: Fehler fallen nicht auf.
+    .do = Nehmen Sie einen Punkt hinzu.
+
+picture-mirrored = Das Bild ist gespiegelt.
+    .why = Die Passpunkte laufen in der Aufnahme andersherum als in der Ebene.
+    .do = Prüfen Sie links und rechts, die Vorzeichen der Achsen und die Seite des Films.

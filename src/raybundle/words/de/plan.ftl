@@ -189,3 +189,47 @@ plan-flight_too_large = Der Flug hat { $total } Aufnahmen; Vorhersagen sind bis 
         [yes] { OPTION("area") }, { OPTION("gsd") }, { OPTION("overlap") }
        *[no] { OPTION("lines") }, { OPTION("photographs_per_line") }
      }.
+
+plan-list_alike_turned = Die Liste sieht gedreht gleich aus: Aufnahmen sind nach ihrer Reihenfolge zugeordnet.
+    .why = Bei anderer Reihenfolge kann das Fehlende auf einer anderen Seite liegen.
+
+plan-list_most_beside = { $n } von { $of } Aufnahmen stehen nicht auf der Liste.
+    .do = Prüfen Sie, ob die Aufnahmen zu dieser Liste gehören.
+
+plan-list_most_missing = { $n } von { $of } Aufnahmen der Liste fehlen.
+    .why = Wenige Aufnahmen passen zufällig zu vielen Stellen.
+    .do = Prüfen Sie, ob die Aufnahmen zu dieser Liste gehören.
+
+plan-nothing_lowers = { $n } von { $wanted } Aufnahmen sind vorgeschlagen: keine weitere in Reichweite senkt den Wert.
+
+plan-hardly_lowers = Aufnahmen in Reichweite senken den Wert nur um { PERCENT($share) }.
+    .do = Fügen Sie Passpunkte, Maßstäbe oder genauere Bildpunkte hinzu, oder erlauben Sie andere Standpunkte ({ OPTION("step") }, { OPTION("around") }).
+
+plan-points_out_of_sight = { $n } von { $of } Punkten sind von weniger als { $rays } möglichen Standpunkten sichtbar ({ $sides }).
+    .why = Für sie wird keine Genauigkeit vorhergesagt.
+    .do = Erlauben Sie mehr Standpunkte ({ OPTION("heights") }, { OPTION("clearance") }, { OPTION("incidence") }, { OPTION("around") }).
+
+plan-object_between_points = { PERCENT($share) } des Objekts, zwischen den Punkten, sehen weniger als zwei Aufnahmen.
+    .do = Planen Sie mit mehr { OPTION("object_points") }.
+
+plan-points_seldom_found = { PERCENT($share) } der Punkte sind in weniger als zwei Aufnahmen zu erwarten.
+    .why = Die Werte sind Mediane zufälliger Ziehungen; bei einer von zehn Aufnahmen erreicht der schlechteste Punkt { NUM($worst, digits: 2) } { $unit }.
+
+plan-network_falls_apart = In { PERCENT($share) } der zufälligen Ziehungen zerfällt das Netz.
+    .do = Machen Sie mehr Aufnahmen.
+
+plan-little_overlap = Die Längsüberdeckung beträgt { PERCENT($overlap) }.
+    .why = Unter 50 % werden Punkte zwischen den Aufnahmen eines Streifens nur einmal gesehen.
+    .do = Planen Sie mindestens 60 % Längsüberdeckung.
+
+plan-gaps_between_lines = Zwischen den Flugstreifen bleiben Lücken (Querüberdeckung { PERCENT($overlap) }).
+    .do = Planen Sie die Streifen näher beieinander.
+
+plan-flown_apart = Genau wie geplant geflogen, hängen die Aufnahmen nicht zusammen.
+    .why = Nachbarn haben einen zu schmalen Streifen gemeinsam.
+    .do = Planen Sie mehr { OPTION("overlap") }.
+
+plan-flown_lost = Genau wie geplant geflogen, sind Parameter nicht bestimmbar: { $parameters }.
+
+plan-flown_calibrated = Keine geprüfte Änderung des Flugs bestimmt sie.
+    .do = Halten Sie die Kamera fest, wie vor dem Flug kalibriert.

@@ -174,3 +174,17 @@ rpc-specification_assumed = { $specification ->
 
 rpc-point_far_away = Ein Punkt ist das { NUM($ratio, digits: 4) }-Fache des Bereichs der RPC von der Szenenmitte entfernt (Grenze { $limit }).
     .do = Folge und Einheiten der Koordinaten prüfen.
+
+rpc-control_set_aside = Szene { $scene }: Punkte widersprechen den übrigen und werden nicht verwendet: { $points }.
+    .do = Prüfen Sie ihre Koordinaten und Bildpunkte.
+
+rpc-scene_left_out = Szene { $scene } ist nicht korrigiert.
+
+rpc-points_beyond = Punkte außerhalb des Gültigkeitsbereichs des RPC: { $points }.
+    .why = Dort kann ein RPC um viele Pixel falsch sein.
+
+rpc-points_lost = Punkte ohne { $which ->
+    [ground] Objektkoordinaten
+    *[image] Bildkoordinaten
+ }: { $points }.
+    .why = Ihre Zellen sind leer; den Grund nennt die Spalte note.

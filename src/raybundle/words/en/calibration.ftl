@@ -223,3 +223,11 @@ calibration-not_possible = The camera cannot be calibrated from these photograph
 calibration-spline_worse = Camera { $camera }: model spline ends worse ({ NUM($rms_px, digits: 2) } px) than the start ({ NUM($start_rms_px, digits: 2) } px).
     .why = These photographs do not determine its surfaces (camera constant { $c_mm } mm).
     .do = Omit { OPTION("model") }, or add photographs that cover the format to its corners.
+
+# $camera = "cam"
+# $share = 0.92
+calibration-inverse_in_part = Camera { $camera }: the distortion has an inverse for { PERCENT($share) } of the format only.
+    .do = Do not use image points outside of it.
+
+# $name = "cam.toml"
+calibration-file_unusable = { $name } is not usable.

@@ -14,3 +14,8 @@ costs-photographs_and_number = Photographs and { OPTION("images", $n) } exclude 
 # $needed = 2.0
 costs-overlap_too_small = { OPTION("flight_overlap", $along, $across) }: a place is in { $n } photographs; { $needed } are needed.
     .do = Give at least 0.6 along and 0.3 across.
+
+# $what = "memory"
+# $needed = "24 GB"
+# $given = "16 GB"
+costs-exceeded = { $what }: { $needed } needed, { $given } available.

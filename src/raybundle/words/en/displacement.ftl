@@ -29,3 +29,11 @@ displacement-by_place = { $n } { $n ->
 # $file_name = "nominal.csv"
 # $points = ["A", "B"]
 displacement-axes = Axes X, Y, Z: those of { $file_name }, fitted by { $points }.
+
+# $n = 2
+# $limit = 2
+displacement-unsure = { $n } { $n ->
+    [one] region is
+    *[other] regions are
+ } no certain movement: the mean of the inner part is less than { $limit } standard deviations.
+    .why = Errors at edges and in filled holes are common to the whole region; a window contains only those nearby.

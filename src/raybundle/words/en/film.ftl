@@ -89,3 +89,27 @@ film-scans_not_transformed = Scans that cannot be transformed: { $n }. Nothing i
 # $n = 2
 film-one_camera = Cameras given: { $n }; scans of film need exactly one, the camera of the film.
     .do = Give one camera: { OPTION("calibration", "CAMERA") }.
+
+film-as_many_marks = As many marks as unknowns: a wrong mark is not noticed.
+    .do = Measure more marks, or choose a simpler transformation.
+
+# $image = "a.tif"
+film-mirrored = Image { $image } is mirrored.
+    .why = The film was scanned from behind, or two opposite marks are exchanged.
+    .do = Scan the film from its front, or exchange the two marks.
+
+# $image = "a.tif"
+# $limit = 0.01
+film-shrinkage = Image { $image }: the film would have shrunk by more than { PERCENT($limit) }.
+    .why = No film does.
+    .do = Check { OPTION("pixel_mm") }.
+
+# $image = "a.tif"
+# $sigma0 = 2.4
+film-residuals_enlarged = Image { $image }: residuals of the marks are { NUM($sigma0, digits: 3) } times as large as stated.
+    .why = Standard deviations are enlarged by this factor.
+
+# $image = "a.tif"
+# $marks = ["3", "7"]
+film-suspects = Image { $image }: marks may be wrong: { $marks }.
+    .do = Measure these marks again.

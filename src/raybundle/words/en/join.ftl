@@ -284,3 +284,26 @@ join-frame_of_system = { $block } is in a local frame of { $system }.
         [yes] {" "}(geoid { $geoid_m } m above the ellipsoid)
        *[no] {""}
     }.
+
+# $n = 2
+# $name = "block-b"
+# $points = ["7", "8"]
+# $distances = [0.31, 0.2]
+# $unit = "m"
+join-points_apart = { $name }: points of one name lie apart and stay two points: { $points }.
+    .why = Such a point has moved, or is another point.
+    .do = Check these points.
+
+# $name = "block-b"
+# $n = 12
+# $scale = 1.0002
+# $rms = 0.004
+# $unit = "m"
+# $frame = "moved"
+join-block = { $name }: { $frame ->
+    [same] in the same frame
+    *[moved] transformed by { $n } common { $n ->
+        [one] point
+        *[other] points
+    }, scale { NUM($scale, digits: 6) }, coordinates { NUM($rms, digits: 3) } { $unit } apart (rms)
+ }.

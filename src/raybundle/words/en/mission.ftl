@@ -182,3 +182,36 @@ mission-shape = Pattern { $pattern } needs { $wanted ->
 # $n = 3
 mission-several_outlines = { $area } contains { $n } outlines; a mission has one.
     .do = Give them one by one, or join them into one.
+
+# $speed = 8.0
+# $exposure = 500
+# $blur = 1.8
+# $limit = 1.0
+# $slower = 4.4
+mission-blur = At { $speed } m/s and 1/{ $exposure } s the image moves by { NUM($blur, decimals: 1) } px (limit { $limit } px).
+    .do = Fly at { NUM($slower, decimals: 1) } m/s, or expose more briefly.
+
+# $n = 3
+# $metres = 120.0
+# $kind = "metres"
+mission-zones_taken_out = No-go zones take out { $kind ->
+    [metres] { NUM($metres, decimals: 0) } m of lines
+    *[photographs] { $n ->
+        [one] one photograph
+        *[other] { $n } photographs
+    }
+ }.
+    .why = What is visible from there alone is not photographed.
+
+# $limit = "camera_interval"
+# $speed = 4.0
+# $vehicle = 12.0
+mission-speed_limited = { $limit ->
+    [camera_interval] The interval of the camera
+    *[blur] Motion blur
+ } limits the speed to { NUM($speed, decimals: 1) } m/s (vehicle: { $vehicle } m/s).
+
+# $speed = 8.0
+# $raised = 6.0
+mission-ground_too_steep = The ground is steeper than the vehicle climbs at { NUM($speed, decimals: 1) } m/s: up to { NUM($raised, decimals: 1) } m too high.
+    .do = Fly more slowly to follow the ground.

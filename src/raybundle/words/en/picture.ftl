@@ -100,3 +100,32 @@ picture-control_on_line = The control points are on one straight line (limit { P
 
 picture-area_not_shown = The photograph does not show the area.
     .do = Give another { OPTION("extent") }.
+
+picture-hidden_places = Places hidden by steep slopes or buildings are not detected.
+    .why = Such a place may appear twice in the picture.
+
+# $share = 0.3
+picture-few_points_in_plane = { PERCENT($share) } of the points lie in this plane.
+    .why = Most of what the picture shows is displaced.
+    .do = Choose the wall with { OPTION("plane") }.
+
+# $off = 0.02
+# $unit = "m"
+# $pixels = 4.0
+picture-points_displaced = Points are displaced in the picture by { NUM($off, digits: 2) } { $unit } ({ NUM($pixels, digits: 2) } px, rms) since they lie off the plane.
+    .do = Measure in the photographs what must be more accurate.
+
+# $x = 4.2
+# $y = 3.1
+# $sigma0 = 8.0
+# $worst = "C3"
+picture-residuals = Residuals of { NUM($x, digits: 3) }, { NUM($y, digits: 3) } px (rms) are { NUM($sigma0, digits: 3) } times as large as expected; largest: { $worst }.
+    .why = A mark or coordinate is wrong, names are exchanged, a point is off the plane, or the lens distorts.
+    .do = Check { $worst }, or use a calibrated camera.
+
+picture-no_redundancy = The picture rests on as many points as it needs: errors are not noticed.
+    .do = Add one point.
+
+picture-mirrored = The picture is mirrored.
+    .why = The control points run the other way round in the photograph than in the plane.
+    .do = Check left and right, the signs of the axes, and the side of the film.

@@ -295,3 +295,66 @@ plan-flight_too_large = The flight has { $total } photographs; forecasts are pos
         [yes] { OPTION("area") }, { OPTION("gsd") }, { OPTION("overlap") }
        *[no] { OPTION("lines") }, { OPTION("photographs_per_line") }
      }.
+
+plan-list_alike_turned = The list looks the same after a turn: photographs are assigned by their order.
+    .why = If they were taken in another order, what is missing may be on another side.
+
+# $n = 30
+# $of = 40
+plan-list_most_beside = { $n } of { $of } photographs are not on the list.
+    .do = Check that the photographs belong to this list.
+
+# $n = 30
+# $of = 40
+plan-list_most_missing = { $n } of { $of } photographs of the list are missing.
+    .why = Few photographs agree with many places by chance.
+    .do = Check that the photographs belong to this list.
+
+# $wanted = 5
+# $n = 3
+plan-nothing_lowers = { $n } of { $wanted } photographs are proposed: no further one within reach lowers the figure.
+
+# $share = 0.03
+plan-hardly_lowers = Photographs within reach lower the figure by { PERCENT($share) } only.
+    .do = Add control, scale bars or more precise image points, or allow other stations ({ OPTION("step") }, { OPTION("around") }).
+
+# $n = 4
+# $of = 60
+# $sides = ["north"]
+# $rays = 4
+plan-points_out_of_sight = { $n } of { $of } points are visible from fewer than { $rays } possible stations ({ $sides }).
+    .why = No precision is predicted for them.
+    .do = Allow more stations ({ OPTION("heights") }, { OPTION("clearance") }, { OPTION("incidence") }, { OPTION("around") }).
+
+# $share = 0.1
+plan-object_between_points = { PERCENT($share) } of the object, between the points, is seen by fewer than two photographs.
+    .do = Plan with more { OPTION("object_points") }.
+
+# $share = 0.04
+# $worst = 0.8
+# $unit = "mm"
+plan-points_seldom_found = { PERCENT($share) } of the points are expected in fewer than two photographs.
+    .why = Figures are medians over random draws; in one of ten surveys the worst point reaches { NUM($worst, digits: 2) } { $unit }.
+
+# $share = 0.1
+plan-network_falls_apart = In { PERCENT($share) } of random draws the network falls apart.
+    .do = Take more photographs.
+
+# $overlap = 0.4
+plan-little_overlap = The forward overlap is { PERCENT($overlap) }.
+    .why = Below 50 %, points between the photographs of a line are seen once.
+    .do = Plan at least 60 % forward overlap.
+
+# $overlap = -0.1
+plan-gaps_between_lines = The flight lines leave gaps (side overlap { PERCENT($overlap) }).
+    .do = Plan lines nearer to each other.
+
+plan-flown_apart = Flown exactly as planned, the photographs do not hold together.
+    .why = Neighbours have too narrow a strip in common.
+    .do = Plan more { OPTION("overlap") }.
+
+# $parameters = ["c", "az"]
+plan-flown_lost = Flown exactly as planned, parameters are not determinable: { $parameters }.
+
+plan-flown_calibrated = No change of the flight that was tried determines them.
+    .do = Hold the camera as calibrated before the flight.

@@ -263,3 +263,25 @@ rpc-specification_assumed = { $specification ->
 # $limit = 50.0
 rpc-point_far_away = A point is { NUM($ratio, digits: 4) } times the range of the RPC from the centre of the scene (limit { $limit }).
     .do = Check the order and units of the coordinates.
+
+# $scene = "a.xml"
+# $points = ["7"]
+rpc-control_set_aside = Scene { $scene }: points contradict the others and are not used: { $points }.
+    .do = Check their coordinates and image points.
+
+# $scene = "a.xml"
+rpc-scene_left_out = Scene { $scene } is not corrected.
+
+# $n = 2
+# $points = ["7", "8"]
+rpc-points_beyond = Points outside the range for which the RPC was made: { $points }.
+    .why = There an RPC may be wrong by many pixels.
+
+# $n = 2
+# $points = ["7", "8"]
+# $which = "image"
+rpc-points_lost = Points without { $which ->
+    [ground] ground
+    *[image] image
+ } coordinates: { $points }.
+    .why = Their cells are empty; the column note has the reason.

@@ -41,3 +41,8 @@ section-no_height = { $name } has no height at { NUM($at, digits: 6) } { $unit }
 section-no_height_at = { $name } has no height at { NUM($at, digits: 6) } { $unit } (X { NUM($x, digits: 8) }, Y { NUM($y, digits: 8) }).
     .why = The nearest height is at { NUM($nearest, digits: 6) } { $unit }, { $distance } { $unit } away.
     .do = Choose another place for { OPTION("between") }, or fill the hole: { OPTION("fill", "WIDTH") }.
+
+# $name = "line 1"
+# $share = 0.8
+section-partly_measured = { $name }: the mean height is that of { PERCENT($share) } of the line.
+    .why = On the rest nothing was measured.

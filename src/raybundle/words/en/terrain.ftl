@@ -35,3 +35,7 @@ terrain-slope_too_large = { OPTION("slope", $slope) } rises { $rise } over a cel
 
 terrain-no_ground = No cell remains as ground.
     .do = Give a larger { OPTION("slope") }.
+
+# $share = 0.6
+terrain-spans_gaps = { PERCENT($share) } of this ground is interpolated across gaps.
+    .do = Choose a smaller { OPTION("largest") } or a larger { OPTION("slope") }.

@@ -12,3 +12,8 @@ displacement-tests = Congruence de tous les points F = { $F } ({ P($p) }), des s
 displacement-by_place = { $n } points identifiés par leur position, non par leur nom.
 
 displacement-axes = Axes X, Y, Z : ceux de { $file_name }, ajustés par { $points }.
+
+displacement-unsure = { $n } { $n ->
+    [one] région
+    *[other] régions
+ } sans mouvement certain : moyenne intérieure inférieure à { $limit } écarts-types.

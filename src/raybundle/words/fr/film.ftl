@@ -35,3 +35,13 @@ film-camera_missing = Des films numérisés demandent une caméra étalonnée.
 film-scans_not_transformed = Numérisations qui ne peuvent pas être transformées : { $n }. Rien n'est écrit.
 
 film-one_camera = Caméras données : { $n } ; des numérisations de film en demandent exactement une.
+
+film-as_many_marks = Autant de repères que d'inconnues : un repère faux n'est pas décelé.
+
+film-mirrored = L'image { $image } est inversée.
+
+film-shrinkage = Image { $image } : le film aurait rétréci de plus de { PERCENT($limit) }.
+
+film-residuals_enlarged = Image { $image } : les résidus des repères valent { NUM($sigma0, digits: 3) } fois ce qui est indiqué.
+
+film-suspects = Image { $image } : repères peut-être faux : { $marks }.

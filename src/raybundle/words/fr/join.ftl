@@ -70,3 +70,13 @@ join-frame_geocentric = { $block } est dans un repère géocentrique.
 join-frame_local = { $block } est dans un repère local à { NUM($longitude_deg, decimals: 6) }°, { NUM($latitude_deg, decimals: 6) }°, { NUM($height_m, decimals: 3) } m.
 
 join-frame_of_system = { $block } est dans un repère local de { $system }.
+
+join-points_apart = { $name } : des points de même nom sont distants et restent deux points : { $points }.
+
+join-block = { $name } : { $frame ->
+    [same] dans le même système
+    *[moved] transformé par { $n } { $n ->
+        [one] point commun
+        *[other] points communs
+    }, échelle { NUM($scale, digits: 6) }, écarts { NUM($rms, digits: 3) } { $unit } (rms)
+ }.

@@ -78,3 +78,20 @@ mission-shape = Le motif { $pattern } demande { $wanted ->
      }.
 
 mission-several_outlines = { $area } contient { $n } contours ; une mission en a un.
+
+mission-blur = À { $speed } m/s et 1/{ $exposure } s, l'image bouge de { NUM($blur, decimals: 1) } px (limite { $limit } px).
+
+mission-zones_taken_out = Les zones interdites suppriment { $kind ->
+    [metres] { NUM($metres, decimals: 0) } m de lignes
+    *[photographs] { $n ->
+        [one] une photo
+        *[other] { $n } photos
+    }
+ }.
+
+mission-speed_limited = { $limit ->
+    [camera_interval] L'intervalle de la caméra
+    *[blur] Le flou de bougé
+ } limite la vitesse à { NUM($speed, decimals: 1) } m/s (véhicule : { $vehicle } m/s).
+
+mission-ground_too_steep = Le terrain est plus raide que ne monte le véhicule à { NUM($speed, decimals: 1) } m/s : jusqu'à { NUM($raised, decimals: 1) } m trop haut.

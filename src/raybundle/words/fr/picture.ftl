@@ -34,3 +34,15 @@ picture-no_photograph = Aucune photographie ne montre la zone, ou aucune n'a ét
 picture-control_on_line = Les points d'appui sont sur une droite (limite { PERCENT($limit) } % de sa longueur).
 
 picture-area_not_shown = La photographie ne montre pas la zone.
+
+picture-hidden_places = Les endroits cachés par des pentes ou des bâtiments ne sont pas détectés.
+
+picture-few_points_in_plane = { PERCENT($share) } des points sont dans ce plan.
+
+picture-points_displaced = Points décalés dans l'image de { NUM($off, digits: 2) } { $unit } ({ NUM($pixels, digits: 2) } px) : ils sont hors du plan.
+
+picture-residuals = Résidus de { NUM($x, digits: 3) }, { NUM($y, digits: 3) } px (rms), { NUM($sigma0, digits: 3) } fois plus grands que prévu ; maximum : { $worst }.
+
+picture-no_redundancy = L'image repose sur le minimum de points : les erreurs ne sont pas décelées.
+
+picture-mirrored = L'image est inversée.

@@ -100,3 +100,14 @@ rpc-specification_assumed = { $specification ->
     } ; RPC00B est supposé.
 
 rpc-point_far_away = Un point est à { NUM($ratio, digits: 4) } fois l'étendue des RPC du centre de la scène (limite { $limit }).
+
+rpc-control_set_aside = Scène { $scene } : points en contradiction avec les autres, non utilisés : { $points }.
+
+rpc-scene_left_out = La scène { $scene } n'est pas corrigée.
+
+rpc-points_beyond = Points hors du domaine de validité du RPC : { $points }.
+
+rpc-points_lost = Points sans coordonnées { $which ->
+    [ground] terrain
+    *[image] image
+ } : { $points }.

@@ -9,3 +9,5 @@ section-same_place = { OPTION("between") } a deux fois le point { NUM($at, digit
 section-no_height = { $name } n'a pas d'altitude à { NUM($at, digits: 6) } { $unit } (X { NUM($x, digits: 8) }, Y { NUM($y, digits: 8) }), ni ailleurs.
 
 section-no_height_at = { $name } n'a pas d'altitude à { NUM($at, digits: 6) } { $unit } (X { NUM($x, digits: 8) }, Y { NUM($y, digits: 8) }).
+
+section-partly_measured = { $name } : l'altitude moyenne est celle de { PERCENT($share) } de la ligne.

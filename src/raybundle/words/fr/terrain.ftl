@@ -9,3 +9,5 @@ terrain-object_below_cell = { OPTION("largest", $largest) } est inférieur à un
 terrain-slope_too_large = { OPTION("slope", $slope) } monte de { $rise } par cellule ; les altitudes ne diffèrent que de { $range }.
 
 terrain-no_ground = Aucune cellule ne reste comme sol.
+
+terrain-spans_gaps = { PERCENT($share) } de ce terrain est interpolé sur des lacunes.
