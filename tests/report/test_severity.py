@@ -134,7 +134,7 @@ def test_heights_that_nobody_measured_travel_with_what_is_made_of_a_result():
     assert state_line(relative) == f"warning: {relative}"
     wrong = {"code": "control_contradicts", "message": "P1", "severity": "fault"}
     found = state_words({"warnings": [levelled, wrong]})
-    assert [m.code for m in found.messages] == ["state.faults", "reason.text", "state.heights_relative"]
+    assert [m.code for m in found.messages] == ["state.faults", "state.fault_text", "state.heights_relative"]
     assert found.messages[0].values == {"n": 1}
     assert relative_heights(found)
     assert state_line(found) == f"fault: {found}"

@@ -86,8 +86,14 @@ class Document:
 
 def page(*, title: str, subtitle: str, headline: str, grade: str, sections: tuple[Section, ...]) -> str:
     """A whole HTML page of one part, with a table of contents."""
-    made: tuple[tuple[PartName, Section], ...] = tuple(("specialist", s) for s in sections)
-    return html(Document(title=title, subtitle=subtitle, headline=headline, grade=grade, made=made, divided=False))
+    say = Language()
+    made: tuple[tuple[PartName, Section], ...] = tuple(("specialist", section_in(s, say)) for s in sections)
+    return html(
+        Document(
+            title=say.text(title), subtitle=say.text(subtitle), headline=say.text(headline), grade=grade, made=made,
+            divided=False,
+        )
+    )  # fmt: skip
 
 
 def html(document: Document) -> str:

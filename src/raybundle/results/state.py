@@ -10,7 +10,7 @@ from typing import Any
 from raybundle import words
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import SEVERITY, Severity
-from raybundle.errors import InputError, Message, Text, message_of, message_of_text, note
+from raybundle.errors import InputError, Message, Text, message_of, note, phrase
 from raybundle.io.reading.trees import read_json
 
 RELATIVE = "state.heights_relative"
@@ -18,22 +18,22 @@ RELATIVE = "state.heights_relative"
 
 
 def relative_heights(state: str) -> bool:
-    """Whether `state_words` states relative heights."""
-    return isinstance(state, Text) and any(m.code == RELATIVE for m in state.messages)
+    """Whether `state_words` states relative heights, here or as a file has it."""
+    return phrase(RELATIVE) in state
 
 
 def state_line(found: str) -> str:
     """What `state_words` gave as a line of a command's output."""
-    weak = isinstance(found, Text) and all(m.code == RELATIVE for m in found.messages)
-    return f"{'warning' if weak else 'fault'}: {found}"
+    return f"{'warning' if found == phrase(RELATIVE) else 'fault'}: {found}"
 
 
 def state_words(result: Mapping[str, Any]) -> str:
     """What result.json states against the use of its result, with the first fault; empty where nothing does."""
     found: list[Message] = []
     if faults := _faults(result):
-        first = message_of_text(notice_of(faults[0]).text)
-        found += [note("state.faults", n=len(faults)), replace(first, details=())]
+        text = notice_of(faults[0]).text
+        first = replace(text.message, details=()) if isinstance(text, Text) else note("state.fault_text", text=text)
+        found += [note("state.faults", n=len(faults)), first]
     if lost(result):
         found.append(note("state.accuracy_not_kept"))
     if any(n.get("code") == "levelled" for n in notices_in(result)):

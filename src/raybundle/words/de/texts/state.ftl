@@ -6,3 +6,5 @@ state-faults = Noch nicht verwenden: { $n } { $n ->
 state-accuracy_not_kept = Die geforderte Genauigkeit ist nicht eingehalten.
 
 state-heights_relative = Höhen sind relativ und geneigt: Die Passpunkte haben keine gemessenen Höhen.
+
+state-fault_text = { $text }

@@ -7,3 +7,6 @@ state-faults = Do not use yet: { $n } { $n ->
 state-accuracy_not_kept = The required accuracy is not kept.
 
 state-heights_relative = Heights are relative and tilted: the control has no measured heights.
+
+# $text = "P1 lies 3 m away."
+state-fault_text = { $text }
