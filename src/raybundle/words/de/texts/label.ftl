@@ -190,6 +190,11 @@ label-time = Zeit
 
 label-to = nach
 
+label-truth = { $value ->
+        [yes] ja
+        *[no] nein
+    }
+
 label-unit = Einheit
 
 label-unknowns = Unbekannte

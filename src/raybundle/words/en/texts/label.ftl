@@ -198,6 +198,12 @@ label-time = time
 
 label-to = to
 
+# $value = true
+label-truth = { $value ->
+        [yes] yes
+        *[no] no
+    }
+
 label-unit = unit
 
 label-unknowns = unknowns
