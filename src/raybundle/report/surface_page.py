@@ -19,7 +19,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import delivery_of
 from raybundle.report.document import Document, set_document
-from raybundle.report.figures.raster import class_map, height_map, legend_of, photograph, sigma_told, small_map
+from raybundle.report.figures.raster import class_map, height_map, legend_of, photograph, small_map
 from raybundle.report.figures.surface import correlation_of, profile_of
 from raybundle.report.languages import ENGLISH
 from raybundle.report.languages.language import language_of
@@ -46,7 +46,7 @@ from raybundle.report.sigma_classes import Classes, sigma_classes
 from raybundle.report.text.front_words import grade_of, verdict_sentence
 from raybundle.report.text.numbers import grouped, per_cent, significant
 from raybundle.report.text.words import Grade
-from raybundle.report.view import FREE_UNIT
+from raybundle.report.view import FREE_UNIT, in_unit
 from raybundle.surfaces.summary import HeightSummary, OrthophotoSummary, SurfaceSummary
 
 MOST_MAPS = 24
@@ -188,11 +188,11 @@ def _result(
     facts = [
         Fact(label=phrase("label.points"), value=grouped(s.written or s.points), remark=_of_maps(s)),
         Fact(
-            label=phrase("report_surface.sigma_of_point"), value=sigma_told(factor * s.position[0], unit),
+            label=phrase("report_surface.sigma_of_point"), value=in_unit(factor * s.position[0], unit, 2),
             remark=phrase("report_surface.of_position", x=x, y=y, z=z, unit=unit),
         ),
         Fact(
-            label=phrase("report_surface.sigma_along_ray"), value=sigma_told(factor * s.sigma[0], unit),
+            label=phrase("report_surface.sigma_along_ray"), value=in_unit(factor * s.sigma[0], unit, 2),
             remark=phrase(
                 "report_surface.quantiles", sigma_90=factor * s.sigma[1], sigma_99=factor * s.sigma[2], unit=unit
             ),
