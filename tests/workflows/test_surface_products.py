@@ -288,8 +288,9 @@ def test_a_pdf_of_the_same_points_stays_and_is_told(half, tmp_path, monkeypatch)
 
     pdf = tmp_path / "s/surface.pdf"
     assert not any("surface.pdf" in r for r in run(pdf=True).remarks)
-    assert "surface.pdf: of an earlier run, of the same points" in run().remarks
-    assert any(r.startswith("surface.pdf: of an earlier run, with all points, beside") for r in run(thin=SIDE).remarks)
+    values = {"names": ["surface.pdf"], "setting": "pdf", "length": 0.0, "now": SIDE}
+    assert phrase("surface_remark.earlier", names=["surface.pdf"]) in run().remarks
+    assert phrase("surface_remark.otherwise_thinned", **values) in run(thin=SIDE).remarks
     assert pdf.exists()
     left, bottom, right, top = WINDOW
     other = run(extent=(left, bottom, right - 0.05, top))
