@@ -294,7 +294,7 @@ def test_a_pdf_of_the_same_points_stays_and_is_told(half, tmp_path, monkeypatch)
     assert pdf.exists()
     left, bottom, right, top = WINDOW
     other = run(extent=(left, bottom, right - 0.05, top))
-    assert "surface.pdf: removed, it was of other points; ask for it with pdf=" in other.remarks
+    assert phrase("surface_remark.removed", names=["surface.pdf"], setting="pdf") in other.remarks
     assert not pdf.exists()
 
 
