@@ -14,6 +14,7 @@ from PIL import Image
 from raybundle.cli.main import main
 from raybundle.io.photos.photo import find_photos
 from raybundle.readable import readable
+from raybundle.words import headline
 from raybundle.workflows.orienting.photographs import _beside
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
@@ -279,7 +280,7 @@ def test_status_of_a_run_that_failed_shows_what_is_done(orient, photos, tmp_path
     assert orient(photos).status == 3
     assert main(["status", str(tmp_path / "project")]) == 0
     lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()}
-    assert "3 pairs, 0 verified" in lines["matching"]
+    assert headline("stage_summary.matching", {"pairs": 3, "verified": 0}) in lines["matching"]
     assert "not done" in lines["start"]
 
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import raybundle as rb
+from raybundle import words as entries
 from raybundle.cli.main import main
 from raybundle.numerics.natural import natural
 from raybundle.planning.scenes import TargetField, field_scene
@@ -56,7 +57,9 @@ def test_what_moved_is_told_and_written(epochs, tmp_path, capsys):
     assert told["all_points"]["p"] < 0.01 < told["points_that_stayed"]["p"]
     assert not told["scale_free"]
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
-    assert "5, 17 moved: 2 of" in page or "17, 5 moved: 2 of" in page
+    values = {"n": 2, "of": 140, "significance": 0.05}
+    heads = [entries.headline("report_moved.moved", {**values, "names": n}) for n in (["5", "17"], ["17", "5"])]
+    assert any(h in page for h in heads)
 
 
 def test_blocks_that_are_not_adjusted_yet_are_taken(epochs, tmp_path):
@@ -169,7 +172,7 @@ def test_measurements_that_are_not_to_be_used_yet_are_told(epochs, tmp_path, cap
     assert main(words) == 0
     assert re.search(r"(?m)^fault: spoilt .*1 .*\[epochs\.faulty\]$", capsys.readouterr().out)
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
-    assert "But spoilt: not to be used yet" in page
+    assert entries.headline("report_moved.faulty", {"names": ["spoilt"]}) in page
     assert 'class="verdict attention"' in page
     assert "spoilt: bars contradict" in page
     assert json.loads((tmp_path / "m/moved.json").read_text())["not_to_be_used_yet"] == {"spoilt": ["bars contradict"]}

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import raybundle as rb
+from raybundle import words
 from raybundle.calibration.quality import GOOD_PX, USABLE_PX
 from raybundle.cli.main import main
 from raybundle.commands.planning.network import NetworkSettings, site_of
@@ -81,14 +82,14 @@ def test_which_way_the_camera_is_turned_is_where_up_points_in_its_image(turn, ce
     R = look_at(np.array([centre], float), at, np.radians(turn))[0]
     up = R @ [0, 0, 0.1]
     clockwise = float(np.degrees(np.arctan2(up[0], up[1])))  # of the picture: the camera went the other way
-    words = held_words(camera, np.radians(turn))
+    held = held_words(camera, np.radians(turn)).message
     if abs(clockwise) > 1 and abs(clockwise) < 179:
-        way = "anticlockwise" if clockwise > 0 else "clockwise"
-        assert words.endswith(f"camera turned {abs(clockwise):.0f} deg {way}")
-    assert ("portrait" in words) == (turn % 180 == 90)
+        turned = f"camera turned {abs(clockwise):.0f} deg {'anticlockwise' if clockwise > 0 else 'clockwise'}."
+        assert held.text().lower().endswith(turned)
+    assert (held.values.get("landscape") is False) == (turn % 180 == 90)
     tall = replace(camera, width_px=camera.height_px, height_px=camera.width_px)
-    assert ("portrait" in held_words(tall, np.radians(turn))) == (turn % 180 == 0)
-    assert "upside down" in words or turn != 180
+    assert (held_words(tall, np.radians(turn)).message.values.get("landscape") is False) == (turn % 180 == 0)
+    assert held.values.get("turn") == 180 or turn != 180
 
 
 @pytest.mark.long
@@ -98,12 +99,12 @@ def test_both_columns_hold_the_camera_in_the_same_words(kind, tmp_path):
     with (tmp_path / "list/list.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     for row in rows:
-        for word in ("portrait", "upside down", "anticlockwise", " clockwise"):
+        for word in ("Portrait", "upside down", "anticlockwise", " clockwise"):
             assert word not in row["see"] or word in row["how"]
         assert "level" not in row["how"]
         assert "camera upright" not in row["how"] + row["see"]
-    turned = {r["how"].rpartition("; ")[2] for r in rows}
-    assert "landscape format" in turned
+    turned = {r["how"].rpartition("up. " if "up. " in r["how"] else "down. ")[2] for r in rows}
+    assert words.headline("photograph_list.held", {"landscape": True, "turn": 0}) in turned
     assert any("90 deg anticlockwise" in t for t in turned)
     if kind == "calibration":
         assert any("90 deg clockwise" in t for t in turned)
@@ -136,8 +137,9 @@ def test_every_target_of_a_photograph_is_listed(tmp_path, monkeypatch):
 
 def test_a_heading_without_text_is_left_out(monkeypatch):
     one = printed(shots_of("calibration"))
-    assert "To heed" not in drawn_text(one, monkeypatch)
-    assert "To heed" in drawn_text(replace(one, rules=("flat",)), monkeypatch)
+    heading = words.headline("photograph_list.rules", {})
+    assert heading not in drawn_text(one, monkeypatch)
+    assert heading in drawn_text(replace(one, rules=("flat",)), monkeypatch)
 
 
 def test_a_ticked_list_keeps_camera_promise_and_rules(tmp_path, capsys):
@@ -150,7 +152,8 @@ def test_a_ticked_list_keeps_camera_promise_and_rules(tmp_path, capsys):
     assert after["title"] == "Calibration photographs of sheet 0.42 x 0.297 m: 16 of 16 taken"
     assert after["facts"] == ["Missing: none", *before["facts"]]
     assert any(f.startswith("Camera ") for f in after["facts"])
-    assert any(f.startswith("Promised with ") for f in after["facts"])
+    promised = words.headline("photograph_list.promise", {"sigma_px": 0, "worst_mm": 0, "mean_mm": 0}).partition(",")[0]
+    assert any(f.startswith(promised) for f in after["facts"])
     assert (after["rules"], after["edges"]) == (before["rules"], before["edges"])
     assert rb.read_block(made / "block").name == "plan of calibration photographs of sheet 0.42 x 0.297 m"
     capsys.readouterr()

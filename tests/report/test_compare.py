@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import raybundle as rb
+from raybundle import words
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
@@ -16,6 +17,7 @@ from raybundle.report.compare import _parameter_rows, write_comparison
 from raybundle.report.differences import APART, basis_words, point_differences, taken_otherwise
 from raybundle.report.differences import compared as differences_of
 from raybundle.report.shared import Shared, shared_of
+from raybundle.report.text.numbers import unbroken
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 from tests.report.test_document import parsed
@@ -69,26 +71,31 @@ def compared(first, second, tmp_path):
     return " ".join(parsed((tmp_path / "compare.html").read_text(encoding="utf-8")).text)
 
 
+def told(code, **values):
+    """An entry as the page shows it."""
+    return unbroken(words.headline(f"report_compare.{code}", values))
+
+
 def test_a_controlled_and_a_free_network(folder, tmp_path):
     text = compared(folder("rich"), folder("free"), tmp_path)
-    assert "After a similarity of the second onto the first" in text
-    assert "As they stand" in text
-    assert "29 points in common" in text
-    assert "combined standard deviations" in text
+    assert told("transformed", fitted=True) in text
+    assert told("transformed", fitted=False) in text
+    assert told("common_points", n=29) in text
+    assert told("in_sigmas", part=False) in text
 
 
 def test_two_that_are_the_same_to_the_last_bit_are_told_so_without_a_caution(folder, case, tmp_path):
     first, again = folder("rich"), folder("again", case("rich"))
     assert write_comparison(first, again, tmp_path / "c.html") == ()
     assert shared_of(first, again).same
-    assert "The two are the same to the last bit: nothing differs." in compared(first, first, tmp_path)
+    assert told("same") in compared(first, first, tmp_path)
 
 
 def test_a_result_with_itself_has_no_difference(folder, tmp_path):
     result = folder("rich")
     text = compared(result, result, tmp_path)
-    assert "up to 0 combined standard deviations" in text
-    assert "differ by 0" in text or "× 10⁻" in text
+    assert told("interior_ratio", ratio=0.0, part=False) in text
+    assert told("points_differ", n=29, rms=0.0, unit="mm", fitted=True) in text or "× 10⁻" in text
 
 
 def test_rejected_rays_noise_and_parameters_that_differ_are_counted(folder, case, tmp_path):
@@ -104,16 +111,20 @@ def test_rejected_rays_noise_and_parameters_that_differ_are_counted(folder, case
         interior=(replace(interior, parameters={**interior.parameters, "P1": held}),),
     )  # fmt: skip
     first, second = folder("rich"), folder("other", other)
-    words = taken_otherwise(first, second)
+    found = taken_otherwise(first, second)
     n = len(out)
-    assert f"Of {n} common image observations 0 are rejected in the first and take part in the second, 3 the" in words
-    assert "the noise model is white in the first, fields in the second" in words
-    assert f"free in the first only: P1 ({interior.camera})" in words
-    assert "free in the second only" not in words
-    assert words in compared(first, second, tmp_path)
+    assert [(m.code, m.values) for m in found.messages] == [
+        ("report_compare.rejected_otherwise", {"n": n, "first": 0, "second": 3}),
+        ("report_compare.noise_models", {"same": False, "first": "white", "second": "fields"}),
+        ("report_compare.free_in", {"which": "first", "names": [f"P1 ({interior.camera})"]}),
+    ]
+    assert unbroken(found) in compared(first, second, tmp_path)
     same = taken_otherwise(first, first)
-    assert same.startswith(f"The same of {n} common image observations take part in both; the noise model is white in")
-    assert "the same parameters of cameras are free" in same
+    assert [(m.code, m.values) for m in same.messages] == [
+        ("report_compare.rejected_alike", {"n": n}),
+        ("report_compare.noise_models", {"same": True, "first": "white", "second": "white"}),
+        ("report_compare.free_alike", {}),
+    ]
 
 
 def test_results_that_have_nothing_in_common(folder, case, tmp_path):
@@ -134,10 +145,10 @@ def test_results_that_have_nothing_in_common(folder, case, tmp_path):
         interior=tuple(replace(i, camera=f"other {i.camera}") for i in a.interior),
     )
     text = compared(folder("free"), folder("other", other), tmp_path)
-    assert "no camera in common" in text
-    assert "0 points in common" in text
-    assert "No image observation is common to both" in text
-    assert "0 images in common" in text
+    assert told("no_common_camera") in text
+    assert told("common_points", n=0) in text
+    assert told("no_common_observation") in text
+    assert told("common_images", n=0) in text
 
 
 def test_metres_and_millimetres(folder, case, tmp_path):
@@ -183,7 +194,7 @@ def test_running_numbers_are_common_only_where_their_image_points_agree(folder, 
     assert set(found.namesakes) == {"t1", "t2", "t3", "t4"}
     assert len(found.ids) == len(ids) - 4
     text = compared(first, second, tmp_path)
-    assert "4 points with the same automatic name" in text
+    assert told("namesakes", n=4, names=list(found.namesakes)) in text
     named = common_points(plain.points.text["point"], plain.points.text["point"], (plain.block, plain.block))
     assert not named.namesakes
 
@@ -194,31 +205,32 @@ def test_results_of_which_only_the_running_numbers_agree_are_compared_by_project
     first = renamed(plain, lambda n: f"t{ids.index(n) + 1}")
     second = renamed(plain, lambda n: f"t{(ids.index(n) + 1) % len(ids) + 1}")
     text = compared(first, second, tmp_path)
-    assert "0 points in common" in text
-    assert "No object point is known to be the same in both" in text
-    assert "after the similarity of the projection centres themselves" in text
+    assert told("common_points", n=0) in text
+    assert told("no_same_point") in text
+    assert words.why("report_compare.centres", {"by": "centres"}) in text
 
 
 def test_lengths_of_free_scale_are_units(folder, tmp_path):
     plain = folder("rich")
     free = replace(plain, block=replace(plain.block, free_scale=True))
     text = compared(free, plain, tmp_path)
-    assert "units rms after a similarity" in text
-    assert " mm" not in text.split("points in common")[1]
+    assert "units rms after" in text
+    assert " mm" not in text.split(told("common_points", n=29))[1]
 
 
 @pytest.mark.parametrize(("count", "little"), [(4, True), (9, True), (10, False), (29, False)])
 def test_the_basis_of_a_similarity_is_told_and_little_is_a_caution(count, little):
-    words = basis_words(count, "common point")
-    assert f"redundancy {3 * count - 7}." in words
-    assert ("Caution" in words) == little
+    found = basis_words(count, centres=False).messages
+    assert found[0].values["redundancy"] == 3 * count - 7
+    assert [m.code for m in found[1:]] == ["report_compare.small_basis"] * little
 
 
 def test_points_and_projection_centres_are_both_a_basis(folder, tmp_path):
     text = compared(folder("rich"), folder("free"), tmp_path)
-    assert "The similarity rests on 29 common points: 87 coordinates, redundancy 80." in text
-    assert "After a similarity of their own instead of the points'" in text
-    assert "common projection centres:" in text
+    assert told("basis", n=29, centres=False, coordinates=87, redundancy=80) in text
+    assert told("own_transformation", rms=0.0, unit="mm").partition(" 0")[0] in text
+    images = len(folder("rich").images.text["image"])
+    assert unbroken(basis_words(images, centres=True).messages[0].headline()) in text
 
 
 def test_the_headline_says_how_few_points_are_behind_it(folder, tmp_path):
@@ -227,11 +239,11 @@ def test_the_headline_says_how_few_points_are_behind_it(folder, tmp_path):
     other = renamed(second, lambda n: n if n in few else f"other {n}")
     text = compared(first, other, tmp_path)
     caution, _ = write_comparison(first, other, tmp_path / "again.html")
-    assert caution == basis_words(5, "common point")
-    assert caution in text
+    assert caution == basis_words(5, centres=False)
+    assert unbroken(caution) in text
     assert write_comparison(first, second, tmp_path / "again.html") == shared_of(first, second).sentences
-    assert "That rests on a redundancy of 8 only." in text
-    assert "Caution: that is little." in text
+    assert told("small_redundancy", n=8) in text
+    assert [m.code for m in caution.messages] == ["report_compare.basis", "report_compare.small_basis"]
 
 
 def test_few_projection_centres_alone_are_a_caution_too(folder, tmp_path, monkeypatch):
@@ -240,9 +252,8 @@ def test_few_projection_centres_alone_are_a_caution_too(folder, tmp_path, monkey
     ids = list(first.block.points.ids)
     second = renamed(first, lambda n: f"other {ids.index(n)}")
     caution, _ = write_comparison(first, second, tmp_path / "c.html")
-    assert caution == basis_words(len(first.images.text["image"]), "common projection centre")
-    assert "Caution: that is little." in caution
-    assert caution in compared(first, second, tmp_path)
+    assert caution == basis_words(len(first.images.text["image"]), centres=True)
+    assert unbroken(caution) in compared(first, second, tmp_path)
 
 
 def test_folders_of_one_name_are_told_apart(case, tmp_path):
@@ -250,7 +261,7 @@ def test_folders_of_one_name_are_told_apart(case, tmp_path):
         (tmp_path / project).mkdir()
         write_result(case("rich"), tmp_path / project / "result", report="none")
     first, second = (read_result(tmp_path / p / "result") for p in ("north", "south"))
-    assert "First: north/result; second: south/result." in compared(first, second, tmp_path)
+    assert told("subtitle", first="north/result", second="south/result") in compared(first, second, tmp_path)
 
 
 def test_notices_stand_with_their_severity_the_gravest_first(folder, tmp_path):
@@ -261,9 +272,9 @@ def test_notices_stand_with_their_severity_the_gravest_first(folder, tmp_path):
     ]
     second.result["warnings"] = [{"code": "small_angle", "severity": "warning", "message": "the caution", "ids": []}]
     text = compared(first, second, tmp_path)
-    told = [text.index(w) for w in ("the fault of an older file", "the caution", "the remark")]
-    assert told == sorted(told)
-    assert "first fault control_suspect " in " ".join(text[: told[0]].split()[-3:]) + " "
+    places = [text.index(w) for w in ("the fault of an older file", "the caution", "the remark")]
+    assert places == sorted(places)
+    assert "first fault control_suspect " in " ".join(text[: places[0]].split()[-3:]) + " "
 
 
 def pair(tmp_path, seed, drop=0.08):
@@ -309,8 +320,8 @@ def test_differences_of_a_part_and_the_whole_have_the_stated_variance(tmp_path, 
         assert 0.3 < values.mean() < 2
         assert np.array(apart)[:, k].mean() < 0.2
     text = compared(whole, part, tmp_path)
-    assert "the observations of the second are part of the other's" in text
-    assert "combined" not in text
+    assert words.why("report_compare.part_of_other", {"part": "second"}) in text
+    assert "combined" not in text.lower()
 
 
 def test_a_real_difference_stands_out_of_a_part(tmp_path):
@@ -329,12 +340,13 @@ def test_what_is_shared_and_noise_that_differs_stand_at_the_head(folder, case, t
     assert shared.part == ""
     assert shared.too_large
     n = shared.common
-    told = write_comparison(first, other, tmp_path / "c.html")
-    assert told == shared.sentences
-    assert told[0].startswith(f"The two share {n} of {n} and {n} image observations")
-    assert "are too large, and real differences need not stand out" in told[0]
-    assert "white in the first and fields in the second" in told[1]
-    assert "1.50 times in the second" in told[1]
-    text = compared(first, other, tmp_path)
-    assert text.index(told[0]) < text.index("Side by side", text.index(told[0]))
+    found = write_comparison(first, other, tmp_path / "c.html")
+    assert found == shared.sentences
+    assert [(m.code, m.values) for t in found for m in t.messages] == [
+        ("report_compare.not_independent", {"n": n, "used_first": n, "used_second": n}),
+        ("report_compare.noise_models", {"same": False, "first": "white", "second": "fields"}),
+        ("report_compare.noise_ratios", {"first": 1.0, "second": 1.5}),
+    ]
+    text, head = compared(first, other, tmp_path), unbroken(found[0])
+    assert text.index(head) < text.index(told("summary"), text.index(head))
     assert not Shared(common=50, used=(1000, 1000), part="").too_large

@@ -22,7 +22,7 @@ from raybundle.report.languages import ENGLISH, Said, catalogue, language_codes
 from raybundle.report.languages.language import Language, book_of, language_of
 from raybundle.report.languages.patterns import Template
 from raybundle.report.paper.copy import copy_of
-from raybundle.results.record import WORDS
+from raybundle.results.record import NAMES
 from raybundle.sensors import sensor_models
 
 from .conftest import MAKERS, made
@@ -205,9 +205,7 @@ def registered() -> set[str]:
         }
     own = (SOURCE / "report" / "templates").glob("*.j2")
     said = {w for f in own for w in re.findall(r'language\.text\("([^"]+)"\)', f.read_text(encoding="utf-8"))}
-    return {*words, *said, *(r.name.lower() for r in Role), *WORDS, *WORDS.values(), *(s.value for s in Severity)} - {
-        ""
-    }
+    return {*words, *said, *(r.name.lower() for r in Role), *NAMES, *(s.value for s in Severity)} - {""}
 
 
 def uncovered(texts, language: Language, used: set[str]):

@@ -9,6 +9,7 @@ import subprocess
 import numpy as np
 import pytest
 
+from raybundle import words
 from raybundle.block import Role
 from raybundle.numerics.thinning import one_of_each_cell
 from raybundle.report import network_detail, network_page
@@ -16,6 +17,7 @@ from raybundle.report.network_page import network_contents, write_network_page
 from raybundle.report.view import view_of
 from raybundle.report.write import write_result
 from raybundle.results.record import Record
+from raybundle.words import Reader
 
 DATA = re.compile(r'<script type="application/json" id="network-data">(.*?)</script>', re.DOTALL)
 
@@ -74,8 +76,11 @@ def test_too_many_points_are_thinned_and_it_is_said(free_case, monkeypatch):
     data = network_contents(view)
     shown = len(data["points"]["id"])
     assert 5 < shown <= 20
-    assert any(f"{shown} of" in words for words in data["remarks"])
-    assert any("one is shown from each cell of" in words for words in data["remarks"])
+    first, *_ = (m for text in data["remarks"] for m in text.messages)
+    assert first.code == "network_page.contents"
+    assert first.values["points"] == shown < first.values["of_points"]
+    codes = [m.code for text in data["remarks"] for m in text.messages]
+    assert {"network_page.one_per_cell", "network_page.all_in_table"} <= set(codes)
     rows = network_page.shown_points(view)
     tie = np.flatnonzero((np.asarray(view.given.points.role) == Role.TIE) & ~view.given.points_named & (view.rays > 0))
     worst = tie[np.argmax(np.square(view.std[tie]).sum(axis=1))]
@@ -114,10 +119,10 @@ def test_the_page_is_in_the_language_of_the_report_under_its_title(free_case, tm
     html = (tmp_path / "r/network.html").read_text(encoding="utf-8")
     assert '<html lang="de">' in html
     assert "<title>Schloss, Südseite</title>" in html
-    assert "Farbe der Punkte" in html
+    assert words.headline("network_page.colour_of_points", {}, Reader("de")) in html
     data = json.loads(DATA.search(html).group(1))
     assert data["decimal"] == ","
-    assert data["words"]["control point"] == "Passpunkt"
+    assert data["words"]["control_point"] == "Passpunkt"
     own = DATA.sub("", html[: html.index("<!-- The script")])
     for english in ("Colour of", "object points", "Drag to turn", "Datum: inner", "Error ellipsoids"):
         assert english not in own
@@ -127,4 +132,4 @@ def test_all_that_the_script_says_is_handed_over_in_the_language():
     """Every text that the built script looks up stands in the page's data."""
     asked = re.findall(r'say\("([^"]+)"\)', network_page._program())
     assert len(asked) >= 4
-    assert set(asked) <= set(network_page.SAID)
+    assert {f"network_page.{name}" for name in asked} <= set(network_page.OF_SCRIPT)

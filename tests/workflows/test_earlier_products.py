@@ -23,36 +23,44 @@ def settled(folder, surface, thin, wanted=frozenset({""})):
     return settle_earlier(surface, folder, folder / "work", wanted, thin, {"pdf": "surface.pdf"})
 
 
+def coded(found):
+    """Codes and values of what is told."""
+    return [(m.code, m.values) for text in found.told for m in text.messages]
+
+
 def test_what_is_of_the_same_points_stays(written):
     found = settled(written, ONE, 0.02)
-    assert [t.partition(": ")[2] for t in found.told] == ["of an earlier run, of the same points"] * 3
+    assert coded(found) == [
+        ("surface_remark.earlier", {"names": [name]}) for name in ("heights.tif", "points.laz", "surface.pdf")
+    ]
     assert not found.others
 
 
-@pytest.mark.parametrize(("thin", "now"), [(None, "with all points"), (0.05, "thinned by 0.05")])
-def test_what_was_thinned_otherwise_stays_and_is_told_so(written, thin, now):
+@pytest.mark.parametrize("thin", [None, 0.05])
+def test_what_was_thinned_otherwise_stays_and_is_told_so(written, thin):
     found = settled(written, ONE, thin)
-    assert found.told == (
-        "heights.tif: of an earlier run, of the same points",  # heights are of all points, however these are thinned
-        f"points.laz: of an earlier run, thinned by 0.02, beside points.ply {now}; made alike with las=",
-        f"surface.pdf: of an earlier run, thinned by 0.02, beside points.ply {now}; made alike with pdf=",
-    )
-    assert found.others == {"points.laz": "thinned by 0.02", "surface.pdf": "thinned by 0.02"}
+    lengths = {"length": 0.02, "now": thin or 0.0}
+    other = "surface_remark.otherwise_thinned"
+    assert coded(found) == [
+        ("surface_remark.earlier", {"names": ["heights.tif"]}),  # heights are of all points, however these are thinned
+        (other, {"names": ["points.laz"], "setting": "las", **lengths}),
+        (other, {"names": ["surface.pdf"], "setting": "pdf", **lengths}),
+    ]
+    assert found.others == {"points.laz": 0.02, "surface.pdf": 0.02}
     assert (written / "points.laz").exists()
 
 
 def test_all_points_beside_thinned_ones_are_told_too(written):
     note_written(ONE, written / "work", {"", "las"}, None, "")
     found = settled(written, ONE, 0.1)
-    assert "points.laz: of an earlier run, with all points, beside points.ply thinned by 0.1; made alike with las=" in (
-        found.told
-    )
+    values = {"names": ["points.laz"], "setting": "las", "length": 0.0, "now": 0.1}
+    assert ("surface_remark.otherwise_thinned", values) in coded(found)
 
 
 def test_what_is_of_other_points_is_removed_and_told(written):
     found = settled(written, OTHER, 0.02, wanted=frozenset({"", "dsm"}))
-    assert found.told == (
-        "points.laz: removed, it was of other points; ask for it with las=",
-        "surface.pdf: removed, it was of other points; ask for it with pdf=",
-    )
+    assert coded(found) == [
+        ("surface_remark.removed", {"names": ["points.laz"], "setting": "las"}),
+        ("surface_remark.removed", {"names": ["surface.pdf"], "setting": "pdf"}),
+    ]
     assert {p.name for p in written.iterdir()} == {"work", "points.ply", "heights.tif"}

@@ -16,6 +16,7 @@ from raybundle.commands import surface as command
 from raybundle.commands.surface_pages import outside_told
 from raybundle.io.block.folder import read_block
 from raybundle.io.geo.told_systems import system_with_heights
+from raybundle.report.text.numbers import unbroken
 from raybundle.report.write import write_result
 from raybundle.results.notices import as_its_result
 from raybundle.results.record import Record
@@ -72,7 +73,7 @@ def test_notices_of_a_result_are_those_of_its_adjustment_made_again(warned):
 
 
 def test_the_page_has_the_verdict_the_warnings_and_whom_it_is_for(measured):
-    _, out = measured
+    done, out = measured
     text = (out / "surface.html").read_text().replace("\N{NO-BREAK SPACE}", " ")
     assert 'class="verdict attention"' in text
     assert headline("front.faults", {"n": 1}) in text
@@ -82,7 +83,8 @@ def test_the_page_has_the_verdict_the_warnings_and_whom_it_is_for(measured):
     for words in ("North front", "Somebody else", "Portal", "points.ply", "heights_sigma.tif", "surface_3d.html"):
         assert words in text, words
     assert "Monument office" not in text  # of the record, what is said anew goes before it
-    assert re.search(r"thinned, [\d\u202f]+ were measured", text)
+    points = unbroken(headline("report_surface.thinned_maps", {"n": 3, "of": len(done.surface)}))
+    assert points in text
 
 
 def test_files_of_heights_say_what_forbids_their_use(measured):

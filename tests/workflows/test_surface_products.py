@@ -13,7 +13,7 @@ from scipy.spatial import KDTree
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import PixelFrame
 from raybundle.commands.surface import surface
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.formats import las as las_format
 from raybundle.io.formats.las import steps_for
@@ -264,17 +264,16 @@ def test_points_of_an_earlier_run_are_told_with_what_they_were_thinned_by(half, 
     few, page = las(), tmp_path / "s/surface.html"
     whole = run()
     assert las() == few < len(whole.surface)
-    told = "points.laz: of an earlier run, thinned by 0.1, beside points.ply with all points; made alike with las="
-    assert told in whole.remarks
+    points = {"names": ["points.laz"], "setting": "las"}
+    assert phrase("surface_remark.otherwise_thinned", length=SIDE, now=0.0, **points) in whole.remarks
     assert not any("points.laz" in r for r in thin.remarks)
-    assert "points of an earlier run, thinned by 0.1" in page.read_text().replace("\N{NO-BREAK SPACE}", " ")
+    assert phrase("report_surface.earlier_points", thinned=True, length=SIDE) in page.read_text()
     run(las=True)
     assert las() == len(whole.surface)
-    told = "points.laz: of an earlier run, with all points, beside points.ply thinned by 0.1; made alike with las="
-    assert told in run(thin=SIDE).remarks
-    assert "points.laz: of an earlier run, of the same points" in run().remarks
+    assert phrase("surface_remark.otherwise_thinned", length=0.0, now=SIDE, **points) in run(thin=SIDE).remarks
+    assert phrase("surface_remark.earlier", names=["points.laz"]) in run().remarks
     (tmp_path / "s/surface.pdf").write_bytes(b"%PDF of a run that noted nothing")
-    assert "surface.pdf: removed, it was of other points; ask for it with pdf=" in run().remarks
+    assert phrase("surface_remark.removed", names=["surface.pdf"], setting="pdf") in run().remarks
     assert not (tmp_path / "s/surface.pdf").exists()
 
 
@@ -289,12 +288,13 @@ def test_a_pdf_of_the_same_points_stays_and_is_told(half, tmp_path, monkeypatch)
 
     pdf = tmp_path / "s/surface.pdf"
     assert not any("surface.pdf" in r for r in run(pdf=True).remarks)
-    assert "surface.pdf: of an earlier run, of the same points" in run().remarks
-    assert any(r.startswith("surface.pdf: of an earlier run, with all points, beside") for r in run(thin=SIDE).remarks)
+    values = {"names": ["surface.pdf"], "setting": "pdf", "length": 0.0, "now": SIDE}
+    assert phrase("surface_remark.earlier", names=["surface.pdf"]) in run().remarks
+    assert phrase("surface_remark.otherwise_thinned", **values) in run(thin=SIDE).remarks
     assert pdf.exists()
     left, bottom, right, top = WINDOW
     other = run(extent=(left, bottom, right - 0.05, top))
-    assert "surface.pdf: removed, it was of other points; ask for it with pdf=" in other.remarks
+    assert phrase("surface_remark.removed", names=["surface.pdf"], setting="pdf") in other.remarks
     assert not pdf.exists()
 
 
@@ -341,7 +341,9 @@ def test_the_cells_of_heights_follow_the_points_where_nobody_says(made):
     assert grids(heights=0.1).orthophoto is None
     fine = 1.5 * pixel
     (told,) = grids(heights=fine).told
-    assert f"a cell of {fine:g} is less than two distances between points wide" in told
+    assert [m.code for m in told.messages] == ["surface_remark.fine_cells"]
+    assert told.message.values["cell"] == fine
+    assert told.message.values["pixel"] == pixel
     assert not grids(heights=4 * pixel).told
 
 

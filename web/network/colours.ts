@@ -10,11 +10,11 @@ export interface Colouring {
 
 const ROLE_COLOURS = ["#5b7c99", "#c0392b", "#2e8b57"];
 const RAY_CLASSES: [number, number, string, string][] = [
-  [0, 2, "#c4562b", "2 rays or fewer"],
-  [3, 3, "#e0a84f", "3 rays"],
-  [4, 5, "#8fb58a", "4 to 5"],
-  [6, 9, "#3f8fa6", "6 to 9"],
-  [10, Infinity, "#234b7a", "10 and more"],
+  [0, 2, "#c4562b", "rays_2"],
+  [3, 3, "#e0a84f", "rays_3"],
+  [4, 5, "#8fb58a", "rays_4"],
+  [6, 9, "#3f8fa6", "rays_6"],
+  [10, Infinity, "#234b7a", "rays_10"],
 ];
 
 const UNKNOWN: [number, number, number] = [0.32, 0.32, 0.32];
@@ -28,7 +28,7 @@ function rgb(hex: string): [number, number, number] {
 
 export function byRole(net: Network): Colouring {
   const colours = ROLE_COLOURS.map(rgb);
-  const names = ["tie points", "control points", "check points"];
+  const names = ["tie_points", "control_points", "check_points"];
   const present = names.map((_, k) => net.role.includes(k));
   return {
     rgb: filled(net.points, (i) => colours[Math.min(net.role[i], 2)]),

@@ -22,7 +22,7 @@ export interface Packed {
   /** Dense points: places in steps from a corner, colours, reference photographs, standard deviations along the rays. */
   cloud?: { low: number[]; step: number; xyz: string; rgb: string; image: string; sigma: string; names: string[] } | null;
   classes: { points: Classes | null; surface: Classes | null; cloud?: Classes | null };
-  /** What the page says by itself, in the reader's language, and its decimal sign. */
+  /** Texts of the script in the reader's language by name, and its decimal sign. */
   words: Record<string, string>;
   decimal: string;
 }
@@ -124,8 +124,8 @@ export class Network {
   }
 
   /** A text of the page in the reader's language. */
-  say(english: string): string {
-    return this.packed.words[english] ?? english;
+  say(name: string): string {
+    return this.packed.words[name] ?? name;
   }
 
   /** Numbers in a row, as they are written. */

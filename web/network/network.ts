@@ -15,9 +15,7 @@ function start(): void {
   try {
     renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   } catch {
-    stage.textContent = net.say(
-      "This browser shows no 3D graphics (WebGL is switched off). The report and the PLY file hold the same network.",
-    );
+    stage.textContent = net.say("no_graphics");
     return;
   }
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
@@ -191,7 +189,7 @@ function picking(net: Network, drawn: Drawn, camera: THREE.Camera, canvas: HTMLC
       told.textContent = pointWords(net, point);
     } else {
       drawn.select(null);
-      told.textContent = net.say("Click a point or an image to see its rays.");
+      told.textContent = net.say("click");
     }
     render();
   });
@@ -201,7 +199,7 @@ function pointWords(net: Network, point: number): string {
   const { unit, sigmaUnit } = net.packed;
   const s = [0, 1, 2].map((a) => net.sigma[3 * point + a]);
   const lines = [
-    `${net.say(`${ROLES[Math.min(net.role[point], 2)]} point`)} ${net.packed.points.id[point]}`,
+    `${net.say(`${ROLES[Math.min(net.role[point], 2)]}_point`)} ${net.packed.points.id[point]}`,
     `X, Y, Z  ${net.coordinates(point)} ${unit}`,
     s.every((v) => v >= 0) ? `${net.say("sigma")}    ${net.listed(s.map((v) => v.toPrecision(2)))} ${sigmaUnit}` : "",
     `${net.rays[point]} ${net.say("rays")}: ${[...net.imagesOf(point)].map((i) => net.packed.images.id[i]).join(", ")}`,

@@ -25,8 +25,8 @@ class Earlier:
 
     told: tuple[str, ...]
     """a line for each product"""
-    others: Mapping[str, str]
-    """files that have more points, or fewer, than this run writes, and how that is"""
+    others: Mapping[str, float | None]
+    """files with more points, or fewer, than this run writes, by which length they are thinned; None: not at all"""
 
 
 def settle_earlier(
@@ -40,30 +40,37 @@ def settle_earlier(
     A file beside points that it was not made of would be taken for one of them.  What is written next is no longer
     noted as written (`note_written`): a run that is killed meanwhile has not written all that it was asked for.
     """
-    from raybundle.settings import option  # noqa: PLC0415
+    from raybundle.errors import phrase  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
 
     before, key, now = _written(work), _key(surface), _thinned(thin)
-    told, others = list[str](), dict[str, str]()
+    told, others = list[str](), dict[str, float | None]()
     files = {name: (p.files, p.of_cloud) for name, p in PRODUCTS.items()} | {n: ((f,), True) for n, f in pages.items()}
-    for name, (names, of_cloud) in sorted(files.items()):
-        there = [out / f for f in names if (out / f).exists()]
+    for name, (products, of_cloud) in sorted(files.items()):
+        there = [out / f for f in products if (out / f).exists()]
         if not there or name in wanted:
             continue
-        listed = ", ".join(p.name for p in there)
+        names = [p.name for p in there]
         made_of, _, length = before.get(name, "").partition(" ")
         if made_of == key:
             if of_cloud and length != now:
-                how, points = _how(length), _how(now)
-                again = option(name)
-                told.append(f"{listed}: of an earlier run, {how}, beside points.ply {points}; made alike with {again}")
-                others |= dict.fromkeys((p.name for p in there), how)
+                was = float(length) if length else None
+                told.append(
+                    phrase(
+                        "surface_remark.otherwise_thinned",
+                        names=names,
+                        length=was or 0.0,
+                        now=thin or 0.0,
+                        setting=name,
+                    )
+                )
+                others |= dict.fromkeys(names, was)
             else:
-                told.append(f"{listed}: of an earlier run, of the same points")
+                told.append(phrase("surface_remark.earlier", names=names))
             continue
         for path in there:
             shutil.rmtree(path) if path.is_dir() else path.unlink()
-        told.append(f"{listed}: removed, it was of other points; ask for it with {option(name)}")
+        told.append(phrase("surface_remark.removed", names=names, setting=name))
     _note(work, {name: k for name, k in before.items() if name not in {w or POINTS for w in wanted}})
     return Earlier(told=tuple(told), others=others)
 
@@ -118,11 +125,6 @@ def _note(work: Path, known: Mapping[str, str], fingerprint: str = "") -> None:
 def _thinned(thin: float | None) -> str:
     """As it is noted."""
     return "" if thin is None else f"{thin:g}"
-
-
-def _how(thinned: str) -> str:
-    """Which points a file has."""
-    return f"thinned by {thinned}" if thinned else "with all points"
 
 
 def _key(surface: Surface) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from raybundle.errors import phrase
 from raybundle.report.facts import CameraFact, PairFact, PhotoFact, PhotographFacts, StageFact
 
 if TYPE_CHECKING:
@@ -50,9 +51,8 @@ def _photo(photo: Photo, camera: str) -> PhotoFact:
     about = photo.metadata
     position = ""
     if about.gps is not None:
-        position = f"{about.gps.fix} GNSS" if about.gps.fix else "GNSS"
-        if about.gps.sigma_m is not None:
-            position += f", sigma {max(about.gps.sigma_m):.2g} m"
+        sigma = 0.0 if about.gps.sigma_m is None else float(max(about.gps.sigma_m))
+        position = phrase("report_photographs.recorded_position", fix=about.gps.fix or "none", sigma_m=sigma)
     return PhotoFact(
         name=photo.name,
         camera=camera,

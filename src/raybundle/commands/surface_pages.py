@@ -44,13 +44,13 @@ class SurfacePages:
 
 def write_pages(
     done: Surface, result: Path, out: Path, context: Context, remarks: tuple[str, ...], settings: SurfaceSettings,
-    others: Mapping[str, str], progress: Progress = silent,
+    others: Mapping[str, float | None], progress: Progress = silent,
 ) -> SurfacePages:  # fmt: skip
     """Write them.
 
     result   folder of the result that was measured: its notices, its record and its system are those of the points
     remarks  what was said while the surface was measured
-    others   files of earlier runs with more points, or fewer, and how that is
+    others   files of earlier runs with more points, or fewer, by which length they are thinned; None: not at all
     """
     from raybundle.adjustment.result import as_told  # noqa: PLC0415
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
@@ -76,7 +76,7 @@ def write_pages(
         others=others, lost=len(done.lost), progress=progress,
     )  # fmt: skip
     given = "" if rests.delivery is None else rests.delivery.record.title
-    title = given or language_of(settings.language, [name]).text(f"Surface of {name}")
+    title = given or language_of(settings.language, [name]).text(phrase("report_surface.title", name=name))
     cloud = sample_of(done) if len(done) else None
     write_network_page(done.adjustment, out / IN_3D, title=title, language=settings.language, cloud=cloud)
     told = as_told(n for n in rests.view.adjustment.notices if n.severity is not Severity.NOTE)
@@ -115,18 +115,16 @@ def heights_told(told: tuple[str, ...], export: Export) -> tuple[str, ...]:
     """What is told of a plane, without what heights count from where they count from nothing that was measured."""
     from raybundle.io.geo.parsed_systems import system_name  # noqa: PLC0415
     from raybundle.results.record import STATE  # noqa: PLC0415
-    from raybundle.results.state import RELATIVE  # noqa: PLC0415
+    from raybundle.results.state import relative_heights  # noqa: PLC0415
 
-    if export.frame is None or RELATIVE not in export.record.get(STATE, ""):
+    if export.frame is None or not relative_heights(export.record.get(STATE, "")):
         return told
-    relative = f"heights in {system_name(export.frame.crs)} are relative: none of the control was measured"
+    relative = phrase("surface_remark.heights_relative", system=system_name(export.frame.crs))
     return (*(t for t in told if t not in export.frame.remarks), relative)
 
 
 def outside_told(done: Surface, grids: Grids) -> tuple[str, ...]:
     """How many points lie beside the area of heights, orthophoto and mesh, and how to have them."""
-    from raybundle.numerics.counting import counted, significant  # noqa: PLC0415
-    from raybundle.settings import option  # noqa: PLC0415
     from raybundle.workflows.surface_grids import area_of_points  # noqa: PLC0415
 
     if grids.heights is None or done.options.region is not None:
@@ -134,7 +132,10 @@ def outside_told(done: Surface, grids: Grids) -> tuple[str, ...]:
     outside, area = area_of_points(done, grids.heights)
     if not outside:
         return ()
-    share = f"{significant(100 * outside / len(done), 2)} %"
-    needed = option("extent", *(float(f"{v:.10g}") for v in area))
-    told = f"{counted(outside, 'point')}, {share} of them, beside the area of the heights, that of the tie points"
-    return (f"{told}; {needed} holds all but 0.1 % at each edge",)
+    x_min, y_min, x_max, y_max = (float(f"{v:.10g}") for v in area)
+    return (
+        phrase(
+            "surface_remark.outside", n=outside, share=outside / len(done), x_min=x_min, y_min=y_min, x_max=x_max,
+            y_max=y_max,
+        ),
+    )  # fmt: skip

@@ -37,7 +37,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, joined_texts
 from raybundle.io.reading.trees import json_of, read_json, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
@@ -93,8 +93,15 @@ class StageRecord:
             peak_memory_mb=max(self.peak_memory_mb, later.peak_memory_mb),
             from_cache=self.from_cache and later.from_cache,
             finished=later.finished,
-            summary="; ".join(s for s in (self.summary, later.summary) if s),
+            summary=_joined(self.summary, later.summary),
         )
+
+
+def _joined(first: str, second: str) -> str:
+    """Two summaries as one."""
+    if isinstance(first, Text) and isinstance(second, Text):
+        return joined_texts(first, second)
+    return first if not second else second if not first else f"{first}; {second}"
 
 
 @dataclass(slots=True)

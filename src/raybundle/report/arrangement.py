@@ -6,15 +6,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from raybundle.errors import phrase
 from raybundle.report.parts import Figures, Folded, Heading, Part, Pointer, Section, Table
-from raybundle.report.text.numbers import counted
 
 PartName = Literal["client", "specialist", "appendix"]
-TITLES: dict[PartName, str] = {
-    "client": "For the client",
-    "specialist": "For the specialist",
-    "appendix": "Appendix",
-}
 LONG = 20
 """Rows of a table that is read where it stands: a third of a page of A4 in print.  What is longer is looked up."""
 
@@ -109,7 +104,7 @@ def arranged(
     looked_up += [Placed(number=f"A{k}", section=s) for k, s in enumerate(others, len(body) + 1)]
     divisions: dict[PartName, list[Placed]] = {"client": client, "specialist": body, "appendix": looked_up}
     return tuple(
-        Division(name=name, title=say(TITLES[name]), sections=tuple(placed))
+        Division(name=name, title=say(phrase("report_page.division", name=name)), sections=tuple(placed))
         for name, placed in divisions.items()
         if placed
     )
@@ -174,9 +169,11 @@ def _folded(part: Part, heading: str, rows: int, say: Callable[[str], str], *, a
         return part
     if isinstance(part, Table) and len(part.rows) > rows and not part.stays:
         name = part.caption or heading
-        return Folded(summary=f"{name}, {say(counted(len(part.rows), 'row'))}", parts=(replace(part, caption=""),))
+        return Folded(
+            summary=say(phrase("report_page.rows_of", name=name, n=len(part.rows))), parts=(replace(part, caption=""),)
+        )
     if isinstance(part, Figures) and away:
-        return Folded(summary=f"{heading}, {say(counted(len(part.figures), 'figure'))}", parts=(part,))
+        return Folded(summary=say(phrase("report_page.figures_of", name=heading, n=len(part.figures))), parts=(part,))
     return None
 
 

@@ -11,7 +11,7 @@ from typing import Any, cast
 import numpy as np
 
 from raybundle.adjustment.severity import SEVERITY, Severity
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, joined_texts, note, phrase
 from raybundle.io.folders import new_files
 from raybundle.io.reading.files import read_text
 from raybundle.numerics.arrays import Array
@@ -35,10 +35,8 @@ from raybundle.report.text.numbers import (
     NONE,
     cells,
     column_decimals,
-    counted,
     fixed,
     grouped,
-    listed,
     significant,
     unit_text,
     with_sigma,
@@ -96,16 +94,18 @@ def _html(
     from raybundle.report.document import page  # noqa: PLC0415  (Jinja2 only where it is used)
 
     sections = (
-        Section(anchor="summary", title="Side by side", parts=_summary(first, second)),
-        Section(anchor="interior", title="Interior orientation", parts=_interior(first, second, shared)),
-        Section(anchor="points", title="Object points", parts=_points(first, points, differences, shared)),
-        Section(anchor="images", title="Images", parts=_images(first, second, differences)),
-        Section(anchor="warnings", title="Warnings", parts=_warnings(first, second)),
+        Section(anchor="summary", title=phrase("report_compare.summary"), parts=_summary(first, second)),
+        Section(anchor="interior", title=phrase("report_compare.interior"), parts=_interior(first, second, shared)),
+        Section(
+            anchor="points", title=phrase("report_compare.points"), parts=_points(first, points, differences, shared)
+        ),
+        Section(anchor="images", title=phrase("report_compare.images"), parts=_images(first, second, differences)),
+        Section(anchor="warnings", title=phrase("report_compare.warnings"), parts=_warnings(first, second)),
     )
     told = _apart(first.path, second.path)
     return page(
-        title=f"{_name(first)} and {_name(second)}",
-        subtitle=f"{MARK} First: {told[0]}; second: {told[1]}.",
+        title=phrase("report_compare.title", first=_name(first), second=_name(second)),
+        subtitle=phrase("report_compare.subtitle", first=told[0], second=told[1]),
         headline=_headline(first, second, points, differences, shared),
         grade="remarks",
         sections=sections,
@@ -116,12 +116,12 @@ def _cautions(first: ResultFolder, second: ResultFolder, differences: Sequence[P
     """What the page says of the similarity that its differences come after, where it rests on little."""
     fitted = next((d for d in differences if d.fit is not None), None)
     if fitted is not None:
-        count, what = len(fitted.ids), "common point"
-    elif not differences and _by_centres(*(centres := _common_centres(first, second))) is not None:
-        count, what = _known_in_both(*centres), "common projection centre"
+        count, centres = len(fitted.ids), False
+    elif not differences and _by_centres(*(both := _common_centres(first, second))) is not None:
+        count, centres = _known_in_both(*both), True
     else:
         return ()
-    return (basis_words(count, what),) if 3 * count - PARAMETERS < SMALL_BASIS else ()
+    return (basis_words(count, centres=centres),) if 3 * count - PARAMETERS < SMALL_BASIS else ()
 
 
 def _common_centres(first: ResultFolder, second: ResultFolder) -> tuple[Array, Array]:
@@ -165,22 +165,19 @@ def _headline(
     first: ResultFolder, second: ResultFolder, common: Common, differences: Sequence[PointDifferences], shared: Shared
 ) -> str:
     a, b = (as_float(r.result.get("sigma0")) for r in (first, second))
-    words = [f"σ₀ {significant(a)} and {significant(b)}."]
+    found = [note("report_compare.sigma0", first=a, second=b)]
     ratios = [abs(r) for row in _parameter_rows(first, second, shared) if math.isfinite(r := row.ratio)]
     if ratios:
-        words.append(f"Interior orientations differ by up to {significant(max(ratios), 2)} {shared.of}.")
+        found.append(note("report_compare.interior_ratio", ratio=max(ratios), part=bool(shared.part)))
     if differences:
         d, (factor, unit) = differences[0], _small(first)
-        how = "after a similarity" if d.fit is not None else "as they stand"
-        words.append(
-            f"{counted(len(d.ids), 'common point')} differ by {significant(rms(d.difference) * factor, 2)} {unit} "
-            f"rms {how}."
-        )
+        size, fitted = rms(d.difference) * factor, d.fit is not None
+        found.append(note("report_compare.points_differ", n=len(d.ids), rms=size, unit=unit, fitted=fitted))
         if d.fit is not None and d.redundancy < SMALL_BASIS:
-            words.append(f"That rests on a redundancy of {d.redundancy} only.")
+            found.append(note("report_compare.small_redundancy", n=d.redundancy))
     elif common.namesakes:
-        words.append("No object point is known to be the same in both.")
-    return " ".join((*words, *shared.sentences))
+        found.append(note("report_compare.no_same_point"))
+    return Text.of(*found, *(m for text in shared.sentences for m in text.messages))
 
 
 def _small(result: ResultFolder) -> tuple[float, str]:
@@ -191,40 +188,37 @@ def _small(result: ResultFolder) -> tuple[float, str]:
 
 
 SUMMARY = (
-    ("sigma0", "σ₀ a posteriori"),
-    ("redundancy", "redundancy"),
-    ("observations", "observations"),
-    ("unknowns", "unknowns"),
-    ("constraints", "datum constraints"),
-    ("image_points", "image observations given"),
-    ("rejected", "image observations rejected"),
-    ("images_count", "images given"),
-    ("points_count", "object points given"),
-    ("relative_precision", "relative precision 1 : N"),
-    ("iterations", "iterations"),
-    ("seconds", "seconds"),
-)
+    "sigma0", "redundancy", "observations", "unknowns", "constraints", "image_points", "rejected", "images_count",
+    "points_count", "relative_precision", "iterations", "seconds",
+)  # fmt: skip
+"""Numbers of result.json"""
 
 
 def _summary(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
     rows: list[tuple[str, str, str, str]] = []
-    for key, words in SUMMARY:
+    for key in SUMMARY:
+        quantity = phrase("report_compare.quantity", name=key)
         a, b = as_float(first.result.get(key)), as_float(second.result.get(key))
         whole = key not in {"sigma0", "seconds"}
         shown = [grouped(v) if whole else significant(v, 5 if key == "sigma0" else 3) for v in (a, b)]
         change = b - a
         rows.append(
-            (words, shown[0], shown[1], "" if change == 0 else grouped(change) if whole else significant(change, 3))
+            (quantity, shown[0], shown[1], "" if change == 0 else grouped(change) if whole else significant(change, 3))
         )
-    for key, words in (("datum", "datum"), ("raybundle", "raybundle")):
-        rows.append((words, str(first.result.get(key, NONE)), str(second.result.get(key, NONE)), ""))
+    for key in ("datum", "raybundle"):
+        quantity = phrase("report_compare.quantity", name=key)
+        rows.append((quantity, str(first.result.get(key, NONE)), str(second.result.get(key, NONE)), ""))
     settings = [cast("Mapping[str, Any]", r.result.get("options") or {}) for r in (first, second)]
     for key in sorted(set(settings[0]) | set(settings[1])):
         a, b = (s.get(key) for s in settings)
         if a != b:
-            rows.append((f"setting {key}", str(a), str(b), ""))
+            rows.append((phrase("report_compare.setting", name=key), str(a), str(b), ""))
+    columns = (
+        text(phrase("label.quantity")), text(phrase("report_compare.first")), text(phrase("report_compare.second")),
+        number(phrase("report_compare.difference")),
+    )  # fmt: skip
     return (
-        table((text("quantity"), text("first"), text("second"), number("second − first")), zip(*rows, strict=True)),
+        table(columns, zip(*rows, strict=True)),
         Paragraph(text=taken_otherwise(first, second)),
     )
 
@@ -272,16 +266,18 @@ def _interior(first: ResultFolder, second: ResultFolder, shared: Shared) -> tupl
     alone = sorted(cameras[0] ^ cameras[1])
     parts: list[Part] = []
     if alone:
-        parts.append(Paragraph(text=f"In one of the two only: {listed(alone)}."))
+        parts.append(Paragraph(text=phrase("report_compare.cameras_of_one", names=alone)))
     if not rows:
-        return (*parts, Paragraph(text="The two results have no camera in common."))
+        return (*parts, Paragraph(text=phrase("report_compare.no_common_camera")))
     shown = [(with_sigma(r.values[0], r.std[0]), with_sigma(r.values[1], r.std[1])) for r in rows]
     difference = [with_sigma(r.values[1] - r.values[0], _least(r.std))[0] for r in rows]
     body = table(
         (
-            text("camera"), text("symbol"), text("unit"), number("first"), number("sigma"), number("second"),
-            number("sigma"),
-            number("second − first"), number("in its sigmas" if shared.part else "in combined sigmas"),
+            text(phrase("label.camera")), text(phrase("label.symbol")), text(phrase("label.unit")),
+            number(phrase("report_compare.first")), number(phrase("label.sigma")),
+            number(phrase("report_compare.second")), number(phrase("label.sigma")),
+            number(phrase("report_compare.difference")),
+            number(phrase("report_compare.in_sigmas", part=bool(shared.part))),
         ),
         (
             [r.camera for r in rows], [r.symbol for r in rows], [unit_text(r.unit) for r in rows],
@@ -289,8 +285,7 @@ def _interior(first: ResultFolder, second: ResultFolder, shared: Shared) -> tupl
             [s[0][1] for s in shown], [s[1][0] for s in shown], [s[1][1] for s in shown], difference,
             cells([r.ratio for r in rows], 2),
         ),
-        note=f"{shared.words} Parameters of one camera "
-        "are correlated: single differences of some sigmas may cancel in the image.",
+        note=Text.of(shared.meaning, note("report_compare.correlated")),
         rest="result.json",
         marked=[k for k, r in enumerate(rows) if abs(r.ratio) > LIMIT],
     )  # fmt: skip
@@ -305,39 +300,39 @@ def _least(std: tuple[float, float]) -> float:
 def _points(
     first: ResultFolder, common: Common, differences: Sequence[PointDifferences], shared: Shared
 ) -> tuple[Part, ...]:
-    parts: list[Part] = [Paragraph(text=f"{counted(len(common.ids), 'point')} in common.")]
-    for words, ids in (("first", common.only_first), ("second", common.only_second)):
+    parts: list[Part] = [Paragraph(text=phrase("report_compare.common_points", n=len(common.ids)))]
+    for which, ids in (("first", common.only_first), ("second", common.only_second)):
         if ids:
-            parts.append(Paragraph(text=f"Only in the {words}: {listed(ids, 20)}.", note=True))
+            parts.append(Paragraph(text=phrase("report_compare.only_in", which=which, names=list(ids)), note=True))
     if common.namesakes:
-        words = (
-            f"{counted(len(common.namesakes), 'point')} with the same automatic name ({listed(common.namesakes, 3)}) "
-            "were measured at other places of the photographs: the name is a running number, they are not compared."
-        )
+        words = phrase("report_compare.namesakes", n=len(common.namesakes), names=list(common.namesakes))
         parts.append(Paragraph(text=words, note=True))
     for d in differences:
         parts += _point_parts(first, d, shared)
     if len(differences) > 1:
-        words = "Results with a datum of their own (free networks) can only be compared after the similarity."
-        parts.append(Paragraph(text=words, note=True))
+        parts.append(Paragraph(text=phrase("report_compare.free_datum"), note=True))
     if not any(d.fit for d in differences):
-        parts.append(Paragraph(text="There are too few common points for a similarity.", note=True))
+        parts.append(Paragraph(text=phrase("report_compare.too_few_points"), note=True))
     return tuple(parts)
 
 
 def _point_parts(first: ResultFolder, d: PointDifferences, shared: Shared) -> list[Part]:
     factor, unit = _small(first)
-    title = "As they stand" if d.fit is None else "After a similarity of the second onto the first"
-    parts: list[Part] = [Heading(text=title)]
+    parts: list[Part] = [Heading(text=phrase("report_compare.transformed", fitted=d.fit is not None))]
     if d.fit is not None:
-        parts.append(Paragraph(text=basis_words(len(d.ids), "common point")))
+        parts.append(Paragraph(text=basis_words(len(d.ids), centres=False)))
         turn = math.degrees(math.acos(min(1.0, max(-1.0, (float(np.trace(d.fit.rotation)) - 1) / 2))))
         length = "units" if first.block.free_scale else first.block.length_unit
-        shift = ", ".join(significant(float(t), 5) for t in d.fit.translation)
         parts.append(
             Paragraph(
-                text=f"Scale 1 {'+' if d.fit.scale >= 1 else '−'} {significant(abs(d.fit.scale - 1), 3)}, rotation "
-                f"{significant(turn)}°, translation ({shift}) {length}."
+                text=phrase(
+                    "report_compare.transformation",
+                    larger=d.fit.scale >= 1,
+                    scale=abs(d.fit.scale - 1),
+                    rotation_deg=turn,
+                    translation=d.fit.translation.tolist(),
+                    unit=length,
+                )
             )
         )
     values, std = d.difference * factor, d.std * factor
@@ -356,16 +351,18 @@ def _point_parts(first: ResultFolder, d: PointDifferences, shared: Shared) -> li
     parts.append(
         table(
             (
-                text("coordinate"),
-                number("mean", unit),
+                text(phrase("label.coordinate")),
+                number(phrase("label.mean"), unit),
                 number("rms", unit),
-                number("largest", unit),
-                number("rms of d / sigma"),
+                number(phrase("label.largest"), unit),
+                number(phrase("report_compare.rms_ratio")),
             ),
             zip(*rows, strict=True),
         )
     )
-    parts.append(Folded(summary="The largest differences", parts=(_largest(d, values, std, unit, shared),)))
+    parts.append(
+        Folded(summary=phrase("report_compare.largest_differences"), parts=(_largest(d, values, std, unit, shared),))
+    )
     return parts
 
 
@@ -374,9 +371,9 @@ def _largest(d: PointDifferences, values: Array, std: Array, unit: str, shared: 
     decimals = column_decimals(std)
     return table(
         (
-            text("point"),
+            text(phrase("label.point")),
             *(number(f"d{axis}", unit) for axis in "XYZ"),
-            *(number(f"{'sigma' if shared.part else 'combined sigma'} {axis}", unit) for axis in "XYZ"),
+            *(number(phrase("report_compare.sigma_of", part=bool(shared.part), axis=axis), unit) for axis in "XYZ"),
         ),
         (
             pick(order, d.ids),
@@ -389,10 +386,10 @@ def _largest(d: PointDifferences, values: Array, std: Array, unit: str, shared: 
 def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[PointDifferences]) -> tuple[Part, ...]:
     """Projection centres and rotations, the second in the frame of the first where there is a similarity."""
     common = common_rows(first.images.text["image"], second.images.text["image"])
-    parts: list[Part] = [Paragraph(text=f"{counted(len(common.ids), 'image')} in common.")]
-    for words, ids in (("first", common.only_first), ("second", common.only_second)):
+    parts: list[Part] = [Paragraph(text=phrase("report_compare.common_images", n=len(common.ids)))]
+    for which, ids in (("first", common.only_first), ("second", common.only_second)):
         if ids:
-            parts.append(Paragraph(text=f"Only in the {words}: {listed(ids, 20)}.", note=True))
+            parts.append(Paragraph(text=phrase("report_compare.only_in", which=which, names=list(ids)), note=True))
     if not len(common.ids):
         return tuple(parts)
     fit = differences[0].fit if differences else None
@@ -405,23 +402,23 @@ def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[Poi
         fit = _by_centres(centre, other)
     own = _by_centres(centre, other)
     good = _known_in_both(centre, other)
-    both = _second_opinion(first, own, centre, other, good) if by_points and own is not None else ""
+    both = [_second_opinion(first, own, centre, other, good)] if by_points and own is not None else []
     if fit is not None:
         other, S = fit.points(other), fit.rotations(S)
         if not by_points:
-            parts.append(Paragraph(text=basis_words(good, "common projection centre")))
+            parts.append(Paragraph(text=basis_words(good, centres=True)))
     factor, unit = _small(first)
     shift = np.linalg.norm(other - centre, axis=1) * factor
     turn = np.degrees(2 * np.arcsin(np.clip(np.linalg.norm(S - R, axis=(1, 2)) / math.sqrt(8), 0, 1)))
-    of = "points" if by_points else "projection centres themselves"
-    frame = f"in the frame of the first, after the similarity of the {of}" if fit is not None else "as they stand"
-    summary = (
-        f"Projection centres differ by {significant(rms(shift))} {unit} rms (length of the difference), rotations by "
-        f"{significant(rms(turn))}°, {frame}."
-    )
+    by = "none" if fit is None else "points" if by_points else "centres"
+    summary = phrase("report_compare.centres", rms=rms(shift), unit=unit, rotation_deg=rms(turn), by=by)
     order = np.argsort(-np.nan_to_num(shift), kind="stable")
     body = table(
-        (text("image"), number("projection centre", unit), number("rotation", "°")),
+        (
+            text(phrase("label.image")),
+            number(phrase("report_compare.projection_centre"), unit),
+            number(phrase("report_compare.rotation"), "°"),
+        ),
         (
             pick(order, common.ids),
             [significant(float(v)) for v in shift[order]],
@@ -429,18 +426,16 @@ def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[Poi
         ),
         rest="images.csv",
     )
-    told = [Paragraph(text=words) for words in (summary, both) if words]
-    return (*parts, *told, Folded(summary="All images, the largest difference first", parts=(body,)))
+    told = [Paragraph(text=words) for words in (summary, *both)]
+    return (*parts, *told, Folded(summary=phrase("report_compare.all_images"), parts=(body,)))
 
 
-def _second_opinion(first: ResultFolder, fit: Similarity, centre: Array, other: Array, good: int) -> str:
+def _second_opinion(first: ResultFolder, fit: Similarity, centre: Array, other: Array, good: int) -> Text:
     """What projection centres differ by after a similarity of their own: a basis apart from the points'."""
     factor, unit = _small(first)
     left = np.linalg.norm(fit.points(other) - centre, axis=1) * factor
-    return (
-        f"After a similarity of their own instead of the points' they differ by {significant(rms(left))} {unit} rms. "
-        f"{basis_words(good, 'common projection centre')}"
-    )
+    own = phrase("report_compare.own_transformation", rms=rms(left), unit=unit)
+    return joined_texts(own, basis_words(good, centres=True))
 
 
 def _by_centres(centre: Array, other: Array) -> Similarity | None:
@@ -465,14 +460,20 @@ def _warnings(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
         ]
         for r in (first, second)
     )
-    rows = [("both" if w in b else "first", *w) for w in a] + [("second", *w) for w in b if w not in a]
+    both, one, two = (phrase(code) for code in ("report_compare.both", "report_compare.first", "report_compare.second"))
+    rows = [(both if w in b else one, *w) for w in a] + [(two, *w) for w in b if w not in a]
     order = [s.value for s in Severity]
     rows.sort(key=lambda row: order.index(row[1]) if row[1] in order else len(order))
     if not rows:
-        return (Paragraph(text="Neither result has a warning."),)
+        return (Paragraph(text=phrase("report_compare.no_warning")),)
     return (
         table(
-            (text("result"), text("severity"), text("code"), text("message")),
+            (
+                text(phrase("label.result")),
+                text(phrase("report_compare.severity")),
+                text(phrase("report_compare.code")),
+                text(phrase("report_compare.message")),
+            ),
             zip(*rows, strict=True),
             most=300,
             rest="result.json",

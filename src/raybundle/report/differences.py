@@ -9,14 +9,13 @@ from typing import Any, cast
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, note
 from raybundle.io.tables import Table as Csv
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.transform import Similarity, similarity
 from raybundle.report.common_points import Common
 from raybundle.report.parts import pick
 from raybundle.report.shared import Shared
-from raybundle.report.text.numbers import counted, fixed, grouped, listed
 from raybundle.results.folder import ResultFolder
 
 SMALL_BASIS = 22
@@ -97,54 +96,43 @@ def compared(
         return None
 
 
-def basis_words(count: int, what: str) -> str:
+def basis_words(count: int, *, centres: bool) -> Text:
     """What a similarity rests on, with a caution where that is little.
 
-    count  points, or projection centres, with three coordinates each
-    what   their name, singular
+    count    points, or projection centres, with three coordinates each
+    centres  whether they are projection centres
     """
     r = 3 * count - PARAMETERS
-    words = (
-        f"The similarity rests on {counted(count, what)}: {grouped(3 * count)} coordinates, redundancy {grouped(r)}."
-    )
-    if r >= SMALL_BASIS:
-        return words
-    unsure = f"The rms of the differences is uncertain by {fixed(100 / math.sqrt(2 * r), 0)} % and"
-    taken = f"{fixed(100 * PARAMETERS / (3 * count), 0)} % of their square sum is expected to go into the similarity"
-    return f"{words} Caution: that is little. {unsure} {taken}: small differences prove little here."
+    found = [note("report_compare.basis", n=count, centres=centres, coordinates=3 * count, redundancy=r)]
+    if r < SMALL_BASIS:
+        unsure, absorbed = 100 / math.sqrt(2 * r) if r > 0 else math.inf, 100 * PARAMETERS / (3 * count)
+        found.append(note("report_compare.small_basis", uncertainty_percent=unsure, absorbed_percent=absorbed))
+    return Text.of(*found)
 
 
-def taken_otherwise(first: ResultFolder, second: ResultFolder) -> str:
-    """One sentence: what of the same observations the two took otherwise, by which estimates and sigmas move.
+def taken_otherwise(first: ResultFolder, second: ResultFolder) -> Text:
+    """What of the same observations the two took otherwise, by which estimates and sigmas move.
 
     Image observations are the same where image and place are, to a hundredth of a pixel.
     """
-    parts: list[str] = []
     a, b = _taken(first), _taken(second)
     common = a.keys() & b.keys()
     only = sum(not a[k] and b[k] for k in common), sum(a[k] and not b[k] for k in common)
     if not common:
-        parts.append("no image observation is common to both")
+        found = [note("report_compare.no_common_observation")]
     elif any(only):
-        parts.append(
-            f"of {counted(len(common), 'common image observation')} {grouped(only[0])} are rejected in the first and "
-            f"take part in the second, {grouped(only[1])} the other way round"
-        )
+        found = [note("report_compare.rejected_otherwise", n=len(common), first=only[0], second=only[1])]
     else:
-        parts.append(f"the same of {counted(len(common), 'common image observation')} take part in both")
+        found = [note("report_compare.rejected_alike", n=len(common))]
     kinds = [str(cast("Mapping[str, Any]", r.result.get("noise") or {}).get("kind", "white")) for r in (first, second)]
-    same = f"the noise model is {kinds[0]} in both"
-    parts.append(
-        same if kinds[0] == kinds[1] else f"the noise model is {kinds[0]} in the first, {kinds[1]} in the second"
-    )
+    found.append(note("report_compare.noise_models", same=kinds[0] == kinds[1], first=kinds[0], second=kinds[1]))
     free = [_free(r) for r in (first, second)]
-    for words, names in (("first", free[0] - free[1]), ("second", free[1] - free[0])):
+    for which, names in (("first", free[0] - free[1]), ("second", free[1] - free[0])):
         if names:
-            parts.append(f"free in the {words} only: {listed(sorted(names))}")
+            found.append(note("report_compare.free_in", which=which, names=sorted(names)))
     if free[0] == free[1]:
-        parts.append("the same parameters of cameras are free")
-    sentence = "; ".join(parts)
-    return f"{sentence[0].upper()}{sentence[1:]}."
+        found.append(note("report_compare.free_alike"))
+    return Text.of(*found)
 
 
 def _taken(folder: ResultFolder) -> dict[tuple[str, int, int], bool]:

@@ -12,7 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.calibration.quality import CalibrationQuality
-from raybundle.errors import joined_texts
+from raybundle.errors import joined_texts, phrase
 from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.arrangement import Division, Measure, PartName, arranged, undivided
@@ -23,7 +23,7 @@ from raybundle.report.languages import ENGLISH
 from raybundle.report.languages.language import Language, language_of
 from raybundle.report.languages.names import names_of
 from raybundle.report.languages.setting import section_in
-from raybundle.report.parts import Section
+from raybundle.report.parts import Section, Table
 from raybundle.report.sections.calibration import headline
 from raybundle.report.text.front_words import grade_of, not_kept, title_of
 from raybundle.report.text.metrology_words import length_of
@@ -69,6 +69,16 @@ class Document:
         return arranged(self.made, measure, self.language.text)
 
     @property
+    def contents(self) -> str:
+        """Heading of its list of sections."""
+        return self.language.text(phrase("report_page.contents"))
+
+    def name_of(self, table: Table) -> str:
+        """A name of a table for those who do not see it."""
+        columns = [c.label for c in table.columns if c.label]
+        return table.caption or self.language.text(phrase("report_page.table", columns=columns))
+
+    @property
     def when(self) -> str:
         """When it was written, in words."""
         return self.language.moment(self.written)
@@ -76,8 +86,14 @@ class Document:
 
 def page(*, title: str, subtitle: str, headline: str, grade: str, sections: tuple[Section, ...]) -> str:
     """A whole HTML page of one part, with a table of contents."""
-    made: tuple[tuple[PartName, Section], ...] = tuple(("specialist", s) for s in sections)
-    return html(Document(title=title, subtitle=subtitle, headline=headline, grade=grade, made=made, divided=False))
+    say = Language()
+    made: tuple[tuple[PartName, Section], ...] = tuple(("specialist", section_in(s, say)) for s in sections)
+    return html(
+        Document(
+            title=say.text(title), subtitle=say.text(subtitle), headline=say.text(headline), grade=grade, made=made,
+            divided=False,
+        )
+    )  # fmt: skip
 
 
 def html(document: Document) -> str:

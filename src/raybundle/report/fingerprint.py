@@ -12,6 +12,7 @@ from importlib.metadata import PackageNotFoundError, version
 import numpy as np
 
 from raybundle.block import Block, Camera
+from raybundle.errors import phrase
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.observations import tables
@@ -72,9 +73,9 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
             (name, len(table), fingerprint(*(v for f, _ in table.cells() if (v := getattr(table, f)) is not None)))
         )
     if block.instruments:
-        rows.append(("antennas and IMUs", len(block.instruments), fingerprint(instruments)))
+        rows.append(("instruments", len(block.instruments), fingerprint(instruments)))
     if i.station is not None:
-        rows.append(("rig stations", len(i), fingerprint(i.station)))
+        rows.append(("rig_stations", len(i), fingerprint(i.station)))
     return [(name, grouped(count), print_) for name, count, print_ in rows]
 
 
@@ -93,11 +94,11 @@ def versions() -> dict[str, str]:
         try:
             return version(package)
         except PackageNotFoundError:
-            return "not installed"
+            return phrase("report_tables.not_installed")
 
     return {
         "raybundle": of("raybundle"),
-        "kernel": "native" if native.available() else "NumPy (no native kernel: slower, same results)",
+        "kernel": phrase("report_tables.kernel", native=native.available()),
         "Python": platform.python_version(),
         "NumPy": of("numpy"),
         "SciPy": of("scipy"),

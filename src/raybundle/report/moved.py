@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.adjustment.severity import Severity
+from raybundle.errors import Text, note, phrase
 from raybundle.io.folders import new_files
 from raybundle.metrology.best_fit import BestFit
 from raybundle.metrology.congruence import POWER, Congruence
@@ -38,10 +39,7 @@ from raybundle.report.parts import (
 from raybundle.report.text.numbers import (
     cells,
     column_decimals,
-    counted,
     grouped,
-    listed,
-    per_cent,
     probability,
     significant,
 )
@@ -65,8 +63,7 @@ class MovedFacts:
 
 def axes_told(file: str, fit: BestFit) -> str:
     """In which axes displacements stand, in words."""
-    by = counted(int(fit.fitted.sum()), "point")
-    return f"the axes of {file}, fitted by {by} with {significant(MM * fit.rms, 2)} mm rms"
+    return phrase("report_moved.axes_fitted", name=file, n=int(fit.fitted.sum()), rms_mm=MM * fit.rms)
 
 
 def write_moved_report(
@@ -88,23 +85,23 @@ def write_moved_report(
 
 def _document(done: Congruence, about: MovedFacts, language: Language) -> Document:
     moved = np.flatnonzero(done.moved)
-    names = [done.ids[k] for k in moved]
-    what = f"{listed(names)} moved" if len(moved) else "No point moved"
-    told = (
-        f"{what}: {len(moved)} of {counted(len(done.ids), 'common point')}, at {per_cent(done.significance)} for any "
-        "false alarm."
-    )
+    of = len(done.ids)
+    head = [
+        note(
+            "report_moved.moved", names=[done.ids[k] for k in moved], n=len(moved), of=of,
+            significance=done.significance,
+        )
+        if len(moved) else note("report_moved.none_moved", of=of, significance=done.significance)
+    ]  # fmt: skip
     doubtful = done.after[1] < done.significance
     wrong = any(n.severity is Severity.FAULT for n in done.told)
     if wrong:
-        told += " But the measurements contradict each other; see below."
+        head.append(note("report_moved.contradiction"))
     if doubtful:
-        told += (
-            " But points that stayed differ by more than their standard deviations say, which would have to be "
-            f"{_factor(done)} times as large (F {significant(done.after[0])}, p {probability(done.after[1])})."
-        )
+        f, p = done.after
+        head.append(note("report_moved.inconsistent", f=f, p=p, factor=float(np.sqrt(f))))
     if about.faults:
-        told += f" But {listed(list(about.faults))}: not to be used yet, by the own report; see below."
+        head.append(note("report_moved.faulty", names=list(about.faults)))
     grave = doubtful or wrong or bool(about.faults)
     made: list[tuple[PartName, Section]] = [
         ("client", section_in(_result(done, about, language), language)),
@@ -112,16 +109,11 @@ def _document(done: Congruence, about: MovedFacts, language: Language) -> Docume
     ]  # fmt: skip
     say = language.text
     return Document(
-        title=about.record.title or say(f"What has moved: {' – '.join(done.epochs)}"),
-        subtitle=say("Congruence test over common points, in the datum of those that stayed"),
-        headline=say(told), grade="attention" if grave else "remarks" if len(moved) else "good",
+        title=about.record.title or say(phrase("report_moved.title", epochs=list(done.epochs))),
+        subtitle=say(phrase("report_moved.subtitle")),
+        headline=say(Text.of(*head)), grade="attention" if grave else "remarks" if len(moved) else "good",
         made=tuple(made), divided=False, language=language,
     )  # fmt: skip
-
-
-def _factor(done: Congruence) -> str:
-    """By how much larger standard deviations would explain the points that stayed: the root of their variance ratio."""
-    return significant(float(np.sqrt(done.after[0])), 3)
 
 
 def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
@@ -132,29 +124,35 @@ def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
     views = displacement_views(done.ids, done.xyz, d, moved, (MM, "mm"), "displacements")
     least = MM * np.quantile(done.detectable[np.isfinite(done.detectable)], [0.5, 1.0])
     facts = (
-        Fact(label="points that moved", value=grouped(int(moved.sum())), remark=f"of {grouped(len(done.ids))}"),
         Fact(
-            label="largest displacement", value=f"{significant(MM * float(largest.max()), 3)} mm",
-            remark=f"point {done.ids[int(largest.max(axis=0).argmax())]}",
+            label=phrase("report_moved.points_moved"), value=grouped(int(moved.sum())),
+            remark=phrase("report_moved.of_points", n=len(done.ids)),
         ),
         Fact(
-            label="found from", value=f"{significant(least[0], 2)} mm",
-            remark=f"with a probability of {per_cent(POWER)}, median; {significant(least[1], 2)} mm at the worst point",
+            label=phrase("report_moved.largest"), value=f"{significant(MM * float(largest.max()), 3)} mm",
+            remark=phrase("report_moved.at_point", name=done.ids[int(largest.max(axis=0).argmax())]),
+        ),
+        Fact(
+            label=phrase("report_moved.detectable"), value=f"{significant(least[0], 2)} mm",
+            remark=phrase("report_moved.power", power=POWER, worst_mm=least[1]),
         ),
     )  # fmt: skip
-    axes = about.axes or f"the axes of {done.epochs[0]}"
+    axes = about.axes or phrase("report_moved.axes_of", name=done.epochs[0])
     faults = [(name, m) for name, messages in about.faults.items() for m in list(messages)[:MOST_FAULTS]]
     stated = [
-        *((n.severity.value, n.text) for n in done.told),
-        *(("fault", Said(f"{name}: {language.text(m)}")) for name, m in faults), ("Client", about.record.client),
-        ("Operator", about.record.operator), ("Measurements", " – ".join(done.epochs)), ("Axes", axes),
+        *((phrase("front.severity", level=n.severity.value), n.text) for n in done.told),
+        *(
+            (phrase("front.severity", level="fault"), Said(f"{name}: {language.text(m)}")) for name, m in faults
+        ),
+        (phrase("front.client"), about.record.client), (phrase("front.operator"), about.record.operator),
+        (phrase("report_moved.measurements"), " – ".join(done.epochs)), (phrase("report_moved.axes"), axes),
     ]  # fmt: skip
     parts: list[Part] = [
         Statements(statements=tuple((word, words) for word, words in stated if words)), Facts(facts=facts),
         Figures(figures=tuple(Figure(drawing=x, caption=c) for x, c in views)),
         *(_points(done, k) for k in range(len(done.displacement))),
     ]  # fmt: skip
-    return Section(anchor="moved", title="Displacements", parts=tuple(parts))
+    return Section(anchor="moved", title=phrase("report_moved.displacements"), parts=tuple(parts))
 
 
 def _points(done: Congruence, k: int) -> Table:
@@ -163,19 +161,20 @@ def _points(done: Congruence, k: int) -> Table:
     d, fine = MM * done.displacement[k], column_decimals(std)
     return table(
         (
-            whole("point"), text("moved"), *(number(f"d{a}", "mm") for a in "XYZ"),
-            *(number(f"sigma d{a}", "mm") for a in "XYZ"), number("length", "mm"), number("p"),
-            number("found from", "mm"),
+            whole(phrase("label.point")), text(phrase("report_moved.column_moved")),
+            *(number(f"d{a}", "mm") for a in "XYZ"),
+            *(number(phrase("label.sigma_of", symbol=f"d{a}"), "mm") for a in "XYZ"),
+            number(phrase("label.length"), "mm"), number("p"), number(phrase("report_moved.detectable"), "mm"),
         ),
         (
-            pick(order, done.ids), ["moved" if done.moved[i] else "" for i in order],
+            pick(order, done.ids), [phrase("label.yes") if done.moved[i] else "" for i in order],
             *(cells(d[order, a].tolist(), fine) for a in range(3)),
             *(cells(std[order, a].tolist(), fine) for a in range(3)),
             cells(np.linalg.norm(d[order], axis=1).tolist(), fine),
             [probability(float(done.p_value[i])) for i in order], cells((MM * done.detectable[order]).tolist(), fine),
         ),
-        caption=f"{done.epochs[k + 1]} against {done.epochs[0]}",
-        note="p: probability of a larger displacement by errors of measurement alone, of this point alone.",
+        caption=phrase("report_moved.difference", epoch=done.epochs[k + 1], first=done.epochs[0]),
+        note=phrase("report_moved.p_meaning"),
         rest="points.csv", marked=[i for i, j in enumerate(order) if done.moved[j]],
     )  # fmt: skip
 
@@ -183,19 +182,15 @@ def _points(done: Congruence, k: int) -> Table:
 def _tests(done: Congruence) -> Section:
     (F0, p0), (F1, p1) = done.before, done.after
     rows = (
-        ("all points, as if none had moved", significant(F0), probability(p0)),
-        ("points that stayed", significant(F1), probability(p1)),
+        (phrase("report_moved.all_points"), significant(F0), probability(p0)),
+        (phrase("report_moved.stable_points"), significant(F1), probability(p1)),
     )
-    body = table((text("global test"), number("F"), number("p")), zip(*rows, strict=True))
-    freedom = f"{grouped(done.freedom)} degrees of freedom." if np.isfinite(done.freedom) else "no uncertainty."
+    body = table((text(phrase("report_moved.global_test")), number("F"), number("p")), zip(*rows, strict=True))
+    known = bool(np.isfinite(done.freedom))
     words = [
-        (
-            f"Points moved where their probability is below {significant(done.limit, 2)} (the significance over the "
-            f"number of points). The variance factor has {freedom}"
-        ),
-        "Epochs may differ in scale: lengths are those of the first." if done.scale else "The scale of each epoch is "
-        "the one that it measured.",
-        "What the test does not tell: a motion that all points share, and one below what can be found.",
+        phrase("report_moved.limit", limit=done.limit),
+        phrase("report_moved.freedom", known=known, n=done.freedom if known else 0.0),
+        phrase("report_moved.scale", free=done.scale), phrase("report_moved.limits"),
     ]  # fmt: skip
     parts: list[Part] = [body, *(Paragraph(text=w, note=True) for w in words)]
-    return Section(anchor="tests", title="Tests", parts=tuple(parts))
+    return Section(anchor="tests", title=phrase("report_moved.tests"), parts=tuple(parts))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from base64 import b64encode
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from importlib.resources import files
 from pathlib import Path
@@ -15,23 +16,22 @@ from markupsafe import Markup
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Role
+from raybundle.errors import Text, note, phrase
 from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.document import environment
 from raybundle.report.figures.svg import spread_rows
 from raybundle.report.languages import ENGLISH
-from raybundle.report.languages.language import language_of
+from raybundle.report.languages.language import Language, language_of
 from raybundle.report.network_detail import Detail, detail_of, shown_images
 from raybundle.report.network_shape import frusta
 from raybundle.report.sigma_classes import sigma_classes
-from raybundle.report.text.numbers import counted, grouped, plain
 from raybundle.report.text.words import datum_words
 from raybundle.report.view import FREE_UNIT, View, view_of, with_near_viewpoints
 from raybundle.surfaces.summary import CloudSample
 
 MOST_ELLIPSOIDS = 2_000
 """Error ellipsoids that a page holds; those of control and check points before others."""
-ALL = "all of them stand in the table of points"
 FAR = 4.0
 """Points farther from the middle than so many times what half of them lie within do not widen the first view: of evenly
 spread points on a line none is farther than twice, on a disc or in a ball less"""
@@ -58,13 +58,27 @@ class Planned:
     """Standard deviation of a coordinate that was wanted, and of what, as "worst point"; None: none was"""
 
 
-SAID = (
-    "tie points", "control points", "check points", "2 rays or fewer", "3 rays", "4 to 5", "6 to 9", "10 and more",
-    "image",
-    "tie point", "control point", "check point", "sigma", "rays", "Click a point or an image to see its rays.",
-    "This browser shows no 3D graphics (WebGL is switched off). The report and the PLY file hold the same network.",
+OF_PAGE = (
+    "network_page.colour_of_points", "network_page.number_of_rays", "network_page.standard_deviation",
+    "network_page.role", "network_page.sigma_of_object", "network_page.colour_of_dense_points",
+    "network_page.own_colour", "network_page.source_photograph", "network_page.show", "network_page.dense_points",
+    "network_page.object_points", "network_page.known_points", "network_page.images", "network_page.proposals",
+    "network_page.object", "network_page.scale_bars", "network_page.ellipsoids", "network_page.enlarged",
+    "network_page.first_view", "network_page.mouse", "network_page.click",
 )  # fmt: skip
-"""What the page's script says by itself"""
+"""Texts of the page's template"""
+OF_SCRIPT = (
+    "network_page.tie_points", "network_page.control_points", "network_page.check_points", "network_page.tie_point",
+    "network_page.control_point", "network_page.check_point", "network_page.rays_2", "network_page.rays_3",
+    "network_page.rays_4", "network_page.rays_6", "network_page.rays_10", "network_page.image", "network_page.sigma",
+    "network_page.rays", "network_page.click", "network_page.no_graphics",
+)  # fmt: skip
+"""Texts of the page's script"""
+
+
+def texts_of(codes: Iterable[str], language: Language) -> dict[str, str]:
+    """Texts in a language, by what is behind the dot of their codes."""
+    return {code.partition(".")[2]: language.text(phrase(code)) for code in codes}
 
 
 def write_network_page(
@@ -93,17 +107,18 @@ def write_network_page(
     if cloud is not None and len(cloud.xyz):
         contents |= _of_cloud(contents, cloud, view)
     say = language_of(language, [title, *view.given.points.ids, *view.given.images.ids, view.given.name])
-    words: list[str] = contents.pop("remarks")
-    contents |= {"words": {w: say.text(w) for w in SAID}, "decimal": say.text("0.5")[1]}
+    remarks: list[Text] = contents.pop("remarks")
+    contents |= {"words": texts_of(OF_SCRIPT, say), "decimal": say.text(phrase("network_page.decimal"))}
     for classes in filter(None, contents["classes"].values()):
-        classes["legend"] = [(colour, say.text(told)) for colour, told in classes["legend"]]
+        classes["legend"] = [(colour, say.text(words)) for colour, words in classes["legend"]]
     html = (
         environment()
         .get_template("network.html.j2")
         .render(
             title=title or say.text(title_of(view.given.name, planned)),
-            remarks=[say.text(w) for w in words],
-            language=say,
+            remarks=[say.text(w) for w in remarks],
+            language=say.code,
+            words=texts_of(OF_PAGE, say),
             data=Markup(_json(contents)),  # noqa: S704  (what could end the element is escaped by _json)
             program=Markup(_program()),  # noqa: S704  (our own script, built from web/network)
         )
@@ -114,7 +129,9 @@ def write_network_page(
 
 def title_of(name: str, planned: Planned | None) -> str:
     """What the page is called."""
-    return f"{name[:1].upper()}{name[1:]}" if planned is not None and name else f"Network of {name}"
+    if planned is not None and name:
+        return f"{name[:1].upper()}{name[1:]}"
+    return phrase("network_page.title", name=name)
 
 
 def _program() -> str:
@@ -221,7 +238,7 @@ def _of_plan(contents: dict[str, Any], planned: Planned, view: View) -> dict[str
         "surface": surface if len(planned.corners) else None,
         "classes": {
             "points": _classes(sigma, view.unit, wanted),
-            "surface": _classes(view.factor * planned.sigma, view.unit, wanted, "seen by less than two images"),
+            "surface": _classes(view.factor * planned.sigma, view.unit, wanted, phrase("network_page.unseen")),
         },
     }
 
@@ -231,11 +248,9 @@ def _of_cloud(contents: dict[str, Any], cloud: CloudSample, view: View) -> dict[
     low = cloud.xyz.min(axis=0)
     step = max(float(np.ptp(cloud.xyz, axis=0).max()) / 65535, 1e-300)
     sigma = view.factor * cloud.sigma
-    shown = f"{counted(len(cloud.xyz), 'dense point')} {'is' if len(cloud.xyz) == 1 else 'are'} shown"
-    if cloud.cell:
-        shown += f", one of each cell of {plain(cloud.cell, 2)} {view.length_unit}"
+    shown = phrase("network_page.dense_shown", n=len(cloud.xyz), cell=cloud.cell, unit=view.length_unit)
     return {
-        "remarks": [f"{shown}. Standard deviations of dense points are those along the ray.", *contents["remarks"]],
+        "remarks": [shown, *contents["remarks"]],
         "cloud": {
             "low": (low - np.array(contents["origin"])).tolist(), "step": step,
             "xyz": _packed(np.round((cloud.xyz - low) / step), "<u2"), "rgb": _packed(cloud.colour, "u1"),
@@ -245,13 +260,12 @@ def _of_cloud(contents: dict[str, Any], cloud: CloudSample, view: View) -> dict[
     }  # fmt: skip
 
 
-def _wanted_words(planned: Planned, view: View) -> list[str]:
+def _wanted_words(planned: Planned, view: View) -> list[Text]:
     """What was wanted, and what the colours say of it."""
     if planned.wanted is None:
         return []
     length, what = planned.wanted
-    words = f"Wanted: a coordinate to {plain(view.factor * length, 3)} {view.unit} ({what})."
-    return [f"{words} Red is what would be worse; a step of the colours is what twice as many photographs bring."]
+    return [phrase("network_page.wanted", sigma=view.factor * length, unit=view.unit, what=what)]
 
 
 def shown_points(view: View) -> Index:
@@ -351,30 +365,29 @@ def _bars(view: View, points: Index) -> Array:
     return ends[(ends >= 0).all(axis=1)]
 
 
-def _remarks(view: View, detail: Detail, images: Index, ellipsoids: int) -> list[str]:
+def _remarks(view: View, detail: Detail, images: Index, ellipsoids: int) -> list[Text]:
     """What the page holds and leaves out, in sentences."""
     known = int(((view.rays > 0) & np.isfinite(view.adjusted.points.xyz).all(axis=1)).sum())
     taken = len(np.unique(view.given.observations.image[view.used]))
-
-    def part(shown: int, total: int, noun: str) -> str:
-        return counted(total, noun) if shown == total else f"{grouped(shown)} of {counted(total, noun)}"
-
-    words = [f"{part(len(detail.points), known, 'object point')}, {part(len(images), taken, 'image')}."]
-    if detail.cell:
-        worst = f", and the {grouped(detail.worst)} with the largest standard deviations" if detail.worst else ""
-        cell = f"{plain(detail.cell, 3)} {view.length_unit}".strip()
-        words.append(f"Of tie points one is shown from each cell of {cell} that holds any{worst}; {ALL}.")
-    if len(images) < taken:
-        words.append("Images are evenly chosen.")
-    if ellipsoids:
-        words.append(
-            f"Error ellipsoids (1 sigma; a point lies within with 20 %) of {counted(ellipsoids, 'point')}, enlarged."
+    shown, drawn = len(detail.points), len(images)
+    words = [
+        phrase(
+            "network_page.contents", points=shown, of_points=known, all_points=shown == known, images=drawn,
+            of_images=taken, all_images=drawn == taken,
         )
+    ]  # fmt: skip
+    if detail.cell:
+        found = [note("network_page.one_per_cell", cell=detail.cell, unit=view.length_unit)]
+        if detail.worst:
+            found.append(note("network_page.worst_points", n=detail.worst))
+        words.append(Text.of(*found, note("network_page.all_in_table")))
+    if drawn < taken:
+        words.append(phrase("network_page.images_chosen"))
+    if ellipsoids:
+        words.append(phrase("network_page.ellipsoids_of", n=ellipsoids))
     elif view.adjustment.precision is None:
-        words.append("Standard deviations were not computed (statistics are off).")
+        words.append(phrase("network_page.no_statistics"))
     words.append(datum_words(view))
     if view.arbitrary_scale:
-        words.append("The scale is arbitrary: lengths have no absolute unit.")
-    if not known:
-        words.append("No object point has coordinates: there is nothing to show.")
+        words.append(phrase("network_page.arbitrary_scale"))
     return words

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures.labels import Placed, placed_labels
 
@@ -70,7 +70,7 @@ def list_pdf(listed: PhotographList) -> bytes:
     _sketches(sheet, listed)
     sheet.gap()
     if listed.rules:
-        sheet.heading("To heed", size=11)
+        sheet.heading(phrase("photograph_list.rules"), size=11)
     for rule in listed.rules:
         sheet.text(rule, bullet=True)
     group = ""
@@ -147,7 +147,7 @@ class _Paper:
 
     def photograph(self, p: ListedPhotograph) -> None:
         told = [(p.see, FONT, 9, 0.1), (p.how, FONT, 8, 0.4)]
-        told += [(f"taken: {p.ticked}", "Helvetica-Oblique", 8, 0.1)] if p.ticked else []
+        told += [(phrase("photograph_list.taken", name=p.ticked), "Helvetica-Oblique", 8, 0.1)] if p.ticked else []
         lines = [
             (line, font, size, grey)
             for words, font, size, grey in told
@@ -205,7 +205,7 @@ class Sketch:
     labels: Placed
 
 
-VIEWS = ((0, 1, "from above (Y up)"), (0, 2, "from the front (Z up)"))
+VIEWS = ((0, 1, "above"), (0, 2, "front"))
 
 
 def sketches(listed: PhotographList, top: float) -> tuple[Sketch, ...]:
@@ -217,7 +217,7 @@ def sketches(listed: PhotographList, top: float) -> tuple[Sketch, ...]:
     low, high = every.min(axis=0), every.max(axis=0)
     sizes = np.array([(stringWidth(p.number, FONT, LABEL), 0.72 * LABEL) for p in listed.photographs])
     wide, found = (WIDTH - 2 * MARGIN - GAP) / 2, list[Sketch]()
-    for k, (a, b, words) in enumerate(VIEWS):
+    for k, (a, b, view) in enumerate(VIEWS):
         left, axes = MARGIN + k * (wide + GAP), [a, b]
         room = np.array([wide - 24, TALL - 36])
         scale = float((room / np.maximum((high - low)[axes], 1e-9)).min())
@@ -237,7 +237,8 @@ def sketches(listed: PhotographList, top: float) -> tuple[Sketch, ...]:
         area = np.array([[left, top - TALL], [left + wide, top - HEAD + 4]])
         found.append(
             Sketch(
-                words=f"{words}, 1 : {72 / 0.0254 / scale:.0f}", place=place, dots=dots, ticks=ticks,
+                words=phrase("photograph_list.view", view=view, scale=round(72 / 0.0254 / scale)),
+                place=place, dots=dots, ticks=ticks,
                 labels=placed_labels(dots, DOT, sizes, np.where(long > DOT, -way, [0.0, 1.0]), ticks, area, before),
             )
         )  # fmt: skip
@@ -253,9 +254,8 @@ def _sketches(sheet: _Paper, listed: PhotographList) -> None:
         c.setFont(FONT, 8)
         c.setFillGray(0.3)
         left_out = len(sketch.dots) - int(sketch.labels.fits.sum())
-        c.drawString(
-            left, top - 9, sketch.words + (f"; {left_out} more are in the other sketch" if left_out and k else "")
-        )
+        more = [phrase("photograph_list.in_other_sketch", n=left_out)] if left_out and k else []
+        c.drawString(left, top - 9, "; ".join([sketch.words, *more]))
         c.setStrokeGray(0.55)
         c.setLineWidth(0.6)
         for a, b in listed.edges[:MOST_EDGES]:

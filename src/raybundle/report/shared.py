@@ -15,9 +15,9 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
+from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.sameness import all_same
-from raybundle.report.text.numbers import grouped, significant
 from raybundle.results.folder import ResultFolder
 
 UNCERTAIN = 1.1
@@ -42,8 +42,8 @@ class Shared:
     """which of the two rests on a part of the other's observations; "": neither does"""
     sigma0: tuple[float, float] = (1.0, 1.0)
     """noise factors that the standard deviations carry"""
-    noise: str = ""
-    """sentence on noise models that differ"""
+    noise: tuple[Message, ...] = ()
+    """on noise models that differ"""
     same: bool = False
     """whether all tables of the two are the same to the last bit"""
 
@@ -57,16 +57,9 @@ class Shared:
         return not self.same and not self.part and sum(self.used) > UNCERTAIN**2 * alone
 
     @property
-    def of(self) -> str:
-        """Standard deviations of what, for a headline."""
-        return "standard deviations of a difference" if self.part else "combined standard deviations"
-
-    @property
-    def words(self) -> str:
+    def meaning(self) -> Message:
         """What the standard deviations of the tables are."""
-        if self.part:
-            return "Sigma of a difference: root of the difference of both variances, those of a part and of the whole."
-        return "Combined: root of the sum of both variances, as if the two were independent."
+        return note("report_compare.sigma_meaning", part=bool(self.part))
 
     def std(self, first: Array, second: Array) -> Array:
         """Standard deviations of differences, from those of both; NaN where nothing is to be expected or is known."""
@@ -81,26 +74,21 @@ class Shared:
         return np.sqrt(np.where(more > TOLD * parts[1 - whole], more, np.nan))
 
     @property
-    def sentences(self) -> tuple[str, ...]:
-        """What the head of the page says of it."""
+    def sentences(self) -> tuple[Text, ...]:
+        """What the head of the page has of it."""
         if self.same:
-            return ("The two are the same to the last bit: nothing differs.",)
-        told: list[str] = []
-        share = (
-            f"The two share {grouped(self.common)} of {grouped(self.used[0])} and {grouped(self.used[1])} image "
-            "observations"
-        )
+            return (phrase("report_compare.same"),)
+        found: list[Text] = []
+        first, second = self.used
         if self.part:
-            told.append(
-                f"{share}, so that their errors are not independent: the observations of the {self.part} are part of "
-                "the other's, and differences are held against the root of the difference of both variances"
+            found.append(
+                phrase(
+                    "report_compare.part_of_other", n=self.common, used_first=first, used_second=second, part=self.part
+                )
             )
         elif self.too_large:
-            told.append(
-                f"{share}, so that their errors are not independent: combined standard deviations, the root of the sum "
-                "of both variances, are too large, and real differences need not stand out"
-            )
-        return tuple(f"{t}." for t in (*told, *([self.noise] if self.noise else [])))
+            found.append(phrase("report_compare.not_independent", n=self.common, used_first=first, used_second=second))
+        return (*found, *([Text.of(*self.noise)] if self.noise else []))
 
 
 def shared_of(first: ResultFolder, second: ResultFolder) -> Shared:
@@ -123,7 +111,7 @@ def shared_of(first: ResultFolder, second: ResultFolder) -> Shared:
         elif alone[1] <= ALONE * alone[0] and free[1] >= free[0] and (any(alone) or free[0] != free[1]):
             part = "second"
     s = [float(r.result.get("sigma0") or math.nan) for r in (first, second)]
-    noise = _noise_words(first, second)
+    noise = _noise_notes(first, second)
     named = first.block.points.ids == second.block.points.ids
     same = named and not noise and all_same(first.path, second.path)
     return Shared(common=common, used=used, part=part, sigma0=(s[0], s[1]), noise=noise, same=same)
@@ -154,20 +142,16 @@ def _noise(folder: ResultFolder) -> Mapping[str, Any]:
     return cast("Mapping[str, Any]", folder.result.get("noise") or {})
 
 
-def _noise_words(first: ResultFolder, second: ResultFolder) -> str:
-    """What noise models that differ do to standard deviations; "" where they do not."""
+def _noise_notes(first: ResultFolder, second: ResultFolder) -> tuple[Message, ...]:
+    """What noise models that differ do to standard deviations; () where they do not."""
     a, b = (str(_noise(r).get("kind", "white")) for r in (first, second))
     factors = [float(_noise(r).get("ratio_points") or 1.0) for r in (first, second)]
     if a == b and max(factors) <= UNCERTAIN * min(factors):
-        return ""
-    words = (
-        f"standard deviations of points are {significant(factors[0], 3)} times those of white noise in the first, "
-        f"{significant(factors[1], 3)} times in the second"
+        return ()
+    return (
+        note("report_compare.noise_models", same=a == b, first=a, second=b),
+        note("report_compare.noise_ratios", first=factors[0], second=factors[1]),
     )
-    models = (
-        f"The noise model is {a} in the first and {b} in the second" if a != b else f"The noise model is {a} in both"
-    )
-    return f"{models}: {words}, and differ for that reason alone"
 
 
 def _free(folder: ResultFolder) -> frozenset[tuple[str, str]]:

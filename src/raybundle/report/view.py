@@ -11,15 +11,24 @@ from raybundle.adjustment.accuracy import Accuracy
 from raybundle.adjustment.check_points import check_differences, used_rays
 from raybundle.adjustment.result import Adjustment, InteriorResult
 from raybundle.block import Block
+from raybundle.errors import phrase
 from raybundle.metrology.lengths import LengthTest
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.report.figures.distortion import Interior, interior_of
+from raybundle.report.text.numbers import significant
 
 FREE_UNIT = "units"
 """Unit of lengths in print where nothing fixes the scale: neither metres nor millimetres."""
 
 AWAY = 1.0
 """Distance from its ground at which a scene is drawn, in extents of the block."""
+
+
+def in_unit(value: float, unit: str, digits: int = 3) -> str:
+    """A length with its unit, of so many significant digits."""
+    if unit != FREE_UNIT or not math.isfinite(value):
+        return f"{significant(value, digits)} {unit}".strip()
+    return phrase("label.in_free_units", value=float(f"{value:.{digits}g}"))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

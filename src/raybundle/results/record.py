@@ -27,34 +27,34 @@ LONGEST = 10_000
 Part = Literal["delivery", "object", "recording"]
 
 
-def _entry(part: Part, words: str) -> Any:
-    return field(default="", metadata={"part": part, "words": words})
+def _entry(part: Part) -> Any:
+    return field(default="", metadata={"part": part})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Record:
     """The recording sheet, in words as they are printed; empty: not said."""
 
-    title: str = _entry("delivery", "title of the delivery")
-    client: str = _entry("delivery", "whom it is for")
-    operator: str = _entry("recording", "who photographed or adjusted")
-    object: str = _entry("object", "name of what was photographed")
-    place: str = _entry("object", "address, parish, country; where it stands")
-    date: str = _entry("recording", "when it was photographed")
-    instruments: str = _entry("recording", "cameras, lenses, receivers, bars, as the client is to know them")
-    rights: str = _entry("delivery", "licence or owner of the result")
-    reference: str = _entry("object", "numbers in inventories and of the order")
-    kind: str = _entry("object", "what it is and was used for")
-    dating: str = _entry("object", "period, century or years")
-    persons: str = _entry("object", "who made, owned or changed it")
-    materials: str = _entry("object", "materials and techniques")
-    condition: str = _entry("object", "its state")
-    protection: str = _entry("object", "legal status")
-    description: str = _entry("object", "what is to be said beside this")
-    purpose: str = _entry("delivery", "what the recording is made for")
-    conditions: str = _entry("recording", "weather, light and access")
-    control: str = _entry("recording", "how scale, control and vertical were measured")
-    archive: str = _entry("delivery", "who keeps the recording, and where")
+    title: str = _entry("delivery")
+    client: str = _entry("delivery")
+    operator: str = _entry("recording")
+    object: str = _entry("object")
+    place: str = _entry("object")
+    date: str = _entry("recording")
+    instruments: str = _entry("recording")
+    rights: str = _entry("delivery")
+    reference: str = _entry("object")
+    kind: str = _entry("object")
+    dating: str = _entry("object")
+    persons: str = _entry("object")
+    materials: str = _entry("object")
+    condition: str = _entry("object")
+    protection: str = _entry("object")
+    description: str = _entry("object")
+    purpose: str = _entry("delivery")
+    conditions: str = _entry("recording")
+    control: str = _entry("recording")
+    archive: str = _entry("delivery")
 
     def as_mapping(self) -> dict[str, str]:
         """What is said."""
@@ -66,7 +66,6 @@ class Record:
 
 
 NAMES = tuple(f.name for f in fields(Record))
-WORDS: Mapping[str, str] = {f.name: f.metadata["words"] for f in fields(Record)}
 PARTS: Mapping[str, Part] = {f.name: f.metadata["part"] for f in fields(Record)}
 
 

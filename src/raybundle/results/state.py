@@ -3,42 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from raybundle import words
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import SEVERITY, Severity
-from raybundle.errors import InputError, message_of
+from raybundle.errors import InputError, Message, Text, message_of, note, phrase
 from raybundle.io.reading.trees import read_json
-from raybundle.numerics.counting import counted
 
-LONG = 160
-"""Characters of the first fault that are told"""
-RELATIVE = "its heights are relative and tilted: those of the control were not measured"
+RELATIVE = "state.heights_relative"
 """What does not forbid the use of a result."""
+
+
+def relative_heights(state: str) -> bool:
+    """Whether `state_words` states relative heights, here or as a file has it."""
+    return phrase(RELATIVE) in state
 
 
 def state_line(found: str) -> str:
     """What `state_words` gave as a line of a command's output."""
-    return f"{'warning' if found.lower().rstrip('.') == RELATIVE else 'fault'}: {found}"
+    return f"{'warning' if found == phrase(RELATIVE) else 'fault'}: {found}"
 
 
 def state_words(result: Mapping[str, Any]) -> str:
-    """What result.json says against the use of its result; empty where nothing does.
-
-    Faults are matters to settle before it is used; an accuracy that was asked for and is not kept is told as well.
-    """
-    told: list[str] = []
+    """What result.json states against the use of its result, with the first fault; empty where nothing does."""
+    found: list[Message] = []
     if faults := _faults(result):
-        first = " ".join(str(faults[0].get("message", "")).split())
-        first = first if len(first) <= LONG else f"{first[:LONG].rsplit(' ', 1)[0]} ..."
-        told.append(f"not to be used yet, {counted(len(faults), 'matter')} to settle: {first}")
+        text = notice_of(faults[0]).text
+        first = replace(text.message, details=()) if isinstance(text, Text) else note("state.fault_text", text=text)
+        found += [note("state.faults", n=len(faults)), first]
     if lost(result):
-        told.append("the accuracy that was asked for is not kept")
+        found.append(note("state.accuracy_not_kept"))
     if any(n.get("code") == "levelled" for n in notices_in(result)):
-        told.append(RELATIVE)
-    return "; ".join(told)
+        found.append(note("state.heights_relative"))
+    return Text.of(*found) if found else ""
 
 
 def faults_of(folder: Path) -> tuple[str, ...]:

@@ -16,16 +16,14 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
-from raybundle.errors import InputError, message_of_text
+from raybundle.errors import InputError, message_of_text, phrase
 from raybundle.io.photos.masks import Masks, find_masks
 from raybundle.measuring.session import adjusted_again
-from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.choosing import executor_for
 from raybundle.pipeline.project import Project, StageRecord
 from raybundle.pipeline.stage import Run
 from raybundle.pipeline.store import Folder, kind_of
-from raybundle.settings import option
 from raybundle.surfaces.depth_map import LEAST_SWEEP_BYTES, bytes_needed
 from raybundle.workflows.mask_notices import mask_notices
 from raybundle.workflows.photograph_contents import contents_of, other_contents
@@ -166,8 +164,8 @@ def mended_words(keys: Collection[str]) -> tuple[str, ...]:
     kinds = Counter(kind_of(key) for key in keys)
     if not kinds:
         return ()
-    what = ", ".join(f"{n} of {kind}" for kind, n in sorted(kinds.items()))
-    return (f"{counted(len(keys), 'product')} of earlier runs, damaged or gone, made again: {what}",)
+    made = [f"{n} {kind}" for kind, n in sorted(kinds.items())]
+    return (phrase("surface_remark.remade", n=len(keys), kinds=made),)
 
 
 def _nothing(state: SurfaceState, store: Folder, others: str) -> InputError:
@@ -199,8 +197,4 @@ def _beyond(state: SurfaceState, memory: float) -> tuple[str, ...]:
     if most <= memory:
         return ()
     name = state.block.images.ids[largest]
-    what = (
-        f"{option('memory')} allows {memory / 1e9:.2g} GB, and the depth map of {name} "
-        f"alone takes about {most / 1e9:.2g} GB: maps are made one at a time"
-    )
-    return (what,)
+    return (phrase("surface_remark.memory", memory_gb=memory / 1e9, name=name, needed_gb=most / 1e9),)

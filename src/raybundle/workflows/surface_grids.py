@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from raybundle.block import Block
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 from raybundle.workflows.height_grid import HeightGrid, HeightPlane
 from raybundle.workflows.object_plane import Plane
 from raybundle.workflows.rectify import Grid, grid_over, two_digits, usual_pixel, whole_pixels
@@ -74,11 +74,7 @@ def grids_over(
         name = "ortho" if orthophoto is not None else "mesh"
         cell = two_digits(max(POINTS * density * pixel, orthophoto or 0.0))
     elif cell < 0.75 * least:
-        remark = (
-            f"a cell of {cell:g} is less than two distances between points wide ({density} x {pixel:g} each): some "
-            f"have none; {option('dsm', least)} gives most of them one"
-        )
-        told = (*told, remark)
+        told = (*told, phrase("surface_remark.fine_cells", cell=cell, density=density, pixel=pixel, least=least))
     grid_over(area, cell, setting=name)  # as asked for, before it is made whole cells
     grid = grid_over(whole_pixels(area, cell) if extent is None else area, cell, setting=name)
     picture = None

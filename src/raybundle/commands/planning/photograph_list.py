@@ -15,8 +15,7 @@ from raybundle.commands.planning.network import (
     site_of,
     stations_of,
 )
-from raybundle.errors import InputError
-from raybundle.numerics.counting import counted
+from raybundle.errors import InputError, Text, note, phrase
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import METRES, Range, made, setting
 
@@ -105,7 +104,8 @@ def run_plan_list(settings: ListSettings, progress: Progress = silent) -> Networ
     shots = assistants[settings.kind].shots(task_of(settings))
     known = Wanted() if shots.bars is None else Wanted(bars=shots.bars[0], bar_sigma=shots.bars[1])
     plan = plan_network(shots.site, start=shots.stations, as_given=True, least_rays=2, known=known, progress=progress)
-    title = f"{assistants[settings.kind].title} of {_object_words(plan)}"
+    kind = assistants[settings.kind].title
+    title = phrase("photograph_list.title", assistant=kind, name=_object_words(plan))
     printed, listed = printed_list(settings, shots, plan, title)
 
     def more(folder: Path) -> None:
@@ -166,11 +166,16 @@ def printed_list(
 
     surface = plan.site.surface
     listed = photographs_of(shots, plan)
+    target, dot, code, seen = (
+        phrase("photograph_list.table_head", name=c) for c in ("target", "dot", "code", "photographs")
+    )
+    head = (target, "X", "Y", "Z [m]", dot, code, seen)
     printed = PhotographList(
-        title=title, facts=(counted(len(listed), "photograph"), *facts_of(settings, plan)), rules=shots.rules,
+        title=title, facts=(phrase("photograph_list.photographs", n=len(listed)), *facts_of(settings, plan)),
+        rules=shots.rules,
         photographs=listed,
         edges=edges_of(surface.vertices[surface.triangles]),
-        table=(("target", "X", "Y", "Z [m]", "dot [mm]", "code [mm]", "photographs"), *shots.about_targets)
+        table=(head, *shots.about_targets)
         if shots.about_targets else (),
     )  # fmt: skip
     return printed, listed
@@ -211,10 +216,11 @@ def photographs_of(shots: Shots, plan: NetworkPlan) -> tuple[ListedPhotograph, .
         distance = float(np.linalg.norm(to))
         tilt = float(np.degrees(np.arctan2(to[2], np.hypot(to[0], to[1]))))
         x, y, z = s.centre[k]
-        how = (
-            f"stand at X {x:.2f}, Y {y:.2f} m, {z - low[2]:.2f} m high; {distance:.2f} m to what is looked at, "
-            f"{abs(tilt):.0f} deg {'up' if tilt > 0 else 'down'}; {held_words(plan.site.camera, float(s.roll[k]))}"
-        )
+        how = Text.of(
+            note("photograph_list.stand", x=x, y=y, height=z - low[2]),
+            note("photograph_list.aim", distance=distance, tilt_deg=abs(tilt), up=tilt > 0),
+            *held_words(plan.site.camera, float(s.roll[k])).messages,
+        )  # fmt: skip
         found.append(
             ListedPhotograph(
                 number=f"{k + 1:02d}", group=leaf.group, centre=s.centre[k], at=s.at[k], how=how, see=leaf.see
@@ -228,21 +234,29 @@ def facts_of(settings: ListSettings, plan: NetworkPlan) -> list[str]:
     camera = plan.site.camera
     c = camera.sensor.camera_constant(camera.parameters)
     near, far = plan.site.depth
-    focus = "" if settings.focus is None else f", focused to {settings.focus:g} m"
-    sharp = f" to {far:.3g} m" if far < 1e6 else " m on"
-    lines = [
-        f"Camera {camera.width_px} x {camera.height_px} px of {1000 * camera.pixel_mm[0]:.3g} um, c = {c:.4g} mm, "
-        f"f/{settings.f_number:g}{focus}" + (f"; sharp from {near:.3g}{sharp}" if near > 0 else ""),
-        (
-            f"Promised with {plan.site.sigma_px:g} px of image points: standard deviation of a coordinate "
-            f"{1000 * plan.promise.worst:.2g} mm at worst, {1000 * plan.promise.mean:.2g} mm in the mean"
+    found = [
+        note(
+            "photograph_list.camera", width_px=camera.width_px, height_px=camera.height_px,
+            pixel_um=1000 * camera.pixel_mm[0], c_mm=c, f_number=settings.f_number,
+        )
+    ]  # fmt: skip
+    if settings.focus is not None:
+        found.append(note("photograph_list.focus", focus_m=settings.focus))
+    if near > 0:
+        found.append(note("photograph_list.sharp", near_m=near, far_m=far if far < 1e6 else 0.0))
+    promise = plan.promise
+    lines: list[str] = [
+        Text.of(*found),
+        phrase(
+            "photograph_list.promise", sigma_px=plan.site.sigma_px, worst_mm=1000 * promise.worst,
+            mean_mm=1000 * promise.mean,
         ),
-    ]
-    if plan.promise.calibration_px is not None:
-        lines.append(_worth_words(plan, plan.promise.calibration_px))
+    ]  # fmt: skip
+    if promise.calibration_px is not None:
+        lines.append(_worth_words(plan, promise.calibration_px))
     if len(plan.left_out):
         share = len(plan.left_out) / (len(plan.left_out) + len(plan.site.points))
-        lines.append(f"{100 * share:.0f} % of the object is shown by less than two of the photographs (as roof or top)")
+        lines.append(phrase("photograph_list.unseen", share=share))
     return lines
 
 
@@ -250,20 +264,15 @@ def _worth_words(plan: NetworkPlan, sigma_px: float) -> str:
     """What the calibration that comes with the photographs is good for."""
     from raybundle.calibration.quality import GOOD_PX, REACH, SURE, USABLE_PX  # noqa: PLC0415
     from raybundle.planning.worth import calibration_worth  # noqa: PLC0415
-    from raybundle.report.text.numbers import significant  # noqa: PLC0415
 
     w = calibration_worth(plan.site, plan.design.stations, plan.promise.interior)
-    uses = {
-        "good": "Good: it may be held in other work with targets",
-        "usable": f"Usable: it may be held for natural points; for targets {GOOD_PX:g} px are asked for",
-        "weak": (
-            f"Weak: for these photographs alone, a start for others, which estimate the camera again "
-            f"({USABLE_PX:g} px are asked for)"
+    limit = {"good": 0.0, "usable": GOOD_PX}.get(w.grade, USABLE_PX)
+    found = [
+        note(
+            "photograph_list.calibration", sigma_px=sigma_px, likely_px=w.likely_px, sure=SURE, sure_px=w.sure_px
         ),
-    }
-    edge = "" if w.reach >= REACH else f"; image points reach {100 * w.reach:.0f} % of the way to the corners"
-    sigma, likely, sure = (significant(v, 2) for v in (sigma_px, w.likely_px, w.sure_px))
-    return (
-        f"Calibrated with it: image points to {sigma} px at worst over the format (standard deviation); {likely} px "
-        f"of error are to be expected there, {sure} px are kept with {100 * SURE:.0f} %. {uses[w.grade]}{edge}"
-    )
+        note("photograph_list.use", grade=w.grade, limit_px=limit),
+    ]  # fmt: skip
+    if w.reach < REACH:
+        found.append(note("photograph_list.reach", share=w.reach))
+    return Text.of(*found)

@@ -10,7 +10,7 @@ from typing import ClassVar, Literal
 import numpy as np
 
 from raybundle.block import Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.planning.candidates import Stations
 from raybundle.planning.site import Site
@@ -54,7 +54,7 @@ class Task:
         """Roll with which the long side of the format is upright [rad]."""
         return QUARTER - self.landscape
 
-    def held(self, roll: float) -> str:
+    def held(self, roll: float) -> Text:
         """How the camera is held with a roll [rad], in words."""
         return held_words(self.site.camera, roll)
 
@@ -125,20 +125,18 @@ class Assistant(ABC):
         """The photographs; raises InputError where the task cannot be done, with what would help."""
 
 
-def held_words(camera: Camera, roll: float) -> str:
+def held_words(camera: Camera, roll: float) -> Text:
     """How a camera is held that is turned by a roll [rad] against the upright one, as who photographs says it.
 
     Turned anticlockwise, as who looks through it sees the camera, the image of what is up points to the right: a
     positive roll.
     """
     turn = float(np.degrees(np.arctan2(np.sin(roll), np.cos(roll))))
-    way = "anticlockwise" if turn > 0 else "clockwise"
     quarter = round(turn / 90)
     if abs(turn - 90 * quarter) >= 1:
-        return f"camera turned {abs(turn):.0f} deg {way}"
+        return phrase("photograph_list.turned", turn_deg=abs(turn), clockwise=turn <= 0)
     lying = (camera.width_px >= camera.height_px) == (quarter % 2 == 0)
-    how = ("", f", camera turned 90 deg {way}", ", camera upside down")[abs(quarter)]
-    return f"{'landscape' if lying else 'portrait'} format{how}"
+    return phrase("photograph_list.held", landscape=lying, turn=180 if abs(quarter) == 2 else 90 * quarter)
 
 
 def made_stations(rows: Sequence[tuple[Array, Array, float]]) -> Stations:

@@ -50,7 +50,7 @@ class CalibrationNetwork(Assistant):
             rows.append((middle + near * _away(TILT_DEG, 45.0 * k), middle, roll))
             leaves.append(
                 Leaf(
-                    group="1 convergent, full format", see=f"whole sheet from {45 * k} deg round it, {task.held(roll)}"
+                    group="1 convergent, full format", see=f"whole sheet from {45 * k} deg round it. {task.held(roll)}"
                 )
             )
         for k, (x, y) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
@@ -60,13 +60,13 @@ class CalibrationNetwork(Assistant):
             leaves.append(
                 Leaf(
                     group="2 square, sheet in the corners",
-                    see=f"sheet in another corner of the format, {task.held(roll)}",
+                    see=f"sheet in another corner of the format. {task.held(roll)}",
                 )
             )
         for k, side in enumerate(sides):
             roll = task.portrait if k % 2 else task.landscape
             rows.append((middle + FARTHER * near * _away(SLANT, 90.0 * k), middle, roll))
-            leaves.append(Leaf(group="3 from farther away", see=f"sheet from the {side}, {task.held(roll)}"))
+            leaves.append(Leaf(group="3 from farther away", see=f"sheet from the {side}. {task.held(roll)}"))
         return Shots(
             stations=made_stations(rows), leaves=tuple(leaves),
             site=replace(task.site, depth=(0.0, float("inf"))),

@@ -94,8 +94,8 @@ class Cipa(Assistant):
             stations=made_stations(rows), leaves=tuple(leaves), site=task.site,
             rules=(
                 *RULES,
-                (f"Ring: {distance:.1f} m before the walls, {task.held(roll)}, {eye:.1f} m high; pairs from "
-                f"{near:.1f} m, their photographs {PAIR * near:.2f} m apart."),
+                (f"Ring: {distance:.1f} m before the walls, {eye:.1f} m high; pairs from {near:.1f} m, photographs "
+                f"{PAIR * near:.2f} m apart. {task.held(roll)}"),
                 *((f"No photograph from nearer than {task.clearance:.3g} m.",) if task.clearance else ()),
             ),
         )  # fmt: skip

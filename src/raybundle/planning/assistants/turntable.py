@@ -38,7 +38,7 @@ class Turntable(Assistant):
                 leaves.append(
                     Leaf(
                         group=f"camera {elevation:g} deg above the table",
-                        see=f"table turned to {360 * k / task.steps:.0f} deg, {task.held(rows[-1][2])}",
+                        see=f"table turned to {360 * k / task.steps:.0f} deg. {task.held(rows[-1][2])}",
                     )
                 )
         return Shots(

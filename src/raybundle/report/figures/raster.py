@@ -10,7 +10,6 @@ import numpy as np
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures.svg import CHARACTER, Drawing, Plot, axes, drawing, label, tick_labels, ticks
 from raybundle.report.sigma_classes import Classes
-from raybundle.report.text.numbers import significant
 
 NOTHING = (198, 202, 207)
 """Colour of cells without a number"""
@@ -139,8 +138,3 @@ def _legend(classes: Classes, x: float, y: float) -> list[str]:
             parts.append(f'<rect x="{x:.1f}" y="{y + LEGEND_PX * k - 8:.1f}" width="11" height="9" fill="{colour}"/>')
         parts.append(label(x + (16 if colour else 0), y + LEGEND_PX * k, words))
     return parts
-
-
-def sigma_told(value: float, unit: str) -> str:
-    """A standard deviation with its unit."""
-    return f"{significant(value, 2)} {unit}".strip()

@@ -9,6 +9,7 @@ from html import escape, unescape
 
 from markupsafe import Markup
 
+from raybundle.errors import phrase
 from raybundle.report.figures.svg import Drawing
 from raybundle.report.languages.language import Language
 from raybundle.report.parts import (
@@ -25,6 +26,7 @@ from raybundle.report.parts import (
     Statements,
     Table,
 )
+from raybundle.report.view import FREE_UNIT
 
 SVG_TEXT = re.compile(r'(>)([^<>]*[^<>\s][^<>]*)(</(?:text|title|tspan)>)|(aria-label=")([^"]*)(")')
 
@@ -69,7 +71,8 @@ def _table(t: Table, language: Language) -> Table:
 
 
 def _column(c: Column, language: Language) -> Column:
-    return replace(c, label=language.heading(c.label), unit=language.text(c.unit))
+    unit = phrase("label.free_unit") if c.unit == FREE_UNIT else c.unit
+    return replace(c, label=language.heading(c.label), unit=language.text(unit))
 
 
 def drawing_in(drawing: Drawing, language: Language) -> Drawing:

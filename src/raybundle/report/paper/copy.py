@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.arrangement import Division, Measure
 from raybundle.report.paper.drawings import printed_svg, size_of, words_of
@@ -64,7 +65,8 @@ def copy_of(document: Document, measure: Measure | None = None, *, appendix: boo
     """
     w, say = document.written, document.language.text
     return {
-        "language": document.language.code, "page": [say("page"), say("of")],
+        "language": document.language.code,
+        "page": [say(phrase("report_page.page")), say(phrase("report_page.of_pages"))],
         "title": _clean(document.title), "subtitle": _clean(document.subtitle), "headline": _clean(document.headline),
         "grade": document.grade, "when": document.when, "date": [w.year, w.month, w.day],
         "divisions": [

@@ -14,7 +14,7 @@ from raybundle.report.parts import Heading, Part, Section, Table, table, text, w
 from raybundle.report.text.metrology_words import MM as LENGTH_MM
 from raybundle.report.text.numbers import NONE, grouped, significant
 from raybundle.report.text.words import expected_check_std, free_std
-from raybundle.report.view import View, rms
+from raybundle.report.view import View, in_unit, rms
 
 WHITE, FIELDS, NO_NOISE = "white", "fields", "none"
 """Noise that a figure supposes"""
@@ -74,11 +74,11 @@ def _object_rows(view: View) -> list[Row]:
     mean = network.mean_std * view.factor if network is not None and related else float(good.mean())
     omitted = 1 - network.mean_share if network is not None and related else 0.0
     rows: list[Row] = [
-        _row(phrase("report_accuracy.deviation", kind="rms"), f"{significant(rms(std))} {view.unit}", over, noise,
+        _row(phrase("report_accuracy.deviation", kind="rms"), in_unit(rms(std), view.unit), over, noise,
              phrase("report_accuracy.deviation_rms")),
-        _row(phrase("report_accuracy.deviation", kind="mean"), f"{significant(mean)} {view.unit}", over, noise,
+        _row(phrase("report_accuracy.deviation", kind="mean"), in_unit(mean, view.unit), over, noise,
              phrase("report_accuracy.deviation_mean", omitted=omitted, related=related)),
-        _row(phrase("report_accuracy.deviation", kind="median"), f"{significant(float(np.median(good)))} {view.unit}",
+        _row(phrase("report_accuracy.deviation", kind="median"), in_unit(float(np.median(good)), view.unit),
              over, noise, phrase("report_accuracy.deviation_median")),
     ]  # fmt: skip
     if network is not None and related:
@@ -95,12 +95,12 @@ def _check_rows(view: View) -> list[Row]:
     if not known.any():
         return []
     over = _over("check", int(known.any(axis=1).sum()), int(known.sum()))
-    size = f"{significant(rms(difference))} {view.unit}"
+    size = in_unit(rms(difference), view.unit)
     meaning = phrase("report_accuracy.check_meaning")
     rows = [_row(phrase("report_accuracy.check"), size, over, NO_NOISE, meaning)]
     expected = expected_check_std(view)
     if (known & np.isfinite(expected)).any():
-        size = f"{significant(rms(np.where(known, expected, math.nan)))} {view.unit}"
+        size = in_unit(rms(np.where(known, expected, math.nan)), view.unit)
         meaning = phrase("report_accuracy.check_expected")
         rows.append(_row(phrase("report_accuracy.expected"), size, over, noise_of(view), meaning))
     return [*rows, *_asprs_rows(view)]
@@ -130,7 +130,7 @@ def _asprs_rows(view: View) -> list[Row]:
         ("RMSE_V (ASPRS 2024)", tested.rmse_v, tested.vertical, False),
     ):
         if math.isfinite(size):
-            value = f"{significant(size * view.factor)} {view.unit}"
+            value = in_unit(size * view.factor, view.unit)
             meaning = phrase("report_accuracy.asprs", plan=plan)
             rows.append(_row(name, value, phrase("report_accuracy.check_points", n=count), NO_NOISE, meaning))
     return rows
@@ -142,7 +142,7 @@ def _control_rows(view: View) -> list[Row]:
     if points.any:
         d = points.difference * view.factor
         over = _over("control", len(d), int(np.isfinite(d).sum()))
-        size = f"{significant(rms(d))} {view.unit}"
+        size = in_unit(rms(d), view.unit)
         meaning = phrase("report_accuracy.points_meaning")
         rows.append(_row(phrase("report_accuracy.points_left_out"), size, over, NO_NOISE, meaning))
     found = view.accuracy.coordinates_left_out
@@ -150,7 +150,7 @@ def _control_rows(view: View) -> list[Row]:
     known = np.isfinite(d)
     if known.any():
         over = _over("control", len({found[k][0] for k in np.flatnonzero(known)}), int(known.sum()))
-        size = f"{significant(rms(d[known] * view.factor))} {view.unit}"
+        size = in_unit(rms(d[known] * view.factor), view.unit)
         meaning = phrase("report_accuracy.coordinates_meaning")
         rows.append(_row(phrase("report_accuracy.coordinates_left_out"), size, over, NO_NOISE, meaning))
     return rows

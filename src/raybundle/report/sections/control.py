@@ -384,7 +384,9 @@ def _components(view: View) -> list[Part]:
             number(phrase("label.redundancy")), number(phrase("label.sigma_ratio")), text(""),
         ),
         (
-            [v.kind for v in found], [v.group for v in found], [grouped(v.count) for v in found],
+            [phrase("report_control.component_kind", kind=v.kind.replace(" ", "_"), other=v.kind) for v in found],
+            [phrase("report_control.component_group", name=v.group.replace(" ", "_"), other=v.group) for v in found],
+            [grouped(v.count) for v in found],
             cells([v.redundancy for v in found], 1), cells([v.ratio for v in found], 3),
             [phrase("report_control.group_differs") if v.significant else "" for v in found],
         ),

@@ -49,7 +49,7 @@ from raybundle.report.text.numbers import (
     with_sigma,
 )
 from raybundle.report.text.words import each_axis, free_std, relative_values
-from raybundle.report.view import View, rms
+from raybundle.report.view import View, in_unit, rms
 from raybundle.results.folder import MAP_CONTROL
 
 MOST_ROWS, FEW_ROWS = 5, 3
@@ -177,7 +177,7 @@ def _flight_facts(d: Delivery) -> list[Fact]:
     three, of_three = _area(f.area_three_m2)
     return [
         Fact(
-            label=phrase("front.gsd"), value=f"{significant(factor * f.gsd_m)} {unit}",
+            label=phrase("front.gsd"), value=in_unit(factor * f.gsd_m, unit),
             remark=phrase("front.gsd_range", low=low, high=high, unit=unit),
         ),
         Fact(
@@ -203,9 +203,9 @@ def _precision_facts(view: View, d: Delivery) -> list[Fact]:
         median = few_hold(free_std(view)) is not None
         each = np.array([[_typical(c, median=median) for c in std.T]])
         # of each point the rms of its coordinates, as `few_hold` has it: the headline's number, not another beside it
-        size = significant(_typical(of_points(std) if median else std, median=median), 2)
+        size = _typical(of_points(std) if median else std, median=median)
         facts.append(Fact(
-            label=phrase("label.standard_deviation"), value=f"{size} {view.unit}",
+            label=phrase("label.standard_deviation"), value=in_unit(size, view.unit, 2),
             remark=Text.of(note("front.std_of_coordinate", median=median), each_axis(each, view.unit, _axes(d))),
         ))  # fmt: skip
     values = relative_values(view)
@@ -252,7 +252,7 @@ def _tested_facts(view: View, d: Delivery) -> list[Fact]:
     factor, unit = _unit(view, whole_.difference)
     each = each_axis(whole_.rms * factor, unit, _axes(d))
     n = int(np.isfinite(whole_.difference).any(axis=1).sum())
-    value = f"{significant(rms(whole_.difference) * factor, 2)} {unit}"
+    value = in_unit(rms(whole_.difference) * factor, unit, 2)
     if whole_ is d.accuracy.check:
         label, remark = phrase("label.check_points"), note("front.check_rms", n=n)
     else:

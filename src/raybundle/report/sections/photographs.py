@@ -424,7 +424,8 @@ def processing_section(facts: PhotographFacts) -> Section:
             number(phrase("report_photographs.memory"), "MB"), text(phrase("label.result")), text(""),
         ),
         (
-            [x.name for x in s], [fixed(x.seconds, 1) for x in s],
+            [phrase("report_photographs.stage_name", name=x.name, other=x.name) for x in s],
+            [fixed(x.seconds, 1) for x in s],
             [per_cent(x.seconds / total) if total > 0 else NONE for x in s],
             [fixed(x.cpu_seconds, 1) for x in s], [grouped(x.peak_memory_mb) for x in s],
             [x.summary for x in s], [phrase("report_photographs.stored") if x.from_cache else "" for x in s],
@@ -458,7 +459,10 @@ def _settings_table(settings: Sequence[tuple[str, str]]) -> Table:
     """What was asked for beside the defaults."""
     return table(
         (text(phrase("label.setting")), text(phrase("label.value"))),
-        ([Said(name) for name, _ in settings], [value if value in YES_NO else Said(value) for _, value in settings]),
+        (
+            [Said(name) for name, _ in settings],
+            [phrase("label.truth", value=value) if value in YES_NO else Said(value) for _, value in settings],
+        ),
         note=phrase("report_photographs.settings_note"),
     )  # fmt: skip
 

@@ -6,7 +6,7 @@ from raybundle.errors import phrase
 from raybundle.report.chapters import Occasion, chapter
 from raybundle.report.languages import Said
 from raybundle.report.parts import Heading, Paragraph, Part, Section, table, text
-from raybundle.results.record import PARTS, WORDS, Record
+from raybundle.results.record import PARTS, Record
 from raybundle.results.recorded import known_by_photographs, rows_of
 
 TITLES = ("object", "recording", "delivery")
@@ -43,7 +43,11 @@ def recording_sheet(o: Occasion) -> tuple[Section, ...]:
 def _rows(record: Record, part: str) -> list[tuple[str, str, str]]:
     said = record.as_mapping().items()
     return [
-        (phrase("report_record.name", name=n), WORDS[n], Said(" / ".join(v.splitlines())))
+        (
+            phrase("report_record.name", name=n),
+            phrase("report_record.meaning", name=n),
+            Said(" / ".join(v.splitlines())),
+        )
         for n, v in said
         if PARTS[n] == part
     ]

@@ -40,7 +40,7 @@ from raybundle.report.text.words import (
     open_values,
     relative_values,
 )
-from raybundle.report.view import View, rms
+from raybundle.report.view import View, in_unit, rms
 
 NOTHING_OPEN: dict[str, Value] = {"which": "nothing", "parts": []}
 
@@ -87,13 +87,13 @@ def _key_figures(view: View) -> tuple[Fact, ...]:
     if len(std):
         each = each_axis(std, view.unit)
         facts.append(Fact(
-            label=phrase("label.point_standard_deviation"), value=f"{significant(rms(std), 2)} {view.unit}",
+            label=phrase("label.point_standard_deviation"), value=in_unit(rms(std), view.unit, 2),
             remark=Text.of(note("front.std_of_coordinate", median=False), each, *_median(std, view.unit)),
         ))  # fmt: skip
     if np.isfinite(view.check_difference).any():
         facts.append(Fact(
             label=phrase("label.check_points"),
-            value=f"{significant(rms(view.check_difference) * view.factor, 2)} {view.unit}",
+            value=in_unit(rms(view.check_difference) * view.factor, view.unit, 2),
             remark=phrase("result_section.check_rms", n=len(view.check_rows)),
         ))  # fmt: skip
     sigma0 = significant(a.sigma0) if math.isfinite(a.sigma0) else NONE

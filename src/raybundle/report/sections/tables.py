@@ -171,12 +171,15 @@ def provenance_section(view: View) -> Section:
     prints = fingerprints(view.given)
     hashes = table(
         (text(phrase("report_tables.input_label")), text(phrase("label.rows")), text(phrase("report_tables.hash"))),
-        zip(*prints, strict=True),
-    )
+        (
+            [phrase("report_tables.table", name=name, other=name) for name, _, _ in prints],
+            [count for _, count, _ in prints], [print_ for _, _, print_ in prints],
+        ),
+    )  # fmt: skip
     found = versions()
     software = table(
         (text(phrase("report_tables.software_label")), text(phrase("label.version"))),
-        (said(found), said(found.values())),
+        (said(found), [v if isinstance(v, Text) else Said(v) for v in found.values()]),
     )
     parts: list[Part] = [
         Heading(text=phrase("report_tables.settings")),
@@ -199,5 +202,5 @@ def _shown(value: object) -> str:
     if isinstance(value, tuple):
         return Said(", ".join(str(v) for v in value[:50]) + (" …" if len(value) > 50 else "") or NONE)
     if isinstance(value, bool):
-        return in_words(value)  # to be translated
+        return phrase("label.truth", value=value)
     return Said(in_words(value))

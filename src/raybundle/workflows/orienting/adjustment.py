@@ -12,7 +12,7 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block
 from raybundle.block.relative import relative_control
 from raybundle.calibration.several_cameras import several_cameras
-from raybundle.errors import Message, NotSolvable, message
+from raybundle.errors import Message, NotSolvable, message, phrase
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
@@ -253,7 +253,7 @@ def _put(state: OrientState, done: Adjusted) -> OrientState:
 
 def _told(state: OrientState) -> str:
     assert state.adjustment is not None
-    return f"sigma0 {state.adjustment.sigma0:.3f}"
+    return phrase("stage_summary.adjustment", sigma0=state.adjustment.sigma0)
 
 
 STAGE = ORIENT.register(

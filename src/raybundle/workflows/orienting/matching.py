@@ -9,12 +9,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.result import Notice
-from raybundle.errors import NoOrientation, as_detail, message_of_text
+from raybundle.errors import NoOrientation, as_detail, message_of_text, phrase
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted, grouped
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.ties.pairs import Round, pairs_of
 from raybundle.ties.points import FeatureStore, match_pairs
@@ -102,15 +101,15 @@ def _put(state: OrientState, m: Matched) -> OrientState:
 
 def _told(state: OrientState) -> str:
     good = sum(1 for p in state.pairs if len(p.matches))
-    tried = counted(len(state.pairs), "pair")
+    tried = len(state.pairs)
     if not state.rounds:
-        return f"{tried}, {good} verified"
-    every = grouped(math.comb(len(state.photos), 2))
-    likely, common, between = (grouped(r.pairs) for r in state.rounds)
-    return (
-        f"{tried} of {every}: {likely} likely ones, {common} by neighbours in common, {between} between parts; "
-        f"{good} verified"
-    )
+        return phrase("stage_summary.matching", pairs=tried, verified=good)
+    every = math.comb(len(state.photos), 2)
+    likely, common, between = (r.pairs for r in state.rounds)
+    return phrase(
+        "stage_summary.matching_rounds", pairs=tried, of=every, likely=likely, common=common, between=between,
+        verified=good,
+    )  # fmt: skip
 
 
 STAGE = ORIENT.register(

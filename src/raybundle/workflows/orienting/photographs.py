@@ -7,12 +7,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from raybundle.adjustment.result import Notice
-from raybundle.errors import InputError, excluded
+from raybundle.errors import InputError, Text, excluded, note
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Found, Photo, find_photos
 from raybundle.io.trajectories import Trajectory, with_positions
 from raybundle.io.trajectories.photographs import frame_of_positions
-from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.placing.distant_positions import distant_positions
 from raybundle.placing.marks import under_kept_names
@@ -99,11 +98,11 @@ def _put(state: OrientState, product: Searched) -> OrientState:
 
 
 def _told(state: OrientState) -> str:
-    told = f"{counted(len(state.photos), 'photograph')}, {len(state.refused)} refused"
+    found = [note("stage_summary.photographs", n=len(state.photos), refused=len(state.refused))]
     scenes = state.scenes_found
     if scenes is not None and (scenes.scenes or scenes.refused):
-        told += f"; {counted(len(scenes.scenes), 'scene')}, {len(scenes.refused)} refused"
-    return told
+        found.append(note("stage_summary.scenes", n=len(scenes.scenes), refused=len(scenes.refused)))
+    return Text.of(*found)
 
 
 def check_number(

@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 
 from raybundle.block import Block
+from raybundle.errors import phrase
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.photos.masks import Masks
 from raybundle.io.photos.photo import Photo
@@ -78,7 +79,8 @@ def _put(state: OrientState, m: Measured) -> OrientState:
             dropped, measured=m.measured, added=m.added, features_kept=m.features_kept,
             adjusted=sum(len(b.observations) for b in m.blocks),
         )  # fmt: skip
-    told = (_by_features_words(m.by_features),) if m.by_features else ()
+    names = list(m.by_features)
+    told = (phrase("stage_summary.by_features", names=names, n=len(names)),) if names else ()
     return replace(
         state, blocks=m.blocks, weights=m.weights, dropped=dropped, lost=(*state.lost, *m.left_out),
         told=(*state.told, *told), offered=m.offered,
@@ -88,16 +90,9 @@ def _put(state: OrientState, m: Measured) -> OrientState:
 def _told(state: OrientState) -> str:
     dropped, used = state.dropped, sum(len(b.observations) for b in state.blocks)
     assert dropped is not None
-    return f"{dropped.measured} of {state.offered} features measured again, {dropped.added} rays added, {used} used"
-
-
-def _by_features_words(names: Sequence[str]) -> str:
-    shown = ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
-    one = len(names) == 1
-    return (
-        f"{shown} keep{'s' * one} the positions of {'its' if one else 'their'} features, with a standard deviation of "
-        "their own: least-squares matching measures too few of the points there (a soft or very different photograph)"
-    )
+    return phrase(
+        "stage_summary.precision", n=dropped.measured, of=state.offered, added=dropped.added, used=used
+    )  # fmt: skip
 
 
 def _visible(masks: Masks, photos: Sequence[Photo]) -> Visible:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from raybundle.errors import phrase
 from raybundle.matching.features import FeatureMethod
-from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.scenes.bias import BiasKind
 from raybundle.ties.points import FeatureStore
@@ -67,7 +67,7 @@ def _put(state: OrientState, m: Matched) -> OrientState:
 def _told(state: OrientState) -> str:
     pairs = state.with_scenes.pairs
     good = sum(1 for p in pairs if len(p.pair.matches))
-    return f"{counted(len(pairs), 'pair')} of scenes, {good} verified"
+    return phrase("stage_summary.scene_pairs", n=len(pairs), verified=good)
 
 
 STAGE = ORIENT.register(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from raybundle.numerics.counting import counted
+from raybundle.errors import phrase
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.ties.block import TieBlock
 from raybundle.ties.points import FeatureStore
@@ -51,7 +51,7 @@ def _put(state: OrientState, tie: TieBlock) -> OrientState:
 
 def _told(state: OrientState) -> str:
     tie = state.with_scenes.tie
-    return "" if tie is None else f"{counted(len(tie.block.points), 'point')} of scenes"
+    return "" if tie is None else phrase("stage_summary.scene_points", n=len(tie.block.points))
 
 
 STAGE = ORIENT.register(

@@ -122,9 +122,10 @@ def _put(state: OrientState, started: Started) -> OrientState:
 
 def _told(state: OrientState) -> str:
     oriented = sum(int(t.block.images.oriented.sum()) for t in state.ties)
-    split = f" in {len(state.ties)} parts" if len(state.ties) > 1 else ""
     points = sum(len(t.block.points) for t in state.ties)
-    return f"{oriented} of {len(state.photos)} photographs{split}, {points} points"
+    return phrase(
+        "stage_summary.start", n=oriented, of=len(state.photos), parts=max(len(state.ties), 1), points=points
+    )  # fmt: skip
 
 
 def _arrays(s: Started) -> dict[str, Array]:

@@ -10,11 +10,10 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Role
-from raybundle.errors import InputError, message_of_text
+from raybundle.errors import InputError, message_of_text, phrase
 from raybundle.io.geo.control_files import ControlFile, Measurements
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.placing.marks import Given
 from raybundle.targets.marks import Marks, Target, target
@@ -143,7 +142,7 @@ def _put(state: OrientState, seen: Seen) -> OrientState:
 
 def _told(state: OrientState) -> str:
     rays = sum(int(np.isfinite(c.measurements.covariances).all(axis=1).sum()) for c in state.given.control)
-    return counted(rays, "target") + " read"
+    return phrase("stage_summary.targets", n=rays)
 
 
 STAGE = ORIENT.register(

@@ -84,7 +84,7 @@ def _put(state: SurfaceState, found: Chosen) -> SurfaceState:
     blind = [k for k, share in found.shares.items() if not share]
     alone = [(ids[s.reference], _why(s)) for s in chosen if not s.sources]
     pairs = [
-        (f"{ids[p.reference]} and {ids[p.source]}", p.refusal)
+        (f"{ids[p.reference]} – {ids[p.source]}", p.refusal)
         for s in chosen
         for p in s.refused
         if p.reference < p.source

@@ -49,6 +49,8 @@ label-fit = Anpassung
 
 label-format = Format
 
+label-free_unit = Einheiten
+
 label-from = von
 
 label-given = gegeben
@@ -68,6 +70,8 @@ label-image_observations = Bildbeobachtungen
 label-image_points = Bildpunkte
 
 label-images = Bilder
+
+label-in_free_units = { NUM($value) } Einheiten
 
 label-intersection_angle = Schnittwinkel
 
@@ -189,6 +193,11 @@ label-test = Test
 label-time = Zeit
 
 label-to = nach
+
+label-truth = { $value ->
+        [yes] ja
+        *[no] nein
+    }
 
 label-unit = Einheit
 

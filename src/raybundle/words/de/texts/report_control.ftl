@@ -153,3 +153,35 @@ report_control-images_differ = { $n } { $n ->
     } ebenfalls ab: siehe die Bilder unter „Verbesserungen“.
 
 report_control-components = Varianzkomponenten
+
+report_control-component_kind = { $kind ->
+        [image_observations] Bildbeobachtungen
+        [camera] Kamera
+        [point_class] Punktklasse
+        [attitudes] Drehungen
+        [stations] Projektionszentren
+        [distances] Strecken
+        [directions] Richtungen
+        [zenith_angles] Zenitwinkel
+        [slope_distances] Schrägstrecken
+        [coordinate_differences] Koordinatendifferenzen
+        [parameters] Parameter
+        [relations] Beziehungen
+        [control] Passpunkte
+        [deviations_of_single_images] Abweichungen einzelner Bilder
+        [planes] Ebenen
+        [straight_lines] gerade Linien
+        [plumb_lines] Lotlinien
+        [levels] Höhengleiche
+        [coordinates_of_networks] Netzkoordinaten
+        *[other] { $other }
+    }
+
+report_control-component_group = { $name ->
+        [all] alle
+        [tie_points] Verknüpfungspunkte
+        [targets] Zielmarken
+        [control_points] Passpunkte
+        [check_points] Kontrollpunkte
+        *[other] { $other }
+    }

@@ -184,3 +184,27 @@ report_photographs-at_most = Maximum
 report_photographs-processing = Zeit und Speicher
 
 report_photographs-settings_note = Einstellungen, die von den Vorgaben abweichen, mit ihren Namen in project.toml und Python.
+
+report_photographs-stage_name = { $name ->
+        [photographs] Aufnahmen
+        [known] bekannte Positionen
+        [cameras] Kameras
+        [features] Merkmale
+        [matching] Zuordnung
+        [start] Näherungswerte
+        [precision] genaue Messung
+        [targets] Zielmarken
+        [adjustment] Ausgleichung
+        [verdict] Urteil
+        [recognised] erkannte Zielmarken
+        [natural] natürliche Punkte
+        *[other] { $other }
+    }
+
+report_photographs-recorded_position = { $fix ->
+        [none] GNSS
+        *[other] { $fix } GNSS
+    }{ $sigma_m ->
+        [0] {""}
+        *[other] , σ { NUM($sigma_m, digits: 2) } m
+    }

@@ -37,3 +37,26 @@ report_record-name = { $name ->
         [control] Passpunkte und Maßstab
         *[archive] Archiv
     }
+
+report_record-meaning = { $name ->
+        [title] Titel der Übergabe
+        [client] Auftraggeber
+        [operator] Fotograf oder Bearbeiter der Ausgleichung
+        [object] Name des Objekts
+        [place] Anschrift, Gemeinde, Land
+        [date] Datum der Aufnahmen
+        [instruments] Kameras, Objektive, Empfänger, Maßstäbe
+        [rights] Lizenz oder Eigentümer des Ergebnisses
+        [reference] Inventar- und Auftragsnummern
+        [kind] Art und Nutzung des Objekts
+        [dating] Epoche, Jahrhundert oder Jahre
+        [persons] Urheber, Eigentümer, Veränderungen durch
+        [materials] Materialien und Techniken
+        [condition] Zustand des Objekts
+        [protection] rechtlicher Status
+        [description] weitere Beschreibung
+        [purpose] Zweck der Dokumentation
+        [conditions] Wetter, Licht und Zugang
+        [control] Messung von Maßstab, Passpunkten und Lotrichtung
+        *[archive] Verwahrer der Dokumentation und Ort
+    }

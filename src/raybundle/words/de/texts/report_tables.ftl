@@ -37,3 +37,33 @@ report_tables-about = { $kind ->
 report_tables-software = Software
 
 report_tables-provenance = Einstellungen, Eingabe und Software
+
+report_tables-table = { $name ->
+        [cameras] Kameras
+        [images] Bilder
+        [observations] Beobachtungen
+        [points] Punkte
+        [instruments] Antennen und IMU
+        [rig_stations] Stationen der Rigs
+        [distances] Strecken
+        [stations] Projektionszentren
+        [attitudes] Drehungen
+        [planes] Ebenen
+        [lines] Linien
+        [plumb_lines] Lotlinien
+        [levels] Höhengleiche
+        [coordinates] Koordinaten
+        [deviations] Abweichungen
+        [directions] Richtungen
+        [zenith_angles] Zenitwinkel
+        [slope_distances] Schrägstrecken
+        [differences] Koordinatendifferenzen
+        *[other] { $other }
+    }
+
+report_tables-kernel = { $native ->
+        [yes] nativer Rechenkern
+        *[no] NumPy (ohne nativen Rechenkern: langsamer, gleiche Ergebnisse)
+    }
+
+report_tables-not_installed = nicht installiert

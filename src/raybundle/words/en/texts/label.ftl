@@ -50,6 +50,8 @@ label-fit = Fit
 
 label-format = format
 
+label-free_unit = units
+
 label-from = from
 
 label-given = given
@@ -69,6 +71,9 @@ label-image_observations = image observations
 label-image_points = image points
 
 label-images = images
+
+# $value = 0.0005
+label-in_free_units = { NUM($value) } units
 
 label-intersection_angle = intersection angle
 
@@ -197,6 +202,12 @@ label-test = test
 label-time = time
 
 label-to = to
+
+# $value = true
+label-truth = { $value ->
+        [yes] yes
+        *[no] no
+    }
 
 label-unit = unit
 

@@ -136,3 +136,39 @@ report_control-images_differ = { $n } { $n ->
     } too: see the images under “Residuals”.
 
 report_control-components = Variance components
+
+# $kind = "camera"
+# $other = "camera"
+report_control-component_kind = { $kind ->
+        [image_observations] image observations
+        [camera] camera
+        [point_class] point class
+        [attitudes] attitudes
+        [stations] projection centres
+        [distances] distances
+        [directions] directions
+        [zenith_angles] zenith angles
+        [slope_distances] slope distances
+        [coordinate_differences] coordinate differences
+        [parameters] parameters
+        [relations] relations
+        [control] control
+        [deviations_of_single_images] deviations of single images
+        [planes] planes
+        [straight_lines] straight lines
+        [plumb_lines] plumb lines
+        [levels] levels
+        [coordinates_of_networks] coordinates of networks
+        *[other] { $other }
+    }
+
+# $name = "all"
+# $other = "A"
+report_control-component_group = { $name ->
+        [all] all
+        [tie_points] tie points
+        [targets] targets
+        [control_points] control points
+        [check_points] check points
+        *[other] { $other }
+    }

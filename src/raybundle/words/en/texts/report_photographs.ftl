@@ -207,3 +207,31 @@ report_photographs-at_most = maximum
 report_photographs-processing = Time and memory
 
 report_photographs-settings_note = Settings that differ from the defaults, by their names in project.toml and Python.
+
+# $name = "features"
+# $other = "features"
+report_photographs-stage_name = { $name ->
+        [photographs] photographs
+        [known] known positions
+        [cameras] cameras
+        [features] features
+        [matching] matching
+        [start] approximate values
+        [precision] precise measurement
+        [targets] targets
+        [adjustment] adjustment
+        [verdict] verdict
+        [recognised] recognised targets
+        [natural] natural points
+        *[other] { $other }
+    }
+
+# $fix = "RTK"
+# $sigma_m = 0.02
+report_photographs-recorded_position = { $fix ->
+        [none] GNSS
+        *[other] { $fix } GNSS
+    }{ $sigma_m ->
+        [0] {""}
+        *[other] , sigma { NUM($sigma_m, digits: 2) } m
+    }

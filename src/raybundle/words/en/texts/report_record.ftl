@@ -39,3 +39,27 @@ report_record-name = { $name ->
         [control] Control and scale
         *[archive] Archive
     }
+
+# $name = "title"
+report_record-meaning = { $name ->
+        [title] title of the delivery
+        [client] client
+        [operator] photographer or operator of the adjustment
+        [object] name of the object
+        [place] address, parish, country
+        [date] date of the photographs
+        [instruments] cameras, lenses, receivers, scale bars
+        [rights] licence or owner of the result
+        [reference] inventory and order numbers
+        [kind] type and use of the object
+        [dating] period, century or years
+        [persons] maker, owners, alterations by
+        [materials] materials and techniques
+        [condition] state of the object
+        [protection] legal status
+        [description] further description
+        [purpose] purpose of the recording
+        [conditions] weather, light and access
+        [control] measurement of scale, control and vertical
+        *[archive] keeper of the recording, and place
+    }

@@ -45,3 +45,36 @@ report_tables-about = { $kind ->
 report_tables-software = Software
 
 report_tables-provenance = Settings, input and software
+
+# $name = "images"
+# $other = "distances"
+report_tables-table = { $name ->
+        [cameras] cameras
+        [images] images
+        [observations] observations
+        [points] points
+        [instruments] antennas and IMUs
+        [rig_stations] rig stations
+        [distances] distances
+        [stations] projection centres
+        [attitudes] attitudes
+        [planes] planes
+        [lines] lines
+        [plumb_lines] plumb lines
+        [levels] levels
+        [coordinates] coordinates
+        [deviations] deviations
+        [directions] directions
+        [zenith_angles] zenith angles
+        [slope_distances] slope distances
+        [differences] coordinate differences
+        *[other] { $other }
+    }
+
+# $native = true
+report_tables-kernel = { $native ->
+        [yes] native
+        *[no] NumPy (no native kernel: slower, same results)
+    }
+
+report_tables-not_installed = not installed

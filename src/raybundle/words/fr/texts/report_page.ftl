@@ -1,0 +1,11 @@
+report_page-division = { $name ->
+        [client] Pour le client
+        [specialist] Pour le spécialiste
+        *[appendix] Annexe
+    }
+
+report_page-contents = Sommaire
+
+report_page-page = page
+
+report_page-of_pages = sur
