@@ -438,7 +438,7 @@ def test_points_off_the_plane_are_said_to_lie_beside_their_image(wall, tmp_path)
     rb.drawing_sheet([wall / "wall.tif", off], tmp_path / "s.pdf")
     words = " ".join(text_of(tmp_path / "s.pdf").split())
     assert "beside their image in the picture" in words
-    size = re.search(r"P20 by ([0-9]+) mm\.", words)
+    size = re.search(r"P20: ([0-9]+) mm\.", words)
     assert float(size[1]) == pytest.approx(500 * told["slope_rms"], rel=0.01)
 
 

@@ -129,7 +129,7 @@ def parameter_table(result: InteriorResult, view: View) -> Table:
         ),
         (
             [p.symbol for p in rows],
-            [p.meaning + (f" ({p.remark})" if p.remark else "") for p in rows],
+            [p.words for p in rows],
             [unit for _, unit in units],
             [c[0] for c in cells],
             [c[1] for c in cells],

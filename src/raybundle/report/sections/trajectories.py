@@ -164,7 +164,7 @@ def _carried_table(view: View, carried: list[InteriorResult]) -> Table:
             if p.status == "not determinable":
                 marked.append(len(rows))
             status = phrase("report_interior.status", status=p.status.replace(" ", "_"))
-            rows.append([r.camera, p.symbol, p.meaning, unit, *shown, NONE if p.t is None else fixed(p.t, 1), status])
+            rows.append([r.camera, p.symbol, p.words, unit, *shown, NONE if p.t is None else fixed(p.t, 1), status])
     return table(
         (
             text(phrase("report_trajectories.carrier")), text(phrase("label.symbol")), text(phrase("label.meaning")),
