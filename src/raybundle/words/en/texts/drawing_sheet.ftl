@@ -8,7 +8,7 @@ drawing_sheet-axes = origin { $at_point ->
         *[no] in the middle of the points
     }, right { $right ->
         [points] from { $first } towards { $second }
-        [block] along the block’s X and Y
+        [block] along the block's X and Y
         *[level] level
     }
 

@@ -35,7 +35,7 @@ parameter-correction = { $quantity ->
 parameter-decentring = decentring distortion
 
 # $axis = "x"
-parameter-detector_lever_arm = lever arm along the detector’s { $axis } axis
+parameter-detector_lever_arm = lever arm along the detector's { $axis } axis
 
 parameter-drift_x = drift of X
 
