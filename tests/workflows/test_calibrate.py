@@ -175,7 +175,7 @@ def test_command_line(tmp_path, capsys):
     assert main([*words, "--verbose"]) == 0
     said = capsys.readouterr().out
     assert "13 of 13 photographs" in said
-    assert re.search(r"photograph 1\. Stand .*: \S+ px", said)
+    assert re.search(r"photograph 1\. .*\.: \S+ px", said)
     told = json.loads((out / "result.json").read_text())
     (verdict,) = told["calibration"].values()
     assert verdict["grade"] in {"good", "usable", "weak"}
