@@ -159,7 +159,8 @@ def marks_from(a: Mapping[str, Array], targets: Sequence[Target]) -> tuple[Marks
 
     return tuple(
         Marks(
-            family=t.family, name=tuple(a[f"{k}:name"].tolist()), remarks=tuple(_remark(r) for r in a[f"{k}:remarks"].tolist()),
+            family=t.family, name=tuple(a[f"{k}:name"].tolist()),
+            remarks=tuple(_remark(r) for r in a[f"{k}:remarks"].tolist()),
             **numbers(k),
         )
         for k, t in enumerate(targets)
