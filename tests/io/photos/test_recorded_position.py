@@ -84,10 +84,10 @@ USED = {
 }  # fmt: skip
 
 NONE = {
-    "no reference": (exif(*HERE, None, None), {}, "no_hemisphere: GPSLatitudeRef, GPSLongitudeRef"),
+    "no reference": (exif(*HERE, None, None), {}, "no_hemisphere: EXIF GPSLatitudeRef, GPSLongitudeRef"),
     "no latitude reference": (exif(*HERE, None, "E"), {}, "GPSLatitudeRef missing"),
     "blank reference": (exif(*HERE, "N", " "), {}, "GPSLongitudeRef missing"),
-    "exchanged references": (exif(*HERE, "E", "N"), {}, "no_hemisphere: GPSLatitudeRef, GPSLongitudeRef"),
+    "exchanged references": (exif(*HERE, "E", "N"), {}, "no_hemisphere: EXIF GPSLatitudeRef, GPSLongitudeRef"),
     "no reference, contradiction": (exif(*HERE, None, None), dji("0", "0"), "without hemisphere"),
     "south of the equator, signed north": (exif((-47.5, 0, 0), (8.25, 0, 0)), {}, "contradicts the reference N"),
     "59 km": (exif((48, 1, 46.0), (8, 15, 0.0)), dji("47.5000987", "8.2500876"), "none is used"),
@@ -158,9 +158,9 @@ HEIGHTS = {
     "the same, RTK": (height(123.45), of_dji("+123.45", "RtkAlt"), (123.45, ABOVE), ""),
     "a geoid between": (height(123.45, 2.0), of_dji("+76.20"), (76.2, SEA), ""),
     "a geoid between, RTK": (height(76.2), of_dji("+123.45", "RtkAlt"), (123.45, ABOVE), ""),
-    "800 m": (height(123.45), of_dji("+923.45"), (None, ""), "altitudes contradict each other and none is used"),
-    "800 m, a geoid between": (height(123.45, 2.0), of_dji("+923.45"), (None, ""), "altitudes contradict"),
-    "12 m": (height(123.45), of_dji("+135.45"), (135.45, SEA), "altitudes differ, that of XMP"),
+    "800 m": (height(123.45), of_dji("+923.45"), (None, ""), "altitudes_contradict"),
+    "800 m, a geoid between": (height(123.45, 2.0), of_dji("+923.45"), (None, ""), "altitudes_contradict"),
+    "12 m": (height(123.45), of_dji("+135.45"), (135.45, SEA), "altitudes_differ: XMP"),
     "no fix in EXIF": (height(0.0), of_dji("+123.45"), (123.45, SEA), ""),
     "no fix in XMP": (height(123.45), of_dji("+0.00"), (123.45, SEA), ""),
     "sea level": (height(0.0), {}, (0.0, SEA), ""),
