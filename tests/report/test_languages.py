@@ -356,15 +356,6 @@ def test_a_sentence_without_translation_stays_english_whole():
     )
 
 
-def test_german_of_counts_within_sentences():
-    german = language_of("de")
-    for english, told in (
-        ("7 that least-squares matching did not measure", "7 ohne Messung durch Kleinste-Quadrate-Zuordnung"),
-    ):
-        assert german.text(english) == told
-    assert german.cell("general") == "räumlich"
-
-
 def test_numbers_dates_counts_and_names():
     german = language_of("de", ["IMG_1.5", "control", "front wall"])
     assert german.text("X 0.12, Y 0.3, Z 1.25 mm") == "X 0,12; Y 0,3; Z 1,25 mm"
