@@ -364,9 +364,6 @@ def test_numbers_dates_counts_and_names():
     assert german.text("12 images") == "12 Bilder"
     assert german.cell("IMG_1.5") == "IMG_1.5"
     assert german.cell("control") == "control"  # a point of this name
-    assert german.text("check points without a measurement that could be used: IMG_1.5, front wall") == (
-        "Kontrollpunkte ohne brauchbare Messung: IMG_1.5, front wall"
-    )
     for english, told in (
         ("RMSE_H = 23 mm from 6 check points", "RMSE_H = 23 mm aus 6 Kontrollpunkten"),
         ("of 34", "von 34"),
