@@ -16,6 +16,7 @@ from typing import Any
 import sympy as sp
 from sympy.printing.mathml import mathml
 
+from raybundle.errors import worded
 from raybundle.platforms import Carried, InstrumentModel, Platform, instrument_models, platforms, sensor_models
 from raybundle.scenes.bias import BIAS_PARAMETERS
 from raybundle.scenes.empirical import empirical_models
@@ -107,11 +108,11 @@ def overview() -> str:
 def parameter_table(parameters: Sequence[Parameter]) -> str:
     """Symbols, keys, units, meanings and defaults."""
     shown = parameters[:LISTED] if len(parameters) > MANY else parameters
-    rows = [HEAD, *(f"| {p.symbol} | `{p.key}` | {p.unit} | {p.meaning} | {p.default:g} |" for p in shown)]
+    rows = [HEAD, *(f"| {p.symbol} | `{p.key}` | {p.unit} | {p.words} | {p.default:g} |" for p in shown)]
     if len(shown) < len(parameters):
         last = parameters[-1]
         more = len(parameters) - len(shown)
-        rows.append(f"| ... {last.symbol} | | {last.unit} | {more} more, the last: {last.meaning} | {last.default:g} |")
+        rows.append(f"| ... {last.symbol} | | {last.unit} | {more} more, the last: {last.words} | {last.default:g} |")
     return "\n".join(rows)
 
 
@@ -172,7 +173,7 @@ def rpc_page() -> str:
     table = ["| bias | parameters |", "|---|---|"]
     table += [f"| {kind} | {', '.join(symbols) or 'none'} |" for kind, symbols in BIAS_PARAMETERS.items()]
     rows = ["| parameter | unit | meaning |", "|---|---|---|"]
-    rows += [f"| {s} | px | {MEANINGS[s]} |" for s in MEANINGS]
+    rows += [f"| {s} | px | {worded(MEANINGS[s])} |" for s in MEANINGS]
     return "\n\n".join([
         "# rpc", inspect.getdoc(RpcSensor) or "",
         "Order of the coefficients as in RPC00B. Pixels count from the outer corner of the first one.",
@@ -184,7 +185,8 @@ def line_page() -> str:
     """A line scanner on a trajectory with corrections."""
     model = CorrectionModel(position_degree=2, attitude_degree=2, time_offset=True, lever_arm=True)
     rows = ["| parameter | unit | meaning |", "|---|---|---|"]
-    rows += [f"| {s} | {model.unit(s)} | {model.meaning(s)} |" for s in model.symbols]
+    meanings = {s: model.meaning(s) for s in model.symbols}
+    rows += [f"| {s} | {model.unit(s)} | {worded(m, **dict(v))} |" for s, (m, v) in meanings.items()]
     return "\n\n".join([
         "# linescan", inspect.getdoc(LineSensor) or "", "## Formula", f"```text\n{LINE_FORMULA}\n```",
         "## Parameters", "With polynomials of degree 2; curves have a coefficient for each place and axis instead.",

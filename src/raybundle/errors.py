@@ -277,6 +277,11 @@ def phrase(code: str, /, **values: Value) -> Text:
     return Text.of(Message(code=code, values=plain(values), severity=Severity.NOTE))
 
 
+def worded(code: str, /, **values: Value) -> str:
+    """A text of the catalogue; of what has no entry there, as of a model of one's own, the words themselves."""
+    return phrase(code, **values) if code in words.text_codes() else code
+
+
 def printable(text: str) -> str:
     """A text with everything escaped that would move a terminal's cursor or cannot be seen; lines stay lines."""
     if text.isprintable():

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from raybundle.block import Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, code_of
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.cameras.library import (
     CameraKey,
@@ -139,7 +139,8 @@ def test_camera_groups_take_what_is_found(tmp_path):
     groups = with_library(photos, camera_groups(photos), tmp_path)
     assert [g.stored is not None for g in groups] == [True, False, True]
     assert [g.c_px for g in groups if g.stored] == pytest.approx([35.2 / 0.006, 35.2 / 0.012])
-    assert "of the camera library, kept on 2026-05-01" in groups[0].remarks[-1]
+    told = groups[0].remarks[-1]
+    assert (code_of(told), told.message.values["date"]) == ("camera_library.taken", "2026-05-01")
     assert [g.stored for g in with_library(photos, groups[1:2], tmp_path / "nowhere")] == [None]
     given = camera_groups(photos[:2], [replace(CAMERA, id="mine", values={**CAMERA.values, "c": 36.0})])
     assert with_library(photos, given, tmp_path) == given

@@ -19,7 +19,7 @@ from raybundle.objects.surface import Surface
 from raybundle.planning.goals import Goal, measure_of
 from raybundle.planning.next_best import next_best, ranking
 from raybundle.planning.next_plan import Conditions, frame_known, plan_next, vertical_of
-from raybundle.planning.next_words import hold_words, instruction, where_words
+from raybundle.planning.next_words import hold_message, instruction, place_message
 from raybundle.planning.obstacles import Obstacles
 from raybundle.planning.outlook import Outlook
 from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
@@ -199,15 +199,22 @@ def levelled():
     return plan_next(room(), "mean", 1)
 
 
+def shifts_of(found):
+    """Ways and lengths of a place."""
+    v = found.values
+    ways = [(v.get(way), v.get(size)) for way, size in (("first", "one"), ("second", "two"), ("third", "three"))]
+    return {way: size for way, size in ways if way not in {None, "none"}}
+
+
 @pytest.mark.parametrize(
     ("right", "up", "nearer", "said"),
     [
-        (-1.0, 0.5, 0.0, "stand 1.0 m to the left of photograph {}, 0.50 m higher"),
-        (0.8, -0.4, 0.2, "stand 0.80 m to the right of photograph {}, 0.40 m lower, 0.20 m nearer"),
-        (0.0, 0.0, -0.7, "stand 0.70 m farther back than photograph {}"),
-        (0.0, 0.3, 0.6, "stand 0.30 m higher, 0.60 m nearer than photograph {}"),
-        (0.01, 0.0, 0.01, "stand where photograph {} was taken"),
-        (1.0, 0.05, 0.0, "stand 1.0 m to the right of photograph {}"),
+        (-1.0, 0.5, 0.0, {"left": 1.0, "higher": 0.5}),
+        (0.8, -0.4, 0.2, {"right": 0.8, "lower": 0.4, "nearer": 0.2}),
+        (0.0, 0.0, -0.7, {"farther": 0.7}),
+        (0.0, 0.3, 0.6, {"higher": 0.3, "nearer": 0.6}),
+        (0.01, 0.0, 0.01, {}),
+        (1.0, 0.05, 0.0, {"right": 1.0}),
     ],
 )
 def test_words_of_the_place(levelled, right, up, nearer, said):
@@ -217,18 +224,22 @@ def test_words_of_the_place(levelled, right, up, nearer, said):
     ahead = ahead / np.linalg.norm(ahead)
     centre = X0 + right * np.cross(ahead, [0, 0, 1]) + up * np.array([0, 0, 1]) + nearer * ahead
     assert levelled.vertical is not None
-    assert where_words(levelled, image, centre, np.zeros(3)) == said.format(block.images.ids[image])
+    found = place_message(levelled, image, centre, np.zeros(3))
+    assert found.values["name"] == block.images.ids[image]
+    assert found.code == ("next_photograph.place" if said else "next_photograph.same_place")
+    assert shifts_of(found) == pytest.approx(said)
+    assert found.values.get("unit") == ("m" if said else None)
 
 
 @pytest.mark.parametrize(
     ("turn", "said"),
     [
-        (0.0, "hold the camera upright"),
-        (10.0, "hold the camera upright"),
-        (90.0, "roll the camera by 90 degrees clockwise about its viewing axis, its right side down"),
-        (-85.0, "roll the camera by 90 degrees anticlockwise about its viewing axis, its left side down"),
-        (180.0, "hold the camera upside down"),
-        (43.0, "roll the camera by 45 degrees clockwise about its viewing axis, its right side down"),
+        (0.0, {"upside_down": False}),
+        (10.0, {"upside_down": False}),
+        (90.0, {"angle_deg": 90, "clockwise": True}),
+        (-85.0, {"angle_deg": 90, "clockwise": False}),
+        (180.0, {"upside_down": True}),
+        (43.0, {"angle_deg": 45, "clockwise": True}),
     ],
 )
 def test_words_of_the_roll(levelled, turn, said):
@@ -244,7 +255,9 @@ def test_words_of_the_roll(levelled, turn, said):
         for R in [rotation_from_vector(np.array([[0.0, 0.0, sign * np.radians(turn)]]))[0] @ level]
         if turn in {0.0, 180.0} or R[0, 2] * np.sin(np.radians(turn)) < 0
     )
-    assert hold_words(levelled, 3, rolled) == said
+    found = hold_message(levelled, 3, rolled)
+    assert found.code == ("next_photograph.roll" if "clockwise" in said else "next_photograph.hold")
+    assert found.values == {**said, "against": False, "name": ""}
 
 
 def test_words_without_a_vertical_are_of_the_picture():
@@ -254,15 +267,14 @@ def test_words_without_a_vertical_are_of_the_picture():
     R, X0 = plan.block.images.rotation[2], plan.block.images.centre[2]
     name = plan.block.images.ids[2]
     ahead = np.median(np.linalg.norm(plan.block.points.xyz - X0, axis=1))
-    said = where_words(plan, 2, X0 - 0.5 * ahead * R[0] + 0.25 * ahead * R[1], np.zeros(3))
-    assert said.startswith("stand 0.")
-    assert f" to the left of photograph {name}, 0.2" in said
-    assert said.endswith(" towards its upper edge (1 is the distance from there to the object)")
+    found = place_message(plan, 2, X0 - 0.5 * ahead * R[0] + 0.25 * ahead * R[1], np.zeros(3))
+    assert shifts_of(found) == pytest.approx({"left": 0.5, "upper_edge": 0.25}, rel=0.1)
+    assert (found.values["name"], found.values["known"]) == (name, False)
     quarter = rotation_from_vector(np.array([[0.0, 0.0, np.pi / 2], [0.0, 0.0, -np.pi / 2]])) @ R
-    both = {hold_words(plan, 2, q) for q in quarter}
-    words = "roll the camera by 90 degrees {}clockwise about its viewing axis, against photograph {}"
-    assert both == {words.format(w, name) for w in ("", "anti")}
-    assert hold_words(plan, 2, R) == f"hold the camera as for photograph {name}"
+    both = [hold_message(plan, 2, q).values for q in quarter]
+    assert {v["clockwise"] for v in both} == {True, False}
+    assert all((v["angle_deg"], v["against"], v["name"]) == (90, True, name) for v in both)
+    assert hold_message(plan, 2, R).values == {"upside_down": False, "against": True, "name": name}
 
 
 def test_boards_and_flights_have_no_left_by_a_vertical():

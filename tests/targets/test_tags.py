@@ -118,7 +118,9 @@ def test_repeated_tags_keep_their_corners_without_a_name():
     found = detect(image, FAMILY)
     assert whole_tags(found) == {1, 3, 4, 5, 6}
     assert (~found.named).sum() == 12
-    assert found.remarks == ("tag 2 seen in 3 places: its corners have no name",)
+    assert [(r.message.code, r.message.values) for r in found.remarks] == [
+        ("target_seen.tag_in_places", {"tag": "2", "n": 3})
+    ]
     apart = np.linalg.norm(found.xy_px[~found.named][:, None] - corners[ids == 2].reshape(-1, 2), axis=2)
     assert apart.min(axis=1).max() < 0.1
 

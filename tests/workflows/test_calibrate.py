@@ -112,8 +112,7 @@ def test_two_boards_in_one_photograph(tmp_path):
     assert done.used == 12
     ((name, why),) = done.not_used
     assert name == "left04.png"
-    assert "chessboard of 9 x 6 inner corners is seen in two places" in why
-    assert "cover one of them" in why
+    assert "target_seen.two_boards" in {m.code for m in why.messages}
     assert list(done.seconds) == ["photographs", "targets", "start", "adjustment", "verdict"]
 
 
@@ -175,7 +174,7 @@ def test_command_line(tmp_path, capsys):
     assert main([*words, "--verbose"]) == 0
     said = capsys.readouterr().out
     assert "13 of 13 photographs" in said
-    assert re.search(r"photograph 1\. Stand .*: \S+ px", said)
+    assert re.search(r"photograph 1\. .*\.: \S+ px", said)
     told = json.loads((out / "result.json").read_text())
     (verdict,) = told["calibration"].values()
     assert verdict["grade"] in {"good", "usable", "weak"}

@@ -144,8 +144,9 @@ def _one(
             if parameter.symbol not in known and std > plausible_std(owner, values, position, effects):
                 status = "not determinable"
         parameters[parameter.symbol] = ParameterResult(
-            symbol=parameter.symbol, unit=parameter.unit, meaning=parameter.meaning, value=value, std=std, t=t,
-            determinability=determinability, effect_px=effect, effect_std_px=effect_std, status=status,
+            symbol=parameter.symbol, unit=parameter.unit, meaning=parameter.meaning, values=parameter.values,
+            value=value, std=std, t=t, determinability=determinability, effect_px=effect, effect_std_px=effect_std,
+            status=status,
         )  # fmt: skip
     free_symbols = tuple(row.model.symbols[k] for k in row.free) if row.node >= 0 else ()
     image = None if row.image < 0 else system.block.images.ids[row.image]

@@ -18,7 +18,7 @@ from raybundle.adjustment.severity import Severity, severity_of
 from raybundle.adjustment.shown import html_of, line_of
 from raybundle.block import Block
 from raybundle.block.rejection import Rejections
-from raybundle.errors import Message, Text, Value, plain
+from raybundle.errors import Message, Text, Value, plain, worded
 from raybundle.numerics.arrays import Array, Index, Mask
 
 if TYPE_CHECKING:
@@ -245,6 +245,7 @@ class ParameterResult:
     symbol: str
     unit: str
     meaning: str
+    """code of its text, or words"""
     value: float
     std: float | None
     """None where held."""
@@ -261,6 +262,13 @@ class ParameterResult:
     status: str
     """held | estimated | observed | not significant | not determinable"""
     remark: str = ""
+    values: tuple[tuple[str, str | int | bool], ...] = ()
+    """of the text of its meaning, with their names"""
+
+    @property
+    def words(self) -> str:
+        """Its meaning in words."""
+        return worded(self.meaning, **dict(self.values))
 
     def std_words(self, length: str = "") -> str:
         """The standard deviation with its unit, as "0.16 mm"; a ratio (unit "1") has none in print.

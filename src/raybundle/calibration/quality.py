@@ -61,7 +61,7 @@ TILT_SPREAD = np.radians(20)
 class Proposal:
     """A photograph that could be added, after those proposed before it, and what they would bring."""
 
-    words: str
+    words: Text
     """Where to stand and how to hold the camera, as an instruction"""
     uncertainty_px: float
     """Largest standard deviation of projection over the format that is to be expected with it and those before it;

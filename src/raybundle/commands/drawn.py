@@ -12,7 +12,7 @@ import numpy as np
 from raybundle.block.frames import in_file_frames
 from raybundle.commands.drawn_lengths import length_words
 from raybundle.commands.plane_settings import plane_in
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Text, message_of_text, note, phrase
 from raybundle.io.formats.base import Export, PlaneAxes
 from raybundle.io.formats.surveyed import Surveyed, surveyed
 from raybundle.io.geo.parsed_systems import system_name
@@ -20,13 +20,11 @@ from raybundle.io.geo.told_systems import plan_system, told_system
 from raybundle.io.pictures.plane_file import PICTURES, PlaneFile, axes_in, plane_file_of
 from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 from raybundle.report.drawing.content import Drawing, DrawnLine, DrawnPicture, DrawnPoints, Field
 from raybundle.report.drawing.pictures import size_of
 from raybundle.report.drawing.words import drawing_in
 from raybundle.report.languages import ENGLISH, Said, checked_language
 from raybundle.report.languages.language import language_of
-from raybundle.report.text.numbers import significant
 from raybundle.results.record import STATE, Record
 from raybundle.workflows.object_plane import Lean, MapLevel, Plane
 from raybundle.workflows.sources import read_source, result_within
@@ -55,7 +53,7 @@ class _Where:
     system: str
     unit: str
     millimetres: float
-    words: str
+    words: Text
     """coordinate system, for the title block"""
     notes: tuple[str, ...]
     extent: Array | None = None
@@ -84,11 +82,11 @@ def drawn(s: DrawingSheetSettings, progress: Progress) -> tuple[Drawing, tuple[s
         told = length_words(folder, export.block)
         lines = tuple(replace(n, words=told.get(n.name, "")) if n.kind == "distance" else n for n in lines)
     states = [p.state for p in planes] + ([] if export is None else [export.record.get(STATE, "")])
-    doubts = tuple(f"{w[:1].upper()}{w[1:]}." for w in dict.fromkeys(states) if w)
+    doubts = tuple(w for w in dict.fromkeys(states) if w)
     low, high = _extent(s, pictures, points, lines, where)
     record = _record(s, folder)
     title = record.title or record.object or s.sources[0].stem
-    known = (*known, *(["Lengths at their lines are those in space."] if any(n.words for n in lines) else []))
+    known = (*known, *([phrase("drawing_sheet.lengths")] if any(n.words for n in lines) else []))
     named = Drawing(
         title=title, author=record.operator, fields=_fields(record, where), low=low, high=high,
         millimetres=where.millimetres,
@@ -201,33 +199,55 @@ def _in_map(system: str, height: float) -> _Where:
         raise InputError("crs.not_projected", system=system_name(system))
     axis = plan.axis_info[0]
     unit = "m" if axis.unit_conversion_factor == 1.0 else axis.unit_name
-    level = f", level ground at height {height:.2f}" if np.isfinite(height) else ""
     code, name = system_name(system), told_system(system).name
     return _Where(
         axes=None, system=system, unit=unit, millimetres=1000 * axis.unit_conversion_factor,
-        words=f"{code}{f' ({name})' if name not in {code, 'unknown'} else ''}{level}", notes=(),
+        words=phrase(
+            "drawing_sheet.map", system=code, named=name not in {code, "unknown"}, name=name,
+            level=bool(np.isfinite(height)), height=height if np.isfinite(height) else 0.0,
+        ),
+        notes=(),
     )  # fmt: skip
 
 
-def _plane_words(axes_by: str) -> str:
-    return f"of the plane: X right, Y up{f'; {axes_by}' if axes_by else ''}"
+def _plane_words(axes_by: str | None) -> Text:
+    more = [message_of_text(axes_by)] if axes_by else []
+    return Text.of(note("drawing_sheet.plane_axes", more=bool(axes_by)), *more)
 
 
-def _plane_told(kind: str, points: int, rms: float, unit: str, lean: str, vertical: str) -> str:
+def _plane_told(kind: str, points: int, rms: float, unit: str, lean: Lean | None, vertical: str) -> Text:
     """What a plane was made by, how far its points lie off it, and which way they lean."""
-    by = {"vertical": "Plumb plane", "horizontal": "Level plane"}.get(kind, "Plane")
-    off = f", {significant(rms, 2)} {unit} off it (rms)" if np.isfinite(rms) and points > 2 else ""
-    told = [f"{by} by {counted(points, 'point')}{off}."]
-    told += [f"Its points lean {lean}."] if lean else []
-    told += [f"Vertical: {vertical}."] if vertical else []
-    return " ".join(told)
+    known = bool(np.isfinite(rms)) and points > 2
+    found: list[Message] = [
+        note(
+            "drawing_sheet.plane",
+            kind=kind if kind in {"vertical", "horizontal"} else "other",
+            n=points,
+            known=known,
+            rms=rms if known else 0.0,
+            unit=unit,
+        )
+    ]
+    if lean is not None:
+        certain = bool(np.isfinite(lean.sigma))
+        found.append(
+            note(
+                "drawing_sheet.lean",
+                back=lean.angle >= 0,
+                angle_deg=abs(float(np.degrees(lean.angle))),
+                known=certain,
+                sigma_deg=float(np.degrees(lean.sigma)) if certain else 0.0,
+            )
+        )
+    if vertical:
+        found += [note("drawing_sheet.vertical"), message_of_text(vertical)]
+    return Text.of(*found)
 
 
 def _notes_of(plane: Plane, unit: str) -> tuple[str, ...]:
     """What is known of a plane that was made for the sheet."""
-    lean = "" if plane.lean is None else plane.lean.words
     vertical = "" if plane.plumb is None else plane.plumb.words
-    return (_plane_told(plane.kind, plane.points, plane.rms, unit, lean, vertical),)
+    return (_plane_told(plane.kind, plane.points, plane.rms, unit, plane.lean, vertical),)
 
 
 def _plane_notes(plane: PlaneFile) -> tuple[str, ...]:
@@ -235,26 +255,19 @@ def _plane_notes(plane: PlaneFile) -> tuple[str, ...]:
     if not plane.points:
         return ()
     lean = Lean(angle=np.radians(plane.lean_deg), sigma=np.radians(plane.lean_sigma_deg))
-    told = _plane_told(
-        plane.kind, plane.points, plane.points_rms, plane.unit, lean.words if np.isfinite(lean.angle) else "",
+    found = _plane_told(
+        plane.kind, plane.points, plane.points_rms, plane.unit, lean if np.isfinite(lean.angle) else None,
         plane.vertical_by,
     )  # fmt: skip
-    moved = (
-        f"What lies in front of or behind the plane is displaced in the picture by {plane.slope_rms:.2f} of its "
-        "distance (rms)." if np.isfinite(plane.slope_rms) else ""
-    )  # fmt: skip
-    return tuple(filter(None, (told, moved)))
+    moved = phrase("drawing_sheet.moved", slope=plane.slope_rms) if np.isfinite(plane.slope_rms) else ""
+    return tuple(filter(None, (found, moved)))
 
 
 def _of_pixels(planes: Sequence[PlaneFile], millimetres: float) -> tuple[str, ...]:
     if not planes:
         return ()
-    sizes = sorted({p.pixel for p in planes})
-    words = " and ".join(f"{v * millimetres:.4g}" for v in sizes)
-    several = "s" * (len(planes) > 1)
-    if not planes[0].photographs:
-        return (f"Pixel of the picture{several} {words} mm.",)
-    return (f"Pixel of the picture{several} {words} mm from {counted(planes[0].photographs, 'photograph')}.",)
+    sizes = [p * millimetres for p in sorted({p.pixel for p in planes})]
+    return (phrase("drawing_sheet.pixel", sizes_mm=sizes, pictures=len(planes), n=planes[0].photographs),)
 
 
 def _measured(
@@ -291,11 +304,12 @@ def _beside(view: Surveyed, planes: Sequence[PlaneFile], where: _Where) -> tuple
     rows = [k for k in np.argsort(-off, kind="stable").tolist() if off[k] > VISIBLE_PX * plane.pixel]
     if not rows:
         return ()
-    each = ", ".join(
-        f"{view.names[k]} by {significant(float(off[k]) * where.millimetres, 2)} mm" for k in rows[:BESIDE]
-    )
-    more = f" and {counted(len(rows) - BESIDE, 'more point')}" if len(rows) > BESIDE else ""
-    return (f"Off the plane, and so beside their image in the picture (rms over the photographs): {each}{more}.",)
+    each = [
+        note("drawing_sheet.beside_point", name=view.names[k], off_mm=float(off[k]) * where.millimetres)
+        for k in rows[:BESIDE]
+    ]
+    more = [note("drawing_sheet.beside_more", n=len(rows) - BESIDE)] if len(rows) > BESIDE else []
+    return (Text.of(note("drawing_sheet.beside"), *each, *more),)
 
 
 def _precision(view: Surveyed, where: _Where) -> tuple[str, ...]:
@@ -304,9 +318,10 @@ def _precision(view: Surveyed, where: _Where) -> tuple[str, ...]:
     if not len(sigma):
         return ()
     rms = np.sqrt((sigma**2).mean(axis=0)) * where.millimetres
-    names = ("E", "N", "height") if where.system else ("X", "Y", "across the plane")
-    each = ", ".join(f"{n} {significant(float(v), 2)} mm" for n, v in zip(names, rms, strict=True))
-    return (f"Standard deviation of the {counted(len(sigma), 'named point')} (rms): {each}.",)
+    x_mm, y_mm, z_mm = rms.tolist()
+    return (
+        phrase("drawing_sheet.precision", n=len(sigma), map=bool(where.system), x_mm=x_mm, y_mm=y_mm, z_mm=z_mm),
+    )  # fmt: skip
 
 
 def _extent(
@@ -353,4 +368,6 @@ def _fields(record: Record, where: _Where) -> tuple[Field, ...]:
         ("instruments", instruments, 1), ("rights", Said(record.rights), 1),
         ("coordinates", where.words, 2),
     ]  # fmt: skip
-    return tuple(Field(label=label, text=text, span=span) for label, text, span in told)
+    return tuple(
+        Field(label=phrase("drawing_sheet.field", name=label), text=text, span=span) for label, text, span in told
+    )

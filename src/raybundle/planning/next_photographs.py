@@ -48,6 +48,6 @@ def next_photographs(result: Adjustment, camera: str) -> tuple[Proposal, ...]:
     if not np.isfinite(last) or last > WORTH * now:
         return ()
     return tuple(
-        Proposal(words=str(instruction(plan, k)), uncertainty_px=c.after.value, ratio=c.after.value / now)
+        Proposal(words=instruction(plan, k).text, uncertainty_px=c.after.value, ratio=c.after.value / now)
         for k, c in enumerate(plan.proposals)
     )

@@ -7,12 +7,14 @@ who takes that photograph; where no vertical is known, or one looks down or up, 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from raybundle.block.points import automatic
+from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array, Index
-from raybundle.numerics.counting import counted, significant
+from raybundle.numerics.counting import significant
 from raybundle.planning.next_best import Chosen
 from raybundle.planning.next_plan import NextPlan
 
@@ -32,26 +34,22 @@ FALLS = 0.9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Instruction:
-    """One photograph in words; each part reads by itself."""
+    """One photograph in words."""
 
-    where: str
-    """"stand 3.0 m to the left of photograph 12, 2.0 m higher\""""
-    hold: str
-    """"hold the camera upright\""""
-    aim: str
-    """"point T7 in the middle of the picture\""""
-    show: str
-    """"it must show T1, T2, T7 (and 23 others)\""""
-    brings: str
-    """"largest sigma 0.31 mm instead of 0.42 mm; T7 from 0.42 to 0.25 mm\""""
+    messages: tuple[Message, ...]
+    """where to stand, how to hold the camera, where to look, what it shows"""
+    brings: Text
     frees: tuple[str, ...]
     """Parameters of the camera that are determined with it and were not before"""
 
-    def __str__(self) -> str:
+    @property
+    def text(self) -> Text:
         """All of it but what it brings."""
-        parts = [self.where, self.hold, self.aim, self.show]
-        words = "; ".join(p for p in parts if p)
-        return words[:1].upper() + words[1:]
+        return Text.of(*self.messages)
+
+    def __str__(self) -> str:
+        """The same in words."""
+        return str(self.text)
 
 
 def instruction(plan: NextPlan, k: int) -> Instruction:
@@ -60,9 +58,11 @@ def instruction(plan: NextPlan, k: int) -> Instruction:
     centre, rotation = chosen.photograph.centre[0], chosen.photograph.rotation[0]
     near = nearest_photograph(plan, centre, rotation)
     return Instruction(
-        where=where_words(plan, near, centre, plan.towards[k]), hold=hold_words(plan, near, rotation),
-        aim=_aim_words(plan, chosen, near, rotation), show=_show_words(plan, chosen), brings=brings_words(plan, chosen),
-        frees=freed_by(plan, k),
+        messages=(
+            place_message(plan, near, centre, plan.towards[k]), hold_message(plan, near, rotation),
+            *_aim(plan, chosen, near, rotation), _shows(plan, chosen),
+        ),
+        brings=_brings(plan, chosen), frees=freed_by(plan, k),
     )  # fmt: skip
 
 
@@ -83,81 +83,72 @@ def _distance(plan: NextPlan, image: int) -> float:
     return float(np.median(np.linalg.norm(block.points.xyz[o.point[rows]] - block.images.centre[image], axis=1)))
 
 
-def where_words(plan: NextPlan, near: int, centre: Array, towards: Array) -> str:
+def place_message(plan: NextPlan, near: int, centre: Array, towards: Array) -> Message:
     """Where the station is, against that of a photograph."""
     name = plan.block.images.ids[near]
     X0, R = plan.block.images.centre[near], plan.block.images.rotation[near]
     distance = _distance(plan, near)
     shift = centre - X0
     if np.linalg.norm(shift) < SAME * distance:
-        return f"stand where photograph {name} was taken"
+        return note("next_photograph.same_place", name=name)
     ahead = -R[2]
     if plan.vertical is None:
-        axes, words = (R[0], R[1], ahead), (("right", "left"), ("towards its upper edge", "towards its lower edge"))
+        axes, ways = (R[0], R[1], ahead), (("right", "left"), ("upper_edge", "lower_edge"))
     else:
         up = plan.vertical
         level = ahead - (ahead @ up) * up
         level = level if np.linalg.norm(level) > np.sin(HELD) else towards - X0 - ((towards - X0) @ up) * up
         level = level / max(float(np.linalg.norm(level)), 1e-300)
-        axes, words = (np.cross(level, up), up, level), (("right", "left"), ("higher", "lower"))
+        axes, ways = (np.cross(level, up), up, level), (("right", "left"), ("higher", "lower"))
     part = np.array([shift @ a for a in axes])
     least = max(SAME * distance, ALONE * float(np.abs(part).max()))
-    unit, said = plan.result.length_unit, list[str]()
-    for value, (plus, minus) in zip(part.tolist(), (*words, ("nearer", "farther back")), strict=True):
-        if abs(value) >= least:
-            much = f"{significant(abs(value), 2)} {unit}" if unit else f"{abs(value) / distance:.2f}"
-            said.append(f"{much} {plus if value > 0 else minus}")
-    scale = "" if unit else " (1 is the distance from there to the object)"
-    if said[0].endswith(("right", "left")):
-        first, _, turn = said[0].rpartition(" ")
-        return f"stand {', '.join([f'{first} to the {turn} of photograph {name}', *said[1:]])}{scale}"
-    if plan.vertical is None:
-        return f"from where photograph {name} was taken go {', '.join(said)}{scale}"
-    return f"stand {', '.join(said)} than photograph {name}{scale}"
+    unit = plan.result.length_unit
+    found = [
+        (plus if value > 0 else minus, abs(value) if unit else abs(value) / distance)
+        for value, (plus, minus) in zip(part.tolist(), (*ways, ("nearer", "farther")), strict=True)
+        if abs(value) >= least
+    ]
+    (first, one), (second, two), (third, three) = (*found, *[("none", 0.0)] * (3 - len(found)))
+    values: dict[str, Any] = {"first": first, "second": second, "third": third, "one": one, "two": two, "three": three}
+    return note("next_photograph.place", name=name, known=bool(unit), unit=unit, **values)
 
 
-def hold_words(plan: NextPlan, near: int, rotation: Array) -> str:
+def hold_message(plan: NextPlan, near: int, rotation: Array) -> Message:
     """How the camera is turned about its axis."""
     if plan.vertical is not None:
+        name, against = "", False
         across, upright = rotation[0] @ plan.vertical, rotation[1] @ plan.vertical
         turn = float(np.arctan2(-across, upright))
-        if abs(turn) < HELD:
-            return "hold the camera upright"
-        if abs(turn) > np.pi - HELD:
-            return "hold the camera upside down"
-        return (
-            f"roll the camera {_turned(turn)} about its viewing axis, its {'right' if turn > 0 else 'left'} side down"
-        )
-    R, name = plan.block.images.rotation[near], plan.block.images.ids[near]
-    x = rotation[0]
-    turn = float(np.arctan2(-(x @ R[1]), x @ R[0]))
-    if abs(turn) < HELD:
-        return f"hold the camera as for photograph {name}"
-    if abs(turn) > np.pi - HELD:
-        return f"hold the camera upside down against photograph {name}"
-    return f"roll the camera {_turned(turn)} about its viewing axis, against photograph {name}"
-
-
-def _turned(turn: float) -> str:
+    else:
+        R, name, against = plan.block.images.rotation[near], plan.block.images.ids[near], True
+        x = rotation[0]
+        turn = float(np.arctan2(-(x @ R[1]), x @ R[0]))
+    if abs(turn) < HELD or abs(turn) > np.pi - HELD:
+        return note("next_photograph.hold", upside_down=abs(turn) > HELD, against=against, name=name)
     angle = abs(float(np.degrees(turn)))
-    angle = 90.0 if abs(angle - 90) < np.degrees(HELD) else round(angle / 5) * 5.0
-    return f"by {angle:.0f} degrees {'clockwise' if turn > 0 else 'anticlockwise'}"
+    angle = 90 if abs(angle - 90) < np.degrees(HELD) else round(angle / 5) * 5
+    return note("next_photograph.roll", angle_deg=angle, clockwise=turn > 0, against=against, name=name)
 
 
-def _aim_words(plan: NextPlan, chosen: Chosen, near: int, rotation: Array) -> str:
+def _aim(plan: NextPlan, chosen: Chosen, near: int, rotation: Array) -> list[Message]:
     """Where to look, against a photograph, and what stands in the middle of the picture then, or nearest to it."""
     camera, seen = plan.block.cameras[plan.camera], chosen.photograph
     off = np.linalg.norm(seen.xy_px - np.array([camera.width_px, camera.height_px]) / 2, axis=1)
     k = int(off.argmin())
-    place = "in the middle of the picture" if off[k] < 0.1 * camera.width_px else "near the middle of the picture"
-    middle = f"{_point(plan, int(seen.point[k]))} {place}"
+    middle = note(
+        "next_photograph.middle", near=bool(off[k] >= 0.1 * camera.width_px), **_point(plan, int(seen.point[k]))
+    )  # fmt: skip
     x, y, z = plan.block.images.rotation[near] @ -rotation[2]
-    aside, up = np.degrees(np.arctan2(x, -z)), np.degrees(np.arctan2(y, np.hypot(x, z)))
-    ways = ((aside, "to the right", "to the left"), (up, "up", "down"))
-    said = [f"{abs(v):.0f} degrees {plus if v > 0 else minus}" for v, plus, minus in ways if abs(v) > TURNED_DEG]
-    if not said:
-        return middle
-    return f"look {' and '.join(said)} of where photograph {plan.block.images.ids[near]} looks: {middle}"
+    aside, up = float(np.degrees(np.arctan2(x, -z))), float(np.degrees(np.arctan2(y, np.hypot(x, z))))
+    turned, raised = abs(aside) > TURNED_DEG, abs(up) > TURNED_DEG
+    if not turned and not raised:
+        return [middle]
+    look = note(
+        "next_photograph.look", name=plan.block.images.ids[near],
+        sideways=("right" if aside > 0 else "left") if turned else "none", sideways_deg=round(abs(aside)),
+        upwards=("up" if up > 0 else "down") if raised else "none", upwards_deg=round(abs(up)),
+    )  # fmt: skip
+    return [look, middle]
 
 
 def shown_points(plan: NextPlan, chosen: Chosen) -> Index:
@@ -167,59 +158,67 @@ def shown_points(plan: NextPlan, chosen: Chosen) -> Index:
     return chosen.photograph.point[np.argsort(after - before, kind="stable")]
 
 
-def _show_words(plan: NextPlan, chosen: Chosen) -> str:
+def _shows(plan: NextPlan, chosen: Chosen) -> Message:
     points = shown_points(plan, chosen)
     named = [plan.block.points.ids[p] for p in points.tolist()]
     asked = set(plan.goal.points)
     named = [n for n in named if n in asked] + [n for n in named if n not in asked]
     by_program = automatic(named)
     if by_program.all():
-        return f"it shows {counted(len(named), 'tie point')}"
-    known = [n for n, of_program in zip(named, by_program.tolist(), strict=True) if not of_program]
-    more = len(named) - len(known[:SHOWN])
-    return f"it must show {', '.join(known[:SHOWN])}" + (f" (and {more} others)" if more else "")
+        return note("next_photograph.shows_tie_points", n=len(named))
+    known = [n for n, of_program in zip(named, by_program.tolist(), strict=True) if not of_program][:SHOWN]
+    return note("next_photograph.shows", points=known, more=len(named) - len(known))
 
 
-def _point(plan: NextPlan, point: int) -> str:
+def _point(plan: NextPlan, point: int) -> dict[str, Any]:
     """A point as one finds it: by its name, or by its place in a photograph where a program named it."""
     name = plan.block.points.ids[point]
     if not automatic([name])[0]:
-        return f"point {name}"
+        return {"named": True, "point": name, "image": "", "x_px": 0, "y_px": 0}
     o = plan.block.observations
     row = int(np.flatnonzero(plan.outlook.used & (o.point == point))[0])
     x, y = o.xy_px[row]
-    return f"what photograph {plan.block.images.ids[o.image[row]]} shows at {x:.0f}, {y:.0f} px"
+    image = plan.block.images.ids[o.image[row]]
+    return {"named": False, "point": name, "image": image, "x_px": round(float(x)), "y_px": round(float(y))}
 
 
-def brings_words(plan: NextPlan, chosen: Chosen) -> str:
+def _brings(plan: NextPlan, chosen: Chosen) -> Text:
     """What it does to what is to be lowered, and to single points and parameters."""
-    said = [f"{goal_words(plan)} {less_words(plan, chosen.before.value, chosen.after.value)}"]
+    goal = plan.goal.kind
+    found = [note("next_photograph.brings", goal=goal, **_less(plan, chosen.before.value, chosen.after.value))]
     gone = chosen.std_before.max(axis=1) - chosen.std_after.max(axis=1)
     k = int(gone.argmax())
-    if plan.goal.kind != "calibration":
+    if goal != "calibration":
         name = plan.block.points.ids[plan.outlook.joint.points[k]]
         was, now = (float(s[k].max()) for s in (chosen.std_before, chosen.std_after))
-        said.append(f"point {name} {less_words(plan, was, now)}")
+        found.append(note("next_photograph.brings_point", point=name, **_less(plan, was, now)))
     parameters = [(s, r) for s, r in parameter_ratios(plan, chosen) if r < FALLS]
-    if parameters and plan.goal.kind == "calibration":
-        said.append(", ".join(f"{s} {100 * (1 - r):.0f} %" for s, r in parameters[:SHOWN]) + " smaller")
-    return "; ".join(said)
+    if parameters and goal == "calibration":
+        each = [f"{s} {100 * (1 - r):.0f} %" for s, r in parameters[:SHOWN]]
+        found.append(note("next_photograph.brings_parameters", parameters=each))
+    return Text.of(*found)
 
 
-def less_words(plan: NextPlan, was: float, now: float) -> str:
+def _less(plan: NextPlan, was: float, now: float) -> dict[str, Any]:
     """How a figure falls."""
-    words = f"{figure_words(plan, now)} instead of {figure_words(plan, was)}"
-    if not np.isfinite(was) or figure_words(plan, now) != figure_words(plan, was):
-        return words
-    return f"{figure_words(plan, now)}, {100 * (1 - now / was):.1g} % less"
+    alike = bool(np.isfinite(was)) and figure_words(plan, now) == figure_words(plan, was)
+    less = 1 - now / was if alike else 0.0
+    return {**_figure(plan, was, "before"), **_figure(plan, now, "after"), "alike": alike, "less": less}
 
 
-def goal_words(plan: NextPlan) -> str:
+def _figure(plan: NextPlan, value: float, name: str) -> dict[str, Any]:
+    """A figure of what is to be lowered, with its unit, as values of a message."""
+    if not np.isfinite(value):
+        return {name: 0.0, f"{name}_known": False, f"{name}_unit": ""}
+    unit = "px" if plan.goal.kind == "calibration" else plan.result.length_unit or "units"
+    if unit == "m" and value < 1:
+        value, unit = 1000 * value, "mm"
+    return {name: value, f"{name}_known": True, f"{name}_unit": unit}
+
+
+def goal_words(plan: NextPlan) -> Text:
     """What is to be lowered."""
-    return {
-        "worst": "largest sigma", "mean": "mean sigma", "points": "largest sigma of the points asked for",
-        "calibration": "largest uncertainty of projection",
-    }[plan.goal.kind]  # fmt: skip
+    return phrase("next_photograph.goal", goal=plan.goal.kind)
 
 
 def figure_words(plan: NextPlan, value: float) -> str:

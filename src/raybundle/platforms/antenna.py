@@ -20,14 +20,14 @@ class Antenna(InstrumentModel):
     formula = "X_GNSS = X0 + Rᵀ a + s + d t + v dt"
     in_object = (("sx", "sy", "sz"), ("dx", "dy", "dz"))
     parameters = (
-        Parameter("ax", "length", "lever arm to the right in the image"),
-        Parameter("ay", "length", "lever arm upwards in the image"),
-        Parameter("az", "length", "lever arm backwards"),
-        Parameter("sx", "length", "shift of X"),
-        Parameter("sy", "length", "shift of Y"),
-        Parameter("sz", "length", "shift of Z"),
-        Parameter("dx", "length/s", "drift of X"),
-        Parameter("dy", "length/s", "drift of Y"),
-        Parameter("dz", "length/s", "drift of Z"),
-        Parameter("dt", "s", "time of the positions minus that of the exposures"),
+        Parameter("ax", "length", "parameter.lever_arm_right"),
+        Parameter("ay", "length", "parameter.lever_arm_up"),
+        Parameter("az", "length", "parameter.lever_arm_backwards"),
+        Parameter("sx", "length", "parameter.shift_x"),
+        Parameter("sy", "length", "parameter.shift_y"),
+        Parameter("sz", "length", "parameter.shift_z"),
+        Parameter("dx", "length/s", "parameter.drift_x"),
+        Parameter("dy", "length/s", "parameter.drift_y"),
+        Parameter("dz", "length/s", "parameter.drift_z"),
+        Parameter("dt", "s", "parameter.time_of_positions"),
     )

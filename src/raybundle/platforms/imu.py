@@ -21,9 +21,9 @@ class Imu(InstrumentModel):
     noun = "IMU"
     formula = "R = exp([b]x) R_IMU"
     parameters = (
-        Parameter("bx", "rad", "misalignment about the image's x axis"),
-        Parameter("by", "rad", "misalignment about the image's y axis"),
-        Parameter("bz", "rad", "misalignment about the viewing axis"),
+        Parameter("bx", "rad", "parameter.misalignment_x"),
+        Parameter("by", "rad", "parameter.misalignment_y"),
+        Parameter("bz", "rad", "parameter.misalignment_viewing"),
     )
 
 

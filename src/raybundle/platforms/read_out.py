@@ -27,13 +27,13 @@ class ReadOut(Platform):
     moves = True
     looks_elsewhere = False
     parameters = (
-        Parameter("r", "s/mm", "read-out time over height of the format", typical=1.5e-3, kind="read-out"),
-        Parameter("vx", "length/s", "velocity to the right", typical=0.8),
-        Parameter("vy", "length/s", "velocity upwards in the image", typical=-0.5),
-        Parameter("vz", "length/s", "velocity backwards", typical=0.3),
-        Parameter("wx", "rad/s", "rotation rate about the x axis", typical=0.1),
-        Parameter("wy", "rad/s", "rotation rate about the y axis", typical=-0.2),
-        Parameter("wz", "rad/s", "rotation rate about the viewing axis", typical=0.15),
+        Parameter("r", "s/mm", "parameter.read_out", typical=1.5e-3, kind="read-out"),
+        Parameter("vx", "length/s", "parameter.velocity_right", typical=0.8),
+        Parameter("vy", "length/s", "parameter.velocity_up", typical=-0.5),
+        Parameter("vz", "length/s", "parameter.velocity_backwards", typical=0.3),
+        Parameter("wx", "rad/s", "parameter.rotation_rate_x", typical=0.1),
+        Parameter("wy", "rad/s", "parameter.rotation_rate_y", typical=-0.2),
+        Parameter("wz", "rad/s", "parameter.rotation_rate_viewing", typical=0.15),
     )
 
     def objection(self, sensor: SensorModel, values: Mapping[str, float], free: Sequence[str]) -> Message | None:

@@ -32,12 +32,12 @@ class Rig(Platform):
     uses_image = False
     looks_elsewhere = True
     parameters = (
-        Parameter("bx", "length", "offset of the projection centre, x of the rig", typical=0.11),
-        Parameter("by", "length", "offset of the projection centre, y of the rig", typical=-0.02),
-        Parameter("bz", "length", "offset of the projection centre, z of the rig", typical=0.03),
-        Parameter("om", "rad", "omega of the camera against the rig", typical=0.02),
-        Parameter("ph", "rad", "phi of the camera against the rig", typical=-0.03),
-        Parameter("ka", "rad", "kappa of the camera against the rig", typical=0.05),
+        Parameter("bx", "length", "parameter.rig_x", typical=0.11),
+        Parameter("by", "length", "parameter.rig_y", typical=-0.02),
+        Parameter("bz", "length", "parameter.rig_z", typical=0.03),
+        Parameter("om", "rad", "parameter.rig_omega", typical=0.02),
+        Parameter("ph", "rad", "parameter.rig_phi", typical=-0.03),
+        Parameter("ka", "rad", "parameter.rig_kappa", typical=0.05),
     )
 
     @staticmethod

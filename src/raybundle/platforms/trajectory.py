@@ -32,18 +32,18 @@ class Trajectory(Platform):
     moves = True
     looks_elsewhere = False
     parameters = (
-        Parameter("vx", "length/mm", "motion to the right", typical=0.002),
-        Parameter("vy", "length/mm", "motion along the way", typical=0.08),
-        Parameter("vz", "length/mm", "motion backwards", typical=0.001),
-        Parameter("ax", "length/mm^2", "change of the motion to the right", typical=1e-5),
-        Parameter("ay", "length/mm^2", "change of the motion along the way", typical=-1e-5),
-        Parameter("az", "length/mm^2", "change of the motion backwards", typical=1e-5),
-        Parameter("wx", "rad/mm", "turn about the x axis", typical=1e-5),
-        Parameter("wy", "rad/mm", "turn about the y axis", typical=-2e-5),
-        Parameter("wz", "rad/mm", "turn about the viewing axis", typical=1e-5),
-        Parameter("qx", "rad/mm^2", "change of the turn about the x axis", typical=1e-7),
-        Parameter("qy", "rad/mm^2", "change of the turn about the y axis", typical=1e-7),
-        Parameter("qz", "rad/mm^2", "change of the turn about the viewing axis", typical=-1e-7),
+        Parameter("vx", "length/mm", "parameter.motion_right", typical=0.002),
+        Parameter("vy", "length/mm", "parameter.motion_along", typical=0.08),
+        Parameter("vz", "length/mm", "parameter.motion_backwards", typical=0.001),
+        Parameter("ax", "length/mm^2", "parameter.motion_change_right", typical=1e-5),
+        Parameter("ay", "length/mm^2", "parameter.motion_change_along", typical=-1e-5),
+        Parameter("az", "length/mm^2", "parameter.motion_change_backwards", typical=1e-5),
+        Parameter("wx", "rad/mm", "parameter.turn_x", typical=1e-5),
+        Parameter("wy", "rad/mm", "parameter.turn_y", typical=-2e-5),
+        Parameter("wz", "rad/mm", "parameter.turn_viewing", typical=1e-5),
+        Parameter("qx", "rad/mm^2", "parameter.turn_change_x", typical=1e-7),
+        Parameter("qy", "rad/mm^2", "parameter.turn_change_y", typical=1e-7),
+        Parameter("qz", "rad/mm^2", "parameter.turn_change_viewing", typical=-1e-7),
     )
 
     def carries(self, sensor: SensorModel) -> bool:

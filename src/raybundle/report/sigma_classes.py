@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
-from raybundle.report.text.numbers import plain, significant
 
 SHADES = ("#234b7a", "#3f8fa6", "#8fb58a", "#d9c15a", "#b8862d")
 """From small to large, where nothing says what is good: no red among them"""
@@ -19,8 +19,7 @@ UNKNOWN = "#999999"
 STEPS = (1 / 2, 1 / math.sqrt(2), 1.0, math.sqrt(2))
 """Limits of the classes by what was wanted.  A standard deviation falls with the root of the observations: a step of
 the root of two is that of twice as many photographs, half of what was wanted that of four times as many"""
-HEAD = "standard deviation of a coordinate"
-PLACES = ("far below", "below", "just below", "above", "far above")
+PLACES = ("far_below", "below", "just_below", "above", "far_above")
 DIGITS = 2
 """In print; what prints alike is one class"""
 
@@ -53,7 +52,7 @@ def sigma_classes(values: Array, unit: str, wanted: float | None = None, unknown
         return None
     worst = float(known.max())
     found = _by_number(known, unit) if wanted is None else _by_wanted(known, unit, wanted)
-    last = [("", f"worst: {significant(worst, DIGITS + 1)} {unit}")]
+    last: list[tuple[str, str]] = [("", phrase("sigma_class.worst", sigma=worst, unit=unit))]
     if unknown and len(known) < len(values):
         last.append((UNKNOWN, unknown))
     return Classes(limits=found.limits, colours=found.colours, legend=(*found.legend, *last))
@@ -61,19 +60,26 @@ def sigma_classes(values: Array, unit: str, wanted: float | None = None, unknown
 
 def _by_number(known: Array, unit: str) -> Classes:
     """Five classes of equal number, less those whose limits print alike."""
-    limits = list[tuple[str, float]]()
-    top = significant(float(known.max()), DIGITS)
+    limits = list[tuple[float, float]]()
+    top = _printed(float(known.max()))
     for share in (0.2, 0.4, 0.6, 0.8):
         value = float(np.quantile(known, share, method="lower"))
-        words = significant(value, DIGITS)
-        if words != top and words not in [w for w, _ in limits]:
-            limits.append((words, _last_alike(value)))
+        shown = _printed(value)
+        if shown != top and shown not in [v for v, _ in limits]:
+            limits.append((shown, _last_alike(value)))
     n = len(limits)
     shades = tuple(SHADES[round(k * (len(SHADES) - 1) / max(n, 1))] for k in range(n + 1))
-    words = [f"to {w} {unit}" for w, _ in limits]
-    words.append(f"above {limits[-1][0]} {unit}" if limits else f"all of them {top} {unit}")
-    legend = (("", HEAD), *zip(shades, words, strict=True))
+    words = [phrase("sigma_class.to", limit=v, unit=unit) for v, _ in limits]
+    last = phrase("sigma_class.above", limit=limits[-1][0], unit=unit) if limits else (
+        phrase("sigma_class.all", sigma=top, unit=unit)
+    )  # fmt: skip
+    legend = (("", phrase("sigma_class.head")), *zip(shades, [*words, last], strict=True))
     return Classes(limits=tuple(v for _, v in limits), colours=shades, legend=legend)
+
+
+def _printed(value: float) -> float:
+    """A number as it is printed."""
+    return float(f"{value:.{DIGITS}g}")
 
 
 def _last_alike(value: float) -> float:
@@ -90,10 +96,13 @@ def _by_wanted(known: Array, unit: str, wanted: float) -> Classes:
     limits = np.array(STEPS) * wanted * (1 + 1e-6)
     there = np.unique(np.searchsorted(limits, known, side="left"))
     colours = (*GOOD, *MISSED)
-    words = [f"{p} it: to {significant(s * wanted, DIGITS)} {unit}" for p, s in zip(PLACES, STEPS, strict=False)]
-    words.append(f"{PLACES[-1]} it")
+    words = [
+        phrase("sigma_class.by_wanted", place=p, limit=s * wanted, unit=unit)
+        for p, s in zip(PLACES, STEPS, strict=False)
+    ]
+    words.append(phrase("sigma_class.far_above"))
     legend = (
-        ("", f"{HEAD}; wanted: {plain(wanted, DIGITS + 1)} {unit}"),
+        ("", phrase("sigma_class.head_wanted", wanted=wanted, unit=unit)),
         *((colours[k], words[k]) for k in there.tolist()),
     )
     return Classes(limits=tuple(limits.tolist()), colours=colours, legend=legend)

@@ -41,10 +41,15 @@ RANGES, DEEP_M = 4.0, 10e3
 PIXEL_MM = 0.01
 """Nominal size of a pixel; no result in px depends on it."""
 MEANINGS = {
-    "A0": "shift of x", "B0": "shift of y",
-    "A1": "change of x along the columns", "B1": "change of y along the columns",
-    "A2": "change of x along the rows", "B2": "change of y along the rows",
+    "A0": "parameter.bias_shift_x", "B0": "parameter.bias_shift_y",
+    "A1": "parameter.bias_x_columns", "B1": "parameter.bias_y_columns",
+    "A2": "parameter.bias_x_rows", "B2": "parameter.bias_y_rows",
 }  # fmt: skip
+
+
+def _correction(model: CorrectionModel, symbol: str) -> Parameter:
+    meaning, values = model.meaning(symbol)
+    return Parameter(symbol, model.unit(symbol), meaning, values=values)
 
 
 class SceneSensor(SensorModel, ABC, registered=False):
@@ -212,7 +217,7 @@ class LineSensor(SceneSensor, registered=False):
                 known=list(corrections.groups),
                 n=len(corrections.groups),
             )
-        self.parameters = tuple(Parameter(s, corrections.unit(s), corrections.meaning(s)) for s in corrections.symbols)
+        self.parameters = tuple(_correction(corrections, s) for s in corrections.symbols)
         self._width = corrections.width if corrections.groups else 0
         sensor = scene.rays(np.array([self.size_px], float) / 2)[0]
         above = float(geographic_from_geocentric(sensor, scene.ellipsoid)[0, 2]) - self.height_m

@@ -220,17 +220,19 @@ class CorrectionModel:
         """Of a parameter."""
         return "s" if symbol == "dt" else "rad" if symbol.startswith("r") else "m"
 
-    def meaning(self, symbol: str) -> str:
-        """Of a parameter, in words."""
+    def meaning(self, symbol: str) -> tuple[str, tuple[tuple[str, str | int | bool], ...]]:
+        """Of a parameter: the code of its text, and the values of this."""
         if symbol == "dt":
-            return "time of the tables minus that of the lines"
+            return "parameter.time_offset", ()
         if symbol in LEVER_ARM:
-            return f"lever arm along the detector's {symbol[1]} axis"
-        what = {"along": "position along track", "across": "position across track", "up": "height of the position"}
-        axis, underscore, number = symbol.partition("_")
-        axis = axis.rstrip("0123456789")
-        of = what.get(axis, f"attitude about {axis[1:]}")
-        return f"{of}, coefficient {number} in time" if underscore else f"{of}, power {symbol[-1]} of the time"
+            return "parameter.detector_lever_arm", (("axis", symbol[1]),)
+        name, curve, _ = symbol.partition("_")
+        quantity = name.rstrip("0123456789")
+        number = int(symbol.removeprefix(quantity).removeprefix("_"))
+        of = quantity if quantity in AXES["position"] else "attitude"
+        return "parameter.correction", (
+            ("quantity", of), ("axis", quantity[1:]), ("curve", bool(curve)), ("number", number),
+        )  # fmt: skip
 
     def split(self, values: Array) -> CorrectionValues:
         """The values (k,) of the parameters by their parts."""

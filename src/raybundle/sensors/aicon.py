@@ -14,16 +14,16 @@ class Aicon(SensorModel):
 
     name = "aicon"
     parameters = (
-        Parameter("c", "mm", "camera constant", 28.0, kind="scale"),
-        Parameter("x0", "mm", "principal point", typical=0.03, kind="principal point"),
-        Parameter("y0", "mm", "principal point", typical=-0.02, kind="principal point"),
-        Parameter("K1", "mm^-2", "radial distortion", typical=-3e-5, kind="radial"),
-        Parameter("K2", "mm^-4", "radial distortion", typical=1e-8, kind="radial"),
-        Parameter("P1", "mm^-1", "decentring distortion", typical=1e-5, kind="decentring"),
-        Parameter("P2", "mm^-1", "decentring distortion", typical=-1e-5, kind="decentring"),
-        Parameter("C1", "1", "affinity", typical=1e-4, kind="affinity"),
-        Parameter("C2", "1", "shear", typical=-5e-5, kind="affinity", shear=True),
-        Parameter("R0", "mm", "radius at which the radial terms vanish; a definition, not estimated", typical=8.0),
+        Parameter("c", "mm", "parameter.camera_constant", 28.0, kind="scale"),
+        Parameter("x0", "mm", "parameter.principal_point", typical=0.03, kind="principal point"),
+        Parameter("y0", "mm", "parameter.principal_point", typical=-0.02, kind="principal point"),
+        Parameter("K1", "mm^-2", "parameter.radial", typical=-3e-5, kind="radial"),
+        Parameter("K2", "mm^-4", "parameter.radial", typical=1e-8, kind="radial"),
+        Parameter("P1", "mm^-1", "parameter.decentring", typical=1e-5, kind="decentring"),
+        Parameter("P2", "mm^-1", "parameter.decentring", typical=-1e-5, kind="decentring"),
+        Parameter("C1", "1", "parameter.affinity", typical=1e-4, kind="affinity"),
+        Parameter("C2", "1", "parameter.shear", typical=-5e-5, kind="affinity", shear=True),
+        Parameter("R0", "mm", "parameter.zero_radius", typical=8.0),
     )
 
     @staticmethod

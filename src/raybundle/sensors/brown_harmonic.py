@@ -21,12 +21,12 @@ class BrownHarmonic(SensorModel):
     by_image = True
     parameters = (
         *Brown.parameters,
-        Parameter("B1", "mm^-2", "twofold distortion", typical=5e-7, kind="harmonic"),
-        Parameter("B2", "mm^-2", "twofold distortion", typical=-3e-7, kind="harmonic"),
-        Parameter("T1", "mm^-1", "threefold distortion", typical=5e-6, kind="harmonic"),
-        Parameter("T2", "mm^-1", "threefold distortion", typical=-3e-6, kind="harmonic"),
-        Parameter("Q1", "mm^-2", "fourfold distortion", typical=5e-7, kind="harmonic"),
-        Parameter("Q2", "mm^-2", "fourfold distortion", typical=-3e-7, kind="harmonic"),
+        Parameter("B1", "mm^-2", "parameter.twofold", typical=5e-7, kind="harmonic"),
+        Parameter("B2", "mm^-2", "parameter.twofold", typical=-3e-7, kind="harmonic"),
+        Parameter("T1", "mm^-1", "parameter.threefold", typical=5e-6, kind="harmonic"),
+        Parameter("T2", "mm^-1", "parameter.threefold", typical=-3e-6, kind="harmonic"),
+        Parameter("Q1", "mm^-2", "parameter.fourfold", typical=5e-7, kind="harmonic"),
+        Parameter("Q2", "mm^-2", "parameter.fourfold", typical=-3e-7, kind="harmonic"),
     )
 
     @staticmethod

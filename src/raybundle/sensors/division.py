@@ -14,11 +14,11 @@ class Division(SensorModel):
 
     name = "division"
     parameters = (
-        Parameter("c", "mm", "camera constant", 20.0, kind="scale"),
-        Parameter("x0", "mm", "principal point", typical=0.03, kind="principal point"),
-        Parameter("y0", "mm", "principal point", typical=-0.02, kind="principal point"),
-        Parameter("k", "1", "radial distortion", typical=-0.05, kind="radial"),
-        Parameter("A", "1", "affinity", typical=1e-4, kind="affinity"),
+        Parameter("c", "mm", "parameter.camera_constant", 20.0, kind="scale"),
+        Parameter("x0", "mm", "parameter.principal_point", typical=0.03, kind="principal point"),
+        Parameter("y0", "mm", "parameter.principal_point", typical=-0.02, kind="principal point"),
+        Parameter("k", "1", "parameter.radial", typical=-0.05, kind="radial"),
+        Parameter("A", "1", "parameter.affinity", typical=1e-4, kind="affinity"),
     )
 
     @staticmethod

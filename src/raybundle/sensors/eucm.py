@@ -15,12 +15,12 @@ class EnhancedUnified(SensorModel):
 
     name = "eucm"
     parameters = (
-        Parameter("c", "mm", "camera constant", 20.0, kind="scale"),
-        Parameter("x0", "mm", "principal point", typical=0.03, kind="principal point"),
-        Parameter("y0", "mm", "principal point", typical=-0.02, kind="principal point"),
-        Parameter("alpha", "1", "radial distortion", typical=0.4, kind="radial"),
-        Parameter("beta", "1", "radial distortion", 1.0, typical=1.1, kind="radial"),
-        Parameter("A", "1", "affinity", typical=1e-4, kind="affinity"),
+        Parameter("c", "mm", "parameter.camera_constant", 20.0, kind="scale"),
+        Parameter("x0", "mm", "parameter.principal_point", typical=0.03, kind="principal point"),
+        Parameter("y0", "mm", "parameter.principal_point", typical=-0.02, kind="principal point"),
+        Parameter("alpha", "1", "parameter.radial", typical=0.4, kind="radial"),
+        Parameter("beta", "1", "parameter.radial", 1.0, typical=1.1, kind="radial"),
+        Parameter("A", "1", "parameter.affinity", typical=1e-4, kind="affinity"),
     )
 
     @staticmethod

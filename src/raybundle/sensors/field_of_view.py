@@ -15,11 +15,11 @@ class FieldOfView(SensorModel):
 
     name = "field_of_view"
     parameters = (
-        Parameter("c", "mm", "camera constant", 10.0, kind="scale"),
-        Parameter("x0", "mm", "principal point", typical=0.03, kind="principal point"),
-        Parameter("y0", "mm", "principal point", typical=-0.02, kind="principal point"),
-        Parameter("w", "1", "radial distortion", 0.9, kind="radial"),
-        Parameter("A", "1", "affinity", typical=1e-4, kind="affinity"),
+        Parameter("c", "mm", "parameter.camera_constant", 10.0, kind="scale"),
+        Parameter("x0", "mm", "parameter.principal_point", typical=0.03, kind="principal point"),
+        Parameter("y0", "mm", "parameter.principal_point", typical=-0.02, kind="principal point"),
+        Parameter("w", "1", "parameter.radial", 0.9, kind="radial"),
+        Parameter("A", "1", "parameter.affinity", typical=1e-4, kind="affinity"),
     )
 
     @staticmethod

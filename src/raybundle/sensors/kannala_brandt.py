@@ -20,14 +20,14 @@ class KannalaBrandt(SensorModel):
     name = "kannala_brandt"
     all_round = True
     parameters = (
-        Parameter("c", "mm", "camera constant", 10.0, kind="scale"),
-        Parameter("x0", "mm", "principal point", typical=0.03, kind="principal point"),
-        Parameter("y0", "mm", "principal point", typical=-0.02, kind="principal point"),
-        Parameter("k1", "1", "radial distortion", typical=-0.02, kind="radial"),
-        Parameter("k2", "1", "radial distortion", typical=0.005, kind="radial"),
-        Parameter("k3", "1", "radial distortion", typical=-0.001, kind="radial"),
-        Parameter("k4", "1", "radial distortion", typical=1e-4, kind="radial"),
-        Parameter("A", "1", "affinity", typical=1e-4, kind="affinity"),
+        Parameter("c", "mm", "parameter.camera_constant", 10.0, kind="scale"),
+        Parameter("x0", "mm", "parameter.principal_point", typical=0.03, kind="principal point"),
+        Parameter("y0", "mm", "parameter.principal_point", typical=-0.02, kind="principal point"),
+        Parameter("k1", "1", "parameter.radial", typical=-0.02, kind="radial"),
+        Parameter("k2", "1", "parameter.radial", typical=0.005, kind="radial"),
+        Parameter("k3", "1", "parameter.radial", typical=-0.001, kind="radial"),
+        Parameter("k4", "1", "parameter.radial", typical=1e-4, kind="radial"),
+        Parameter("A", "1", "parameter.affinity", typical=1e-4, kind="affinity"),
     )
 
     @staticmethod

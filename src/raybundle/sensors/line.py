@@ -26,11 +26,11 @@ class Line(SensorModel):
     frame = False
     one_exposure = False
     parameters = (
-        Parameter("c", "mm", "camera constant", 50.0, kind="scale"),
-        Parameter("x0", "mm", "principal point on the line", typical=0.05, kind="principal point"),
-        Parameter("y0", "mm", "place of the line in the focal plane, along the way", typical=-0.1),
-        Parameter("K1", "mm^-2", "radial distortion along the line", typical=-2e-6, kind="radial"),
-        Parameter("K2", "mm^-4", "radial distortion along the line", typical=1e-10, kind="radial"),
+        Parameter("c", "mm", "parameter.camera_constant", 50.0, kind="scale"),
+        Parameter("x0", "mm", "parameter.principal_point_line", typical=0.05, kind="principal point"),
+        Parameter("y0", "mm", "parameter.line_place", typical=-0.1),
+        Parameter("K1", "mm^-2", "parameter.radial_line", typical=-2e-6, kind="radial"),
+        Parameter("K2", "mm^-4", "parameter.radial_line", typical=1e-10, kind="radial"),
     )
 
     @staticmethod

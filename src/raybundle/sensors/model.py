@@ -16,7 +16,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
-from raybundle.errors import Message
+from raybundle.errors import Message, worded
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.maths import Scalar
 
@@ -31,6 +31,7 @@ class Parameter:
     unit: str
     """"mm" (written with the suffix _mm in block.toml), "mm^-2", "1" ..."""
     meaning: str
+    """code of its text, or words"""
     default: float = 0.0
     typical: float = 0.0
     """A magnitude as real sensors have it: the contract tests run there."""
@@ -38,6 +39,13 @@ class Parameter:
     holdable: bool = True
     shear: bool = False
     """Of the kind affinity: rows and columns that are not at right angles, rather than of unequal scale."""
+    values: tuple[tuple[str, str | int | bool], ...] = ()
+    """of the text of its meaning, with their names"""
+
+    @property
+    def words(self) -> str:
+        """Its meaning in words."""
+        return worded(self.meaning, **dict(self.values))
 
     @property
     def is_length(self) -> bool:

@@ -39,17 +39,17 @@ class Panorama(SensorModel):
     frame = False
     one_exposure = False
     parameters = (
-        Parameter("c", "mm", "camera constant", 50.0, kind="scale"),
-        Parameter("y0", "mm", "principal point on the line", typical=0.1, kind="principal point"),
-        Parameter("e", "length", "eccentricity of the projection centre along the view", typical=0.002),
-        Parameter("K1", "mm^-2", "radial distortion along the line", typical=-3e-6, kind="radial"),
-        Parameter("K2", "mm^-4", "radial distortion along the line", typical=1e-9, kind="radial"),
-        Parameter("d", "length", "eccentricity of the projection centre across the view", typical=0.001),
-        Parameter("T", "1", "tilt of the line about the view", typical=5e-4),
-        Parameter("I", "1", "inclination of the line along the view", typical=3e-4),
-        Parameter("A", "1", "angular scale: turn of the encoder over x / c, minus 1", typical=1e-4),
-        Parameter("u1", "rad", "tumbling of the axis, cosine of twice the turn", typical=1e-4),
-        Parameter("u2", "rad", "tumbling of the axis, sine of twice the turn", typical=-1e-4),
+        Parameter("c", "mm", "parameter.camera_constant", 50.0, kind="scale"),
+        Parameter("y0", "mm", "parameter.principal_point_line", typical=0.1, kind="principal point"),
+        Parameter("e", "length", "parameter.eccentricity_along", typical=0.002),
+        Parameter("K1", "mm^-2", "parameter.radial_line", typical=-3e-6, kind="radial"),
+        Parameter("K2", "mm^-4", "parameter.radial_line", typical=1e-9, kind="radial"),
+        Parameter("d", "length", "parameter.eccentricity_across", typical=0.001),
+        Parameter("T", "1", "parameter.line_tilt", typical=5e-4),
+        Parameter("I", "1", "parameter.line_inclination", typical=3e-4),
+        Parameter("A", "1", "parameter.angular_scale", typical=1e-4),
+        Parameter("u1", "rad", "parameter.tumbling_cosine", typical=1e-4),
+        Parameter("u2", "rad", "parameter.tumbling_sine", typical=-1e-4),
     )
 
     def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> Message | None:

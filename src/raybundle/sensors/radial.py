@@ -14,9 +14,9 @@ class Radial(SensorModel):
 
     name = "radial"
     parameters = (
-        Parameter("c", "mm", "camera constant", 28.0, kind="scale"),
-        Parameter("k1", "1", "radial distortion at the ideal point", typical=-0.02, kind="radial"),
-        Parameter("k2", "1", "radial distortion at the ideal point", typical=0.005, kind="radial"),
+        Parameter("c", "mm", "parameter.camera_constant", 28.0, kind="scale"),
+        Parameter("k1", "1", "parameter.radial_ideal", typical=-0.02, kind="radial"),
+        Parameter("k2", "1", "parameter.radial_ideal", typical=0.005, kind="radial"),
     )
 
     @staticmethod

@@ -16,18 +16,18 @@ class Rational(SensorModel):
 
     name = "rational"
     parameters = (
-        Parameter("c", "mm", "camera constant", 10.0, kind="scale"),
-        Parameter("x0", "mm", "principal point", typical=0.03, kind="principal point"),
-        Parameter("y0", "mm", "principal point", typical=-0.02, kind="principal point"),
-        Parameter("k1", "1", "radial distortion, numerator", typical=0.05, kind="radial"),
-        Parameter("k2", "1", "radial distortion, numerator", typical=0.02, kind="radial"),
-        Parameter("k3", "1", "radial distortion, numerator", typical=0.001, kind="radial"),
-        Parameter("k4", "1", "radial distortion, denominator", typical=0.1, kind="radial"),
-        Parameter("k5", "1", "radial distortion, denominator", typical=0.01, kind="radial"),
-        Parameter("k6", "1", "radial distortion, denominator", typical=0.001, kind="radial"),
-        Parameter("p1", "1", "decentring distortion", typical=1e-4, kind="decentring"),
-        Parameter("p2", "1", "decentring distortion", typical=-1e-4, kind="decentring"),
-        Parameter("A", "1", "affinity", typical=1e-4, kind="affinity"),
+        Parameter("c", "mm", "parameter.camera_constant", 10.0, kind="scale"),
+        Parameter("x0", "mm", "parameter.principal_point", typical=0.03, kind="principal point"),
+        Parameter("y0", "mm", "parameter.principal_point", typical=-0.02, kind="principal point"),
+        Parameter("k1", "1", "parameter.radial_numerator", typical=0.05, kind="radial"),
+        Parameter("k2", "1", "parameter.radial_numerator", typical=0.02, kind="radial"),
+        Parameter("k3", "1", "parameter.radial_numerator", typical=0.001, kind="radial"),
+        Parameter("k4", "1", "parameter.radial_denominator", typical=0.1, kind="radial"),
+        Parameter("k5", "1", "parameter.radial_denominator", typical=0.01, kind="radial"),
+        Parameter("k6", "1", "parameter.radial_denominator", typical=0.001, kind="radial"),
+        Parameter("p1", "1", "parameter.decentring", typical=1e-4, kind="decentring"),
+        Parameter("p2", "1", "parameter.decentring", typical=-1e-4, kind="decentring"),
+        Parameter("A", "1", "parameter.affinity", typical=1e-4, kind="affinity"),
     )
 
     @staticmethod

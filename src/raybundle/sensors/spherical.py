@@ -23,8 +23,8 @@ class Spherical(SensorModel):
     name = "spherical"
     one_exposure = False
     parameters = (
-        Parameter("c", "mm", "radius of the sphere", 50.0, kind="scale"),
-        Parameter("y0", "mm", "image of the horizon", typical=0.1, kind="principal point"),
+        Parameter("c", "mm", "parameter.sphere_radius", 50.0, kind="scale"),
+        Parameter("y0", "mm", "parameter.horizon", typical=0.1, kind="principal point"),
     )
 
     def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> Message | None:

@@ -16,14 +16,14 @@ from raybundle.sensors.model import Parameter, SensorModel
 COLUMNS, ROWS = 12, 9
 """Knots of each surface: nine by six cells and a cubic spline's three beyond."""
 FIRST = (
-    Parameter("c", "mm", "camera constant of the stereographic projection", 10.0, kind="scale"),
-    Parameter("x0", "mm", "principal point", typical=0.03, kind="principal point"),
-    Parameter("y0", "mm", "principal point", typical=-0.02, kind="principal point"),
-    Parameter("K1", "mm^-2", "radial distortion", typical=-3e-5, kind="radial"),
-    Parameter("K2", "mm^-4", "radial distortion", typical=1e-8, kind="radial"),
-    Parameter("K3", "mm^-6", "radial distortion", typical=1e-12, kind="radial"),
-    Parameter("w", "mm", "width of the field of knots: that of the format; held", 24.0),
-    Parameter("h", "mm", "height of the field of knots: that of the format; held", 16.0),
+    Parameter("c", "mm", "parameter.camera_constant_stereographic", 10.0, kind="scale"),
+    Parameter("x0", "mm", "parameter.principal_point", typical=0.03, kind="principal point"),
+    Parameter("y0", "mm", "parameter.principal_point", typical=-0.02, kind="principal point"),
+    Parameter("K1", "mm^-2", "parameter.radial", typical=-3e-5, kind="radial"),
+    Parameter("K2", "mm^-4", "parameter.radial", typical=1e-8, kind="radial"),
+    Parameter("K3", "mm^-6", "parameter.radial", typical=1e-12, kind="radial"),
+    Parameter("w", "mm", "parameter.knots_width", 24.0),
+    Parameter("h", "mm", "parameter.knots_height", 16.0),
 )
 
 
@@ -32,10 +32,11 @@ def _knots() -> tuple[Parameter, ...]:
         Parameter(
             f"s{axis}{i + 1:02d}{j + 1:02d}",
             "mm",
-            f"shift in {axis}, knot {i + 1}, {j + 1}",
+            meaning,
             typical=0.1 + 0.02 * float(np.cos(1.3 * i + 0.7 * j + phase)),
+            values=(("first", i + 1), ("second", j + 1)),
         )
-        for axis, phase in (("x", 0.2), ("y", 1.1))
+        for axis, meaning, phase in (("x", "parameter.knot_x", 0.2), ("y", "parameter.knot_y", 1.1))
         for i in range(COLUMNS)
         for j in range(ROWS)
     )

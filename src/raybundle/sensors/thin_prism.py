@@ -19,10 +19,10 @@ class ThinPrism(SensorModel):
     name = "thin_prism"
     parameters = (
         *Rational.parameters[:-1],
-        Parameter("s1", "1", "thin prism in x", typical=1e-3, kind="decentring"),
-        Parameter("s2", "1", "thin prism in x", typical=-5e-4, kind="decentring"),
-        Parameter("s3", "1", "thin prism in y", typical=-8e-4, kind="decentring"),
-        Parameter("s4", "1", "thin prism in y", typical=3e-4, kind="decentring"),
+        Parameter("s1", "1", "parameter.thin_prism_x", typical=1e-3, kind="decentring"),
+        Parameter("s2", "1", "parameter.thin_prism_x", typical=-5e-4, kind="decentring"),
+        Parameter("s3", "1", "parameter.thin_prism_y", typical=-8e-4, kind="decentring"),
+        Parameter("s4", "1", "parameter.thin_prism_y", typical=3e-4, kind="decentring"),
         Rational.parameters[-1],
     )
 

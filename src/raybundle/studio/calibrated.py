@@ -123,7 +123,7 @@ def _plain(value: Any) -> Any:
 
 def _parameters(interior: InteriorResult) -> list[dict[str, Any]]:
     return [
-        {"symbol": p.symbol, "meaning": p.meaning, "unit": "" if p.unit == "1" else p.unit, "value": finite(p.value),
+        {"symbol": p.symbol, "meaning": p.words, "unit": "" if p.unit == "1" else p.unit, "value": finite(p.value),
          "sigma": None if p.std is None else finite(p.std), "status": p.status,
          "determinability": None if p.determinability is None else finite(p.determinability)}
         for p in interior.parameters.values()

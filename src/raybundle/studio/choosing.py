@@ -63,7 +63,7 @@ def _given(owner: Camera | Instrument) -> dict[str, Any]:
         "determinability": None, "correlation": None, "status": "not adjusted", "remark": "",
     }  # fmt: skip
     rows = [
-        {"symbol": p.symbol, "unit": p.unit, "meaning": p.meaning, "value": owner.values.get(p.symbol, p.default)}
+        {"symbol": p.symbol, "unit": p.unit, "meaning": p.words, "value": owner.values.get(p.symbol, p.default)}
         | nothing
         for p in owner.sensor.parameters
     ]
@@ -87,7 +87,7 @@ def _parameter(a: Adjustment, interior: InteriorResult, p: ParameterResult, oute
     t = p.t
     chance = None if t is None or a.redundancy < 1 else finite(fisher_tail(t * t, 1, a.redundancy))
     return {
-        "symbol": p.symbol, "unit": "" if p.unit == "1" else p.unit, "meaning": p.meaning, "value": finite(p.value),
+        "symbol": p.symbol, "unit": "" if p.unit == "1" else p.unit, "meaning": p.words, "value": finite(p.value),
         "sigma": _known(p.std), "t": _known(t), "probability": chance, "effect_px": _known(p.effect_px),
         "effect_sigma_px": _known(p.effect_std_px), "determinability": _known(p.determinability),
         "correlation": _strongest(interior, p.symbol, outer), "status": p.status, "remark": p.remark,

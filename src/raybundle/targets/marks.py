@@ -15,7 +15,7 @@ from typing import Protocol
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, phrase
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.targets.detect import Polarity
 
@@ -193,12 +193,9 @@ def nothing(family: str, *remarks: str) -> Marks:
     )  # fmt: skip
 
 
-def two_seen(title: str) -> str:
-    """What is said of a photograph that shows the same board twice."""
-    return (
-        f"the {title} is seen in two places, and nothing tells which is which: cover one of them, or take a second one "
-        "with other numbers of points"
-    )
+def two_seen(family: str) -> Text:
+    """Of a photograph that shows the same board twice."""
+    return phrase("target_seen.two_boards", target=family)
 
 
 def grid_objects(columns: int, rows: int) -> dict[str, Array]:

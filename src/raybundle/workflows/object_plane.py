@@ -5,6 +5,7 @@ What a picture to scale, a drawing sheet and a drawing in the plane's axes have 
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, phrase
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.geo.parsed_systems import system_name
 from raybundle.io.geo.told_systems import plan_system
@@ -63,12 +64,14 @@ class PlaneAsked:
             raise InputError("plane.point_twice", point=twice[0])
 
     @property
-    def axes_words(self) -> str:
+    def axes_words(self) -> Text:
         """Where the plane's coordinates begin, and where they go."""
-        origin = f"at {self.origin}" if self.origin else "in the middle of the points"
-        level = "along the block's X and Y" if self.horizontal else "level"
-        right = f"from {self.axis[0]} towards {self.axis[1]}" if self.axis else level
-        return f"origin {origin}, right {right}"
+        first, second = self.axis or ("", "")
+        right = "points" if self.axis else "block" if self.horizontal else "level"
+        return phrase(
+            "drawing_sheet.axes", at_point=bool(self.origin), origin=self.origin, right=right, first=first,
+            second=second,
+        )  # fmt: skip
 
     @property
     def has_axes(self) -> bool:
@@ -125,7 +128,7 @@ class Plane:
     """what was taken for the vertical"""
     kind: str = "best"
     """named, best, vertical or horizontal"""
-    axes_by: str = ""
+    axes_by: Text | None = None
     """where the coordinates begin, and where they go, in words"""
 
     def coordinates(self, xyz: Array) -> Array:
@@ -141,7 +144,7 @@ class Plane:
         """What speaks against it."""
         if self.kind != "vertical" or self.lean is None or not self.lean.of_no_wall:
             return ()
-        by = self.plumb.words if self.plumb else "Z of the block"
+        by = self.plumb.words if self.plumb else phrase("plumb.block")
         told = (
             f"its points lean {self.lean.words}, and no wall leans by more than {np.degrees(BATTER):.0f} degrees, the "
             f"batter of a rampart: do they lie in one wall, and is the vertical ({by}) right? Look at them one by one"
@@ -153,7 +156,7 @@ class Plane:
         """What is to be told of it."""
         if self.kind != "vertical" or self.lean is None or not self.lean.told or self.cautions:
             return ()
-        by = self.plumb.words if self.plumb else "Z of the block"
+        by = self.plumb.words if self.plumb else phrase("plumb.block")
         told = f"the wall is not plumb by more than its standard deviation: its points lean {self.lean.words}"
         return (f"{told} (vertical: {by}); the plane was made plumb as asked for",)
 
@@ -161,11 +164,14 @@ class Plane:
         """What NAME.toml says of it."""
         told: dict[str, Any] = {
             "origin": self.origin.tolist(), "right": self.axes[0].tolist(), "up": self.axes[1].tolist(),
-            "normal": self.axes[2].tolist(), "axes_by": self.axes_by, "plane": self.kind,
+            "normal": self.axes[2].tolist(), "axes_by": self.axes_by or "", "plane": self.kind,
             "points": self.points, "points_of": self.of, "points_rms": self.rms,
         }  # fmt: skip
+        if self.axes_by is not None:
+            told["axes_by_message"] = json.dumps(self.axes_by.message.json())
         if self.plumb is not None:
             told["vertical_by"] = self.plumb.words
+            told["vertical_by_message"] = json.dumps(self.plumb.words.message.json())
         if self.lean is not None:
             told["lean_deg"] = float(np.degrees(self.lean.angle))
             if np.isfinite(self.lean.sigma):

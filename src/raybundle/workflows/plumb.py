@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, phrase
 from raybundle.measuring.axes import vertical
 from raybundle.numerics.arrays import Array, Index
-from raybundle.numerics.counting import counted
 from raybundle.observations.alignment import Levels, PlumbLines
 
 Z = np.array([0.0, 0.0, 1.0])
@@ -24,7 +23,7 @@ class Plumb:
 
     up: Array
     """(3,) unit vector"""
-    words: str
+    words: Text
     sigma: float = float("nan")
     """standard deviation [rad] that the covariances of points do not hold; NaN: not known"""
     lines: tuple[tuple[str, ...], ...] = ()
@@ -66,7 +65,7 @@ def told_plumb(block: Block, way: str, about: Mapping[str, Any]) -> Plumb:
             raise InputError("vertical.no_plumb_line", way=way)
         xyz = block.points.xyz
         up = _along([xyz[points_at(block, line)] for line in lines], Z)
-        return Plumb(up=up, words=f"{counted(len(lines), 'measured plumb line')}", lines=lines)
+        return Plumb(up=up, words=phrase("plumb.lines", n=len(lines)), lines=lines)
     names = tuple(n.strip() for n in way.split(","))
     if len(names) != 2 or not all(names) or names[0] == names[1]:
         raise InputError("vertical.way_unknown", way=way)
@@ -74,7 +73,7 @@ def told_plumb(block: Block, way: str, about: Mapping[str, Any]) -> Plumb:
     if not np.linalg.norm(b - a) > 0:
         raise InputError("vertical.points_coincide", way=way)
     up = (b - a) / np.linalg.norm(b - a)
-    return Plumb(up=up, words=f"from {names[0]} to {names[1]}", lines=(names,))
+    return Plumb(up=up, words=phrase("plumb.points", lower=names[0], upper=names[1]), lines=(names,))
 
 
 def _of_block(block: Block, about: Mapping[str, Any]) -> Plumb:
@@ -83,18 +82,18 @@ def _of_block(block: Block, about: Mapping[str, Any]) -> Plumb:
                      for t in (PlumbLines, Levels))  # fmt: skip
     found = about.get("upright")
     if plumb or levels:
-        by = [counted(n, word) for n, word in ((plumb, "measured plumb line"), (levels, "level")) if n]
-        return Plumb(up=Z, words=f"Z of the block, by {' and '.join(by)}")
+        return Plumb(up=Z, words=phrase("plumb.block_observed", lines=plumb, levels=levels))
     if not isinstance(found, Mapping) or about.get("frame") is not None:
-        return Plumb(up=Z, words="Z of the block")
+        return Plumb(up=Z, words=phrase("plumb.block"))
     degrees, edges = found.get("sigma_deg"), found.get("plumb_edges")
     sigma = float(np.radians(degrees)) if isinstance(degrees, float | int) else float("nan")
-    by = (
-        f"by {counted(edges, 'plumb edge')} in the photographs" if isinstance(edges, int) and edges
-        else "as was said" if found.get("kind") == "given" else "by how the photographs were held"
+    known = bool(np.isfinite(sigma))
+    by = "edges" if isinstance(edges, int) and edges else "given" if found.get("kind") == "given" else "held"
+    words = phrase(
+        "plumb.block_found", by=by, edges=edges if isinstance(edges, int) else 0, known=known,
+        sigma_deg=float(np.degrees(sigma)) if known else 0.0,
     )  # fmt: skip
-    known = f", ± {np.degrees(sigma):.2g} degrees" if np.isfinite(sigma) else ""
-    return Plumb(up=Z, words=f"Z of the block, {by}{known}", sigma=sigma)
+    return Plumb(up=Z, words=words, sigma=sigma)
 
 
 def _measured(block: Block) -> tuple[tuple[str, ...], ...]:

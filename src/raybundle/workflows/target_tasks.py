@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -9,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, message_of, message_of_text
 from raybundle.io.photos.photo import Photo, read_grey
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
@@ -138,8 +139,16 @@ def arrays_of_marks(sets: Sequence[Marks]) -> dict[str, Array]:
     for k, m in enumerate(sets):
         arrays |= {f"{k}:{name}": getattr(m, name) for name in FIELDS}
         arrays[f"{k}:name"] = np.array(m.name, dtype=np.str_)
-        arrays[f"{k}:remarks"] = np.array(m.remarks, dtype=np.str_)
+        arrays[f"{k}:remarks"] = np.array([json.dumps(message_of_text(r).json()) for r in m.remarks], dtype=np.str_)
     return arrays
+
+
+def _remark(stored: str) -> str:
+    """A remark as it was kept: a message, and a text in stores of earlier versions."""
+    try:
+        return Text.of(message_of(json.loads(stored)))
+    except ValueError:
+        return stored
 
 
 def marks_from(a: Mapping[str, Array], targets: Sequence[Target]) -> tuple[Marks, ...]:
@@ -150,7 +159,8 @@ def marks_from(a: Mapping[str, Array], targets: Sequence[Target]) -> tuple[Marks
 
     return tuple(
         Marks(
-            family=t.family, name=tuple(a[f"{k}:name"].tolist()), remarks=tuple(a[f"{k}:remarks"].tolist()),
+            family=t.family, name=tuple(a[f"{k}:name"].tolist()),
+            remarks=tuple(_remark(r) for r in a[f"{k}:remarks"].tolist()),
             **numbers(k),
         )
         for k, t in enumerate(targets)

@@ -277,7 +277,7 @@ def test_text_where_numbers_are_due_is_told():
     )
     metadata, _ = read_metadata(None, packet.encode())
     assert metadata.gps is None
-    assert set(metadata.remarks) == {
-        "XMP drone-dji:GpsLatitude: 'north' is not a number; it is not used",
-        "XMP drone-dji:RtkStdLat: 'nan' is not a number; it is not used",
+    assert {(r.message.code, r.message.values["entry"], r.message.values["value"]) for r in metadata.remarks} == {
+        ("photo_entry.xmp_no_number", "drone-dji:GpsLatitude", "'north'"),
+        ("photo_entry.xmp_no_number", "drone-dji:RtkStdLat", "'nan'"),
     }

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, code_of
 from raybundle.io.geo.control_files import read_control
 from raybundle.io.trajectories import in_wgs84, matched, read_trajectory, trajectory_formats, write_trajectory
 from raybundle.io.trajectories.base import WGS84_HEIGHT
@@ -67,6 +67,11 @@ LISTS = {("geo.txt", "geo-txt", name): case for name, case in GEO_TXT.items()} |
 }
 
 
+def values_of(remark):
+    """Values of a remark."""
+    return remark.message.values if code_of(remark) else {}
+
+
 @pytest.mark.parametrize("key", LISTS, ids=lambda k: f"{k[1]}, {k[2]}")
 def test_position_lists(tmp_path, key):
     text, place, crs, sigma = LISTS[key]
@@ -121,7 +126,7 @@ def test_positions_without_a_fix_are_none(tmp_path):
     path.write_text("EPSG:4326\na.jpg 8.25 47.5 450\nb.jpg 0 0 0\n")
     found = read_trajectory(path)
     assert np.isnan(found.xyz[1]).all()
-    assert any("1 of 2 positions are 0, 0 and not used" in r for r in found.remarks)
+    assert any((code_of(r), values_of(r)) == ("position_list.no_fix", {"n": 1, "of": 2}) for r in found.remarks)
 
 
 HEAD = (
@@ -184,7 +189,7 @@ def test_rtklib_covariances_from_the_earths_centre(tmp_path, place):
     path.write_text(f"{ECEF_HEAD.replace('sdy(m)  sdz', 'sdz(m)  sdy')}2312 295200.237 {' '.join(map(str, words))}\n")
     other = read_trajectory(path)
     assert np.isnan(other.sigma).all()
-    assert any("have other names" in r for r in other.remarks)
+    assert any(code_of(r) == "position_list.sigma_columns" for r in other.remarks)
 
 
 BRACKETS = {  # names of latitude, longitude, height, accuracy; the quantity whose unit is refused, or nothing
@@ -251,7 +256,7 @@ def test_rtklib_states_datum_and_heights(tmp_path, stated):
         return
     found = read_trajectory(path)
     assert found.crs == W
-    assert any("does not state" in r for r in found.remarks) == bool(right)
+    assert any(code_of(r) == "position_list.heights_open" for r in found.remarks) == bool(right)
 
 
 @pytest.mark.parametrize("clock", ["GPST", "UTC ", "JST ", "BDT "])
@@ -269,7 +274,7 @@ def test_rtklib_columns_by_name(tmp_path):
     path.write_text(POS["date"].replace("sdn(m)   sde(m)", "sde(m)   sdn(m)"))
     found = read_trajectory(path)
     assert np.isnan(found.sigma).all()
-    assert any("have other names" in r for r in found.remarks)
+    assert any(code_of(r) == "position_list.sigma_columns" for r in found.remarks)
 
 
 @pytest.mark.parametrize("step", [0.05, 0.1, 0.2, 1.0, 5.0])
@@ -324,7 +329,7 @@ def test_names_of_columns_are_understood_or_refused(tmp_path, names):
         found = read_trajectory(path)
         assert found.crs == crs
         np.testing.assert_allclose(found.xyz[0], place)
-        assert any("estimated coordinates alone" in r for r in found.remarks) == ("_est" in names)
+        assert any(code_of(r) == "position_list.estimated" for r in found.remarks) == ("_est" in names)
 
 
 NAMELESS = {  # lines, and latitude, longitude ("lat"), longitude, latitude ("lon"), X, Y ("xy"), a place; "": refused
@@ -355,11 +360,13 @@ def test_lists_without_names_are_read_where_numbers_decide(tmp_path, lines):
             read_trajectory(path)
         return
     if "," in NAMELESS[lines]:
-        (remark,) = (r for r in read_trajectory(path).remarks if r.startswith("no column names"))
-        assert remark.endswith(f"the order of Pix4D; its first place is {NAMELESS[lines]}")
+        (remark,) = (r for r in read_trajectory(path).remarks if code_of(r) == "position_list.order_of_pix4d")
+        assert remark.endswith(f" {NAMELESS[lines]}.")
         return
-    remark = {"lat": "latitude, longitude, height", "lon": "longitude, latitude, height", "xy": "X, Y, Z"}
-    assert any(r == f"no column names: taken as {remark[NAMELESS[lines]]}" for r in read_trajectory(path).remarks)
+    order = {"lat": "latitude_longitude", "lon": "longitude_latitude", "xy": "xyz"}[NAMELESS[lines]]
+    assert [values_of(r) for r in read_trajectory(path).remarks if code_of(r) == "position_list.unnamed"] == [
+        {"order": order}
+    ]
 
 
 @pytest.mark.parametrize("name", ["", " ", "\t"])
@@ -464,5 +471,7 @@ def test_positions_that_the_list_disables(tmp_path, word):
     found = read_trajectory(path)
     off = word in {"0", "False"}
     assert np.isnan(found.xyz[1, :2]).all() == off
-    assert any("1 of 2 positions are disabled" in r for r in found.remarks) == off
+    assert (
+        any((code_of(r), values_of(r)) == ("position_list.disabled", {"n": 1, "of": 2}) for r in found.remarks) == off
+    )
     assert not any("Not read" in r for r in found.remarks)

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, code_of
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.photos.metadata import Gps, Metadata
 from raybundle.io.photos.photo import Photo
@@ -52,8 +52,9 @@ def test_an_mrk_file_by_hand(mrk):
     np.testing.assert_allclose(t.offset[:2], [[0.107, 0.101, -0.129], [0.012, -0.003, -0.190]])
     assert t.fix == ("rtk fixed", "rtk float", "none")
     assert t.time[0] == pytest.approx(2404 * 604800 + 282401.669089)
-    assert "2 of 3 positions have no fixed solution" in t.remarks
-    assert "1 of 3 exposures have no position" in t.remarks
+    found = [(r.message.code, r.message.values) for r in t.remarks]
+    assert ("position_list.not_fixed", {"n": 2, "of": 3}) in found
+    assert ("position_list.exposures_without", {"n": 1, "of": 3}) in found
 
 
 def test_numbers_find_their_photographs(mrk):
@@ -86,7 +87,8 @@ def test_photographs_take_positions(mrk):
     assert (gps[0].latitude_deg, gps[0].altitude_reference, gps[0].fix) == (22.77995359, "ellipsoid", "rtk fixed")
     assert gps[0].sigma_m == (0.003104, 0.002967, 0.007622)
     assert gps[2] == gps[3] == old  # no position, no row
-    assert remarks[0] == "2 of 4 photographs get their position from flight_Timestamp.MRK"
+    assert remarks[0].message.code == "position_list.used"
+    assert remarks[0].message.values == {"n": 2, "of": 4, "name": "flight_Timestamp.MRK"}
     with pytest.raises(InputError, match=r"1.*trajectory\.no_photograph_found"):
         with_positions(photos[3:], t)
     with pytest.raises(InputError, match=r"longitude_deg.*trajectory\.no_crs"):
@@ -326,7 +328,7 @@ def test_correlated_positions_become_correlated_stations(tmp_path):
     np.testing.assert_array_equal(read_trajectory(tmp_path / "again.csv").correlation, t.correlation)
     photo = Photo(name="a.jpg", metadata=Metadata(), path=path, width_px=1, height_px=1, sha256="")
     _, remarks = with_positions([photo], t)
-    assert any("correlations of the positions in ppk.csv are not used" in r for r in remarks)
+    assert any(code_of(r) == "position_list.correlations" for r in remarks)
 
 
 def test_a_list_in_a_grid_gives_the_frame_of_its_photographs(tmp_path):

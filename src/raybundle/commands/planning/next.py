@@ -8,7 +8,7 @@ from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, NotSolvable, Text, joined_texts, note, phrase
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, setting
 
@@ -202,17 +202,16 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
         n = len(block.images) - len(words)
         planned = Planned(
             covariance=plan.promised(after), proposed=tuple(range(n, n + len(words))), length_unit=unit,
-            image_words=("",) * n + tuple(f"{w}\n{w.brings}" for w in words),
+            image_words=("",) * n + tuple(joined_texts(w.text, w.brings) for w in words),
             remarks=(
-                *(f"{name}: {w}. {_sentence(w.brings)}" for name, w in zip(plan.names, words, strict=True)),
-                "Standard deviations with the proposals, of the precision that the image points of these points have.",
+                *(
+                    Text.of(note("next_photograph.proposal", name=name), *w.messages, *w.brings.messages)
+                    for name, w in zip(plan.names, words, strict=True)
+                ),
+                phrase("next_photograph.predicted"),
             ),
         )  # fmt: skip
         write_network_page(after, folder / "network.html", planned)
-
-
-def _sentence(words: str) -> str:
-    return f"{words[:1].upper()}{words[1:]}."
 
 
 def next_table(plan: NextPlan) -> dict[str, Any]:

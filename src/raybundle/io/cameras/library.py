@@ -20,7 +20,7 @@ import numpy as np
 from raybundle.block import Camera
 from raybundle.block.stored import observed_jointly
 from raybundle.block.zoom import ZoomCalibration
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.cameras.zoom_files import ZOOM, read_zoom, write_zoom
@@ -34,7 +34,6 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.user_folders import user_folder
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
-from raybundle.settings import option
 
 VARIABLE = "RAYBUNDLE_CAMERAS"
 POOR = ("weak", "not determinable")
@@ -402,11 +401,11 @@ def with_library(
             result.append(group)
             continue
         taken = with_calibration(group, best.camera)
-        of = f", kept on {best.entry.date}," if best.entry.date else ""
-        how = "is observed with its covariance" if best.camera.calibrated else "is held: its covariance is not known"
-        weak = f"; it was called {best.entry.grade}" if best.entry.grade in POOR else ""
-        without = option("library", False, flag="no-library")
-        told = f"the calibration {best.entry.name} of the camera library{of} {how}{weak} ({without}: estimate it)"
+        told = phrase(
+            "camera_library.taken", name=best.entry.name, dated=bool(best.entry.date), date=best.entry.date,
+            observed=best.camera.calibrated is not None, poor=best.entry.grade in POOR,
+            grade=best.entry.grade.replace(" ", "_"),
+        )  # fmt: skip
         result.append(replace(taken, remarks=(*group.remarks, *taken.remarks, told)))
     return tuple(result)
 

@@ -11,7 +11,7 @@ from math import sqrt
 from raybundle.block import Camera
 from raybundle.block.known import observed_as_known
 from raybundle.block.stored import joint_covariance
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, code_of, message_of_text, note, phrase
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
 from raybundle.io.photos.start import (
@@ -150,7 +150,7 @@ def with_what_is_known(camera: Camera, group: CameraGroup) -> Camera:
     side = group.pixel_mm[0] * max(group.width_px, group.height_px)
     centre = group.sigma_centre * side
     stated = group.sigma_c_mm / group.c_mm
-    by_factor = {DEFAULT_SOURCE: BY_FACTOR, XMP_SOURCE: stated}.get(group.source, max(stated, NOMINAL))
+    by_factor = {DEFAULT_SOURCE: BY_FACTOR, XMP_SOURCE: stated}.get(code_of(group.source), max(stated, NOMINAL))
     return observed_as_known(camera, {"c": by_factor, "x0": centre, "y0": centre})
 
 
@@ -205,17 +205,18 @@ def _with_unstated(
         if len(fuller) != 1:
             continue
         mine, told = found.pop(key)
-        what = " and ".join(
-            f"{name} {theirs!r}"
-            for name, ours, theirs in zip(("serial number", "lens"), key.unsure, fuller[0].unsure, strict=True)
-            if theirs and not ours
+        serial, lens = (
+            theirs if theirs and not ours else "" for ours, theirs in zip(key.unsure, fuller[0].unsure, strict=True)
         )
         rows, words = found[fuller[0]]
         few, many = (mine, rows) if len(mine) <= len(rows) else (rows, mine)
-        one, state = len(few) == 1, "do not state" if few is mine else "alone state"
-        state = state.replace("do not", "does not").replace("alone state", "alone states") if one else state
-        whose = photos[few[0]].name + ("" if one else f" and {len(few) - 1} more")
-        words += [*told, f"{whose} {state} the {what}; all else is that of the other {len(many)}: one camera"]
+        words += [
+            *told,
+            phrase(
+                "camera_start.one_camera", first=photos[few[0]].name, n=len(few), stated=few is not mine,
+                has_serial=bool(serial), serial=serial, has_lens=bool(lens), lens=lens, others=len(many),
+            ),
+        ]  # fmt: skip
         found[fuller[0]] = sorted([*rows, *mine]), words
     first = sorted(found, key=lambda k: found[k][0][0])
     return {k: (found[k][0], tuple(found[k][1])) for k in first}
@@ -306,12 +307,16 @@ def with_calibration(group: CameraGroup, camera: Camera) -> CameraGroup:
     c = next(p.symbol for p in sensor_models[camera.model].parameters if p.kind == "scale")
     c_px, own = camera.values[c] / camera.pixel_mm[0], group.c_px
     remarks: tuple[str, ...] = ()
-    if group.source != DEFAULT_SOURCE and abs(c_px / own - 1) > 0.1:
-        says = f"the stored calibration says c = {c_px:.0f} px, {group.source} {own:.0f} px"
-        remarks = (f"{says}; the calibration is taken",)
+    if code_of(group.source) != DEFAULT_SOURCE and abs(c_px / own - 1) > 0.1:
+        remarks = (
+            Text.of(
+                note("camera_start.calibration_differs", c_px=round(c_px), own_px=round(own)),
+                message_of_text(group.source),
+            ),
+        )
     return replace(
         group, pixel_mm=camera.pixel_mm, c_mm=camera.values[c], sigma_c_mm=_calibrated_sigma(camera, c),
-        source=f"stored calibration {camera.id}", remarks=remarks, projection="", stored=camera,
+        source=phrase("camera_start.stored", camera=camera.id), remarks=remarks, projection="", stored=camera,
     )  # fmt: skip
 
 
@@ -321,13 +326,10 @@ def _with_remarks(group: CameraGroup, groups: Sequence[CameraGroup], photos: Seq
     remarks = list(group.remarks)
     unknown = {i for i in group.photos if not photos[i].metadata.model}
     if unknown and len(groups) > 1 and any(photos[g.photos[0]].metadata.model for g in groups):
-        remarks.append("no metadata, the other photographs have some: perhaps from another source")
+        remarks.append(phrase("camera_start.no_metadata"))
     several_lenses = any(word in m.lens.lower() for word in SEVERAL_LENSES)
     zooms = m.focal_range_mm is not None and m.focal_range_mm[1] > m.focal_range_mm[0] * 1.01
     if zooms and m.focal_range_mm is not None and not several_lenses and len(group.photos) > 1:
         low, high = m.focal_range_mm
-        remarks.append(
-            f"zoom lens {low:g} to {high:g} mm: photographs with the same entry {m.focal_mm or 0:g} mm may have been "
-            "taken at slightly different settings"
-        )
+        remarks.append(phrase("camera_start.zoom_lens", low_mm=low, high_mm=high, focal_mm=m.focal_mm or 0.0))
     return replace(group, remarks=tuple(remarks))

@@ -10,6 +10,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from raybundle.errors import phrase
 from raybundle.io.reading.tiff import BYTES, LETTERS, SMALLEST, TEXT, Entry, Memory, Tiff
 from raybundle.io.reading.words import finite, number_of
 
@@ -73,7 +74,7 @@ def read_tags(data: bytes | memoryview) -> Tags:
         source = source[6:]
     tiff = Tiff.of(Memory(source))
     if tiff is None:
-        return Tags(remarks=("EXIF does not begin as a TIFF does (II or MM, 42): not read",))
+        return Tags(remarks=(phrase("photo_entry.exif_no_tiff"),))
     reader = _Reader(tiff)
     main = reader.directory(tiff.first, "main")
     exif = reader.linked(main, EXIF_POINTER, "EXIF")
@@ -100,10 +101,10 @@ class _Reader:
         """The entries of a directory; the first of several with the same tag."""
         count = None if at is None or at < SMALLEST else self.tiff.count(at)
         if at is None or count is None:
-            self.remarks.append(f"the {name} directory lies outside the data")
+            self.remarks.append(phrase("photo_entry.exif_outside", directory=name))
             return {}
         if at in self.seen:
-            self.remarks.append(f"the {name} directory was read already under another name")
+            self.remarks.append(phrase("photo_entry.exif_twice", directory=name))
             return {}
         self.seen.add(at)
         entries: dict[int, Value] = {}
@@ -116,9 +117,9 @@ class _Reader:
             else:
                 entries.setdefault(entry.tag, value)
         if read < count:
-            self.remarks.append(f"the {name} directory promises {count} entries, {read} can be read")
+            self.remarks.append(phrase("photo_entry.exif_cut", directory=name, n=read, of=count))
         if bad:
-            self.remarks.append(f"{bad} of {count} entries of the {name} directory are damaged")
+            self.remarks.append(phrase("photo_entry.exif_damaged", directory=name, n=bad, of=count))
         return entries
 
     def _value(self, entry: Entry) -> Value | None:

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError, Text, message
+from raybundle.errors import InputError, Text, code_of, message, message_of_text, named, phrase
 from raybundle.io.photos.container import (
     HEIC_SUFFIXES,
     JPEG_SUFFIXES,
@@ -138,24 +138,22 @@ def find_photos(
     return Found(photos=kept, refused=tuple(sorted(refused + thumbnails)), remarks=tuple(remarks), copies=copies)
 
 
-PLACE = ("position", "latitude", "longitude", "altitude")
-
-
 def _concerns_all(remark: str) -> bool:
     """Whether a remark on the metadata of a photograph matters to the set: entries of XMP, positions."""
-    return remark.startswith(("XMP ", "GPS", "position", "altitude", *(f"EXIF {n}" for n in PLACE)))
+    return not code_of(remark).startswith(("photo_entry.exif_", "photo_entry.orientation"))
 
 
 def _together(remarks: list[tuple[str, str]]) -> list[str]:
     """One remark for all photographs in which the same entry is of no use, with the first of them."""
-    by_entry: dict[str, list[tuple[str, str]]] = {}
+    by_entry: dict[tuple[str, str, str], list[tuple[str, str]]] = {}
     for name, remark in remarks:
-        by_entry.setdefault(remark.split(": ")[0], []).append((name, remark))
+        values = message_of_text(remark).values
+        entry = code_of(remark), str(values.get("entry", "")), str(values.get("source", ""))
+        by_entry.setdefault(entry, []).append((name, remark))
     found: list[str] = []
     for same in by_entry.values():
         name, remark = same[0]
-        more = f" and {len(same) - 1} more" if len(same) > 1 else ""
-        found.append(f"{name}{more}: {remark}")
+        found.append(Text.of(named(f"{name} (+{len(same) - 1})" if len(same) > 1 else name, remark)))
     return found
 
 
@@ -238,24 +236,27 @@ def _in_folder(folder: Path, leave: frozenset[Path], remarks: list[str]) -> list
     doubles = [p for p in files if p.suffix.lower() in (RAW_SUFFIXES | HEIC_SUFFIXES) and p.stem.lower() in jpegs]
     if doubles:
         remarks.append(
-            f"{shown(folder)}: {len(doubles)} files have a JPEG of the same name beside them, which is taken "
-            f"({shown(doubles[0]).name}, ...)"
+            phrase("photo_entry.jpeg_taken", folder=str(shown(folder)), n=len(doubles), first=shown(doubles[0]).name)
         )
         files = [p for p in files if p not in set(doubles)]
     others = [p for p in entries if p.suffix.lower() not in SUFFIXES and not p.is_dir()]
     if others:
-        suffixes = ", ".join(sorted({shown(p).suffix.lower() or "(none)" for p in others}))
-        remarks.append(f"{shown(folder)}: {len(others)} other files are not looked at ({suffixes})")
+        suffixes = sorted({shown(p).suffix.lower() or "-" for p in others})
+        remarks.append(phrase("photo_entry.other_files", folder=str(shown(folder)), n=len(others), suffixes=suffixes))
         hints = {h.code: h for p in others if (h := other_kind(p.suffix)) is not None}
         for hint in hints.values():
             same = [shown(p).name for p in others if other_kind(p.suffix) == hint]
-            more = f" and {len(same) - 1} more" if len(same) > 1 else ""
-            remarks.append(f"{same[0]}{more}: {hint.text()}")
+            name = f"{same[0]} (+{len(same) - 1})" if len(same) > 1 else same[0]
+            remarks.append(Text.of(named(name, Text.of(hint))))
     folders = [p for p in entries if p.is_dir()]
     if folders:
         remarks.append(
-            f"{shown(folder)}: {len(folders)} sub-folder{'s are' if len(folders) > 1 else ' is'} not looked into "
-            f"({shown(folders[0]).name}{', ...' if len(folders) > 1 else ''}); give them too"
+            phrase(
+                "photo_entry.sub_folders",
+                folder=str(shown(folder)),
+                n=len(folders),
+                names=[shown(p).name for p in folders],
+            )
         )
     return files
 

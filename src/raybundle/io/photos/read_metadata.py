@@ -7,6 +7,7 @@ import re
 from collections.abc import Mapping
 from datetime import datetime, timedelta, timezone
 
+from raybundle.errors import phrase
 from raybundle.io.photos.exif import Tags, read_tags
 from raybundle.io.photos.metadata import Gps, Metadata
 from raybundle.io.photos.recorded_altitude import recorded_altitude
@@ -46,7 +47,7 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
     remarks = [*tags.remarks, *xmp_remarks, *_no_numbers(entries)]
     orientation = int(tags.number(0x0112) or _number(entries, "tiff:Orientation") or 1)
     if not 1 <= orientation <= 8:
-        remarks.append(f"the EXIF orientation {orientation} is not one of 1 to 8; taken as 1")
+        remarks.append(phrase("photo_entry.orientation", orientation=orientation))
         orientation = 1
     width, height = tags.positive(0xA002), tags.positive(0xA003)
     place, left_out = recorded_position(tags, entries)
@@ -78,7 +79,7 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
 def _no_numbers(entries: Mapping[str, str]) -> list[str]:
     """What is told of entries of an aircraft's XMP that are to be numbers and are none."""
     bad = [k for k in NUMBERS if entries.get(k) and _number(entries, k) is None]
-    return [f"XMP {k}: {quoted(entries[k])} is not a number; it is not used" for k in bad]
+    return [phrase("photo_entry.xmp_no_number", entry=k, value=quoted(entries[k])) for k in bad]
 
 
 def _number(entries: Mapping[str, str], *keys: str) -> float | None:
@@ -167,7 +168,7 @@ def _gps(place: Recorded, tags: Tags, entries: Mapping[str, str], remarks: list[
     sigma = _sigma(tags, entries)
     dop = tags.positive(11, gps=True) or _positive(entries, "exif:GPSDOP")
     if dop is not None and dop > WEAK_DOP and sigma is None:
-        remarks.append(f"GPSDOP above {WEAK_DOP:g}, the position is a rough estimate with the usual sigma: {dop:.3g}")
+        remarks.append(phrase("photo_entry.dop", dop=dop, limit=WEAK_DOP))
     return Gps(
         latitude_deg=place.angles[0],
         longitude_deg=place.angles[1],

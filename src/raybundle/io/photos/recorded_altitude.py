@@ -10,7 +10,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
+from raybundle.errors import phrase
 from raybundle.io.photos.exif import Tags
 from raybundle.io.photos.recorded_position import SLACK_DEG, step_of_number, step_of_text
 from raybundle.io.reading.words import number_of
@@ -63,11 +65,11 @@ def recorded_altitude(
     apart = abs(own.metres - exif.metres)
     if (rtk or own.reference != exif.reference) and apart <= GEOID_M:
         return own.metres, own.reference
-    shown = f"{own}; {exif}; {apart:.3g} m apart"
+    values: dict[str, Any] = {"first": str(own), "second": str(exif), "apart_m": apart}
     if apart <= NEAR_M:
-        remarks.append(f"altitudes differ, that of {own.source} is used: {shown}")
+        remarks.append(phrase("photo_entry.altitudes_differ", source=own.source, **values))
         return own.metres, own.reference
-    remarks.append(f"altitudes contradict each other and none is used: {shown}; correct one, or give a position list")
+    remarks.append(phrase("photo_entry.altitudes_contradict", **values))
     return None, ""
 
 
@@ -84,7 +86,7 @@ def _of_exif(tags: Tags, entries: Mapping[str, str], remarks: list[str], *, rtk:
     if altitude is None or not math.isfinite(altitude):
         return None
     if (tags.text(10, gps=True) or entries.get("exif:GPSMeasureMode", "")).strip() == "2":
-        remarks.append(f"{source} altitude is not used: GPSMeasureMode 2, the receiver had a fix in plan alone")
+        remarks.append(phrase("photo_entry.altitude_no_fix", source=source))
         return None
     above_what = "ellipsoid" if rtk else ABOVE.get(int(reference), "sea level")
     sign = -1.0 if reference in {1, 3} else 1.0

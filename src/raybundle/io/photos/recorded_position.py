@@ -12,7 +12,9 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
+from raybundle.errors import Message, Text, note, phrase
 from raybundle.io.photos.exif import Tags
 from raybundle.io.photos.map_datum import geographic_system, in_wgs84, is_wgs84
 from raybundle.io.reading.words import number_of
@@ -88,7 +90,9 @@ def recorded_position(tags: Tags, entries: Mapping[str, str]) -> tuple[Recorded 
         return None, tuple(remarks)
     chosen = _chosen(usable, remarks)
     if chosen is not None and chosen.coarse:
-        remarks.append(f"position rounded to {max(chosen.rounding_m) * math.sqrt(12):.3g} m: {chosen}")
+        remarks.append(
+            phrase("photo_entry.position_rounded", step_m=max(chosen.rounding_m) * math.sqrt(12), position=str(chosen))
+        )
     return chosen, tuple(remarks)
 
 
@@ -106,9 +110,11 @@ def _candidates(tags: Tags, entries: Mapping[str, str], remarks: list[str]) -> I
         angles = [number_of(t) for t in texts]
         if angles[0] is None or angles[1] is None:
             if not all(texts):  # what is no number has a remark already
-                remarks.append(f"{source} is not used: its {'longitude' if texts[0] else 'latitude'} is missing")
+                remarks.append(phrase("photo_entry.half_missing", source=source, longitude=bool(texts[0])))
         elif any(abs(a) > m for a, m in zip(angles, LIMITS, strict=True) if a is not None):
-            remarks.append(f"{source} is not used, it is no place on the earth: {angles[0]:.9g}, {angles[1]:.9g}")
+            remarks.append(
+                phrase("photo_entry.no_place", source=source, latitude_deg=angles[0], longitude_deg=angles[1])
+            )
         else:
             steps = (step_of_text(texts[0]), step_of_text(texts[1]))
             yield Recorded(source=source, origin="drone-dji", angles=(angles[0], angles[1]), step=steps)
@@ -118,7 +124,7 @@ def _of_receiver(found: Recorded, tags: Tags, entries: Mapping[str, str], remark
     """The position of EXIF in WGS 84; None with a remark where the receiver had no fix or its datum is not known."""
     status = (tags.text(9, gps=True) or entries.get("exif:GPSStatus", "")).strip().upper()
     if status[:1] == "V":
-        remarks.append(f"{found.source} position is not used: GPSStatus {status}, the receiver had no fix")
+        remarks.append(phrase("photo_entry.no_fix_status", source=found.source, status=status))
         return None
     datum = tags.text(18, gps=True) or entries.get("exif:GPSMapDatum", "")
     if is_wgs84(datum):
@@ -126,11 +132,15 @@ def _of_receiver(found: Recorded, tags: Tags, entries: Mapping[str, str], remark
     system = geographic_system(datum)
     moved = None if system is None or not all(found.signed) else in_wgs84(system, *found.angles)
     if moved is None:
-        remarks.append(f"{found.source} position is not used: no transformation from GPSMapDatum {datum!r} to WGS 84")
+        remarks.append(phrase("photo_entry.no_transformation", source=found.source, map_datum=datum))
         return None
     result = replace(found, angles=moved)
-    shift = f"{result.distance_m(found):.3g} m"
-    remarks.append(f"GPSMapDatum {datum!r} is {system}: {found.source} position is moved by {shift} to WGS 84")
+    remarks.append(
+        phrase(
+            "photo_entry.moved", source=found.source, map_datum=datum, system=str(system),
+            shift_m=result.distance_m(found),
+        )
+    )  # fmt: skip
     return result
 
 
@@ -166,14 +176,26 @@ def _of_parts(
         parts, letters, LETTERS, LIMITS, ("latitude", "longitude"), strict=True
     ):
         angle = _angle(values)
-        if isinstance(angle, str) or abs(angle[0]) > limit:
-            why = angle if isinstance(angle, str) else f"{angle[0]:.7g} deg is beyond {limit:g}"
-            remarks.append(f"{source} {name} is not used: {why}")
+        if isinstance(angle, Message) or abs(angle[0]) > limit:
+            why = (
+                angle
+                if isinstance(angle, Message)
+                else note("photo_entry.angle_beyond", value_deg=angle[0], limit_deg=limit)
+            )
+            remarks.append(Text.of(note("photo_entry.angle", source=source, longitude=name == "longitude"), why))
             return None
         degrees, step = angle
         known = letter in allowed if letter else False
         if degrees < 0 and letter == allowed[0]:
-            remarks.append(f"{source} {name} is not used: {degrees:.7g} deg contradicts the reference {letter}")
+            remarks.append(
+                phrase(
+                    "photo_entry.angle_contradicts",
+                    source=source,
+                    longitude=name == "longitude",
+                    value_deg=degrees,
+                    letter=letter,
+                )
+            )
             return None
         negative = degrees < 0 or letter == allowed[1]
         signed.append(known or degrees < 0)
@@ -184,20 +206,20 @@ def _of_parts(
     )
 
 
-def _angle(values: tuple[float, ...]) -> tuple[float, float] | str:
-    """Degrees and the step of the last digit; in words, what is wrong."""
+def _angle(values: tuple[float, ...]) -> tuple[float, float] | Message:
+    """Degrees and the step of the last digit; else what is wrong."""
     if not 1 <= len(values) <= 3:
-        return f"{len(values)} numbers, degrees, minutes and seconds are needed"
+        return note("photo_entry.angle_numbers", n=len(values))
     known = list(values)
     while known and not math.isfinite(known[-1]):
         known.pop()  # x/0: the part is not known
     if not known or not all(map(math.isfinite, known)):
-        return "its degrees or minutes are x/0"
+        return note("photo_entry.angle_fraction")
     shown = ", ".join(f"{v:.9g}" for v in known)
     if any(v < 0 or v > 60 for v in known[1:]):
-        return f"minutes or seconds are not within 0 to 60 ({shown})"
+        return note("photo_entry.angle_sixty", values=shown)
     if any(v % 1 and any(known[k + 1 :]) for k, v in enumerate(known)):
-        return f"a part with decimals is followed by a smaller one ({shown})"
+        return note("photo_entry.angle_decimals", values=shown)
     last = max((k for k, v in enumerate(known) if v), default=len(known) - 1)
     last = last if known[last] % 1 else len(known) - 1
     size = sum(abs(v) / 60**k for k, v in enumerate(known))
@@ -223,7 +245,7 @@ def step_of_text(text: str) -> float:
 def _has_fix(found: Recorded, remarks: list[str]) -> bool:
     if max(map(abs, found.angles)) >= NO_FIX_DEG:
         return True
-    remarks.append(f"{found.source} position 0, 0 is not used: the receiver had no fix")
+    remarks.append(phrase("photo_entry.no_fix", source=found.source))
     return False
 
 
@@ -240,7 +262,7 @@ def _with_hemispheres(found: Sequence[Recorded], remarks: list[str]) -> list[Rec
             result.append(signs)
             continue
         lacking = [n for n, s in zip(("GPSLatitudeRef", "GPSLongitudeRef"), c.signed, strict=True) if not s]
-        remarks.append(f"{c.source} position without hemisphere is not used, {' and '.join(lacking)} missing: {c}")
+        remarks.append(phrase("photo_entry.no_hemisphere", source=c.source, missing=lacking, position=str(c)))
     return result
 
 
@@ -260,13 +282,13 @@ def _chosen(usable: Sequence[Recorded], remarks: list[str]) -> Recorded | None:
         return best
     far = max(others, key=best.distance_m)
     distance = best.distance_m(far)
-    shown = f"{best}; {far}; {distance:.3g} m apart"
+    values: dict[str, Any] = {"first": str(best), "second": str(far), "apart_m": distance}
     tied = {o.origin for o in others} - {o.origin for o in clusters[finest[0]]}
     if distance <= NEAR_M:
-        remarks.append(f"positions differ, that of {best.source} is used: {shown}")
+        remarks.append(phrase("photo_entry.positions_differ", source=best.source, **values))
         return best
     if votes[finest[0]] > 1 or not tied:
-        remarks.append(f"{far.source} position is not used, it contradicts the others: {shown}")
+        remarks.append(phrase("photo_entry.position_contradicts", source=far.source, **values))
         return best
-    remarks.append(f"positions contradict each other and none is used: {shown}; correct one, or give a position list")
+    remarks.append(phrase("photo_entry.positions_contradict", **values))
     return None

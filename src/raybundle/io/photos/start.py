@@ -10,18 +10,23 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
+from raybundle.errors import phrase
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.sensor_sizes import sensor_size
 from raybundle.io.reading.words import number_of, quoted
 
 DIAGONAL_35MM = math.hypot(36, 24)
-XMP_SOURCE = "XMP calibration"
-DEFAULT_SOURCE = "default: 1.2 times the longer side"
+XMP_SOURCE = "camera_start.xmp"
+DEFAULT_SOURCE = "camera_start.default"
+EQUIVALENT_SOURCE = "camera_start.equivalent"
 NOMINAL_PIXEL_MM = 0.001
 SIGMA = {"xmp": 0.01, "focal plane": 0.02, "table": 0.02, "35 mm": 0.05, "default": 0.4}
 """Relative standard deviations: the nominal focal length alone is good to one or two per cent."""
-SHOWN = {"focal plane": "focal plane resolution", "table": "sensor size table", "35 mm": "35 mm equivalent"}
+SHOWN = {
+    "focal plane": "camera_start.focal_plane", "table": "camera_start.table", "35 mm": EQUIVALENT_SOURCE,
+}  # fmt: skip
 SENSOR_WIDTH_MM = (2.0, 75.0)
 EQUIVALENT_MM = (4.0, 4000.0)
 """35 mm equivalents that lenses have: fisheyes from 6 mm, bridge cameras to 3000 mm (Nikon P1000)."""
@@ -77,23 +82,25 @@ def starting_value(metadata: Metadata, width_px: int, height_px: int) -> Start:
     remarks: list[str] = []
     if metadata.focal35_mm is not None and not EQUIVALENT_MM[0] <= metadata.focal35_mm <= EQUIVALENT_MM[1]:
         remarks.append(
-            f"EXIF's 35 mm equivalent of {metadata.focal35_mm:g} mm is none that a lens has ({EQUIVALENT_MM[0]:g} to "
-            f"{EQUIVALENT_MM[1]:g} mm); it is not taken"
-        )
+            phrase(
+                "camera_start.equivalent_impossible", equivalent_mm=metadata.focal35_mm, least_mm=EQUIVALENT_MM[0],
+                most_mm=EQUIVALENT_MM[1],
+            )
+        )  # fmt: skip
         metadata = replace(metadata, focal35_mm=None)
     taken = _taken(metadata, width_px, height_px, remarks)
     density, doubt = _densities(metadata, taken, remarks)
     best = next(iter(density), "")
     zoom = metadata.zoom_ratio if metadata.zoom_ratio is not None and 1.01 < metadata.zoom_ratio < 100 else 1.0
     if zoom > 1:
-        remarks.append(f"digital zoom {zoom:g}: the camera constant in pixels grows with it")
+        remarks.append(phrase("camera_start.digital_zoom", zoom=zoom))
     focal, c = metadata.focal_mm, None
     if best and focal is not None:
         c = focal * (zoom if best != "35 mm" else 1.0) * density[best] / taken.ratio
     pixel = taken.ratio / density[best] if best else NOMINAL_PIXEL_MM
     found = _from_xmp(metadata, taken, density.get(best), remarks)
     if found is not None and c is not None and abs(math.log(found / c)) > SAME_CAMERA:
-        remarks.append(f"XMP gives {found:.0f} px where {c:.0f} px are to be expected; XMP is not taken")
+        remarks.append(phrase("camera_start.xmp_contradicts", c_px=round(found), expected_px=round(c)))
     elif found is not None:
         return _start(found, pixel, math.hypot(SIGMA["xmp"], taken.doubt), XMP_SOURCE, remarks)
     if c is not None:
@@ -103,18 +110,16 @@ def starting_value(metadata: Metadata, width_px: int, height_px: int) -> Start:
     if metadata.focal35_mm is not None:
         c = metadata.focal35_mm * diagonal / DIAGONAL_35MM
         sigma = math.hypot(SIGMA["35 mm"], taken.doubt)
-        return _start(c, DIAGONAL_35MM / diagonal, sigma, "35 mm equivalent", remarks)
+        return _start(c, DIAGONAL_35MM / diagonal, sigma, EQUIVALENT_SOURCE, remarks)
     if focal is not None:
-        remarks.append(f"a focal length of {focal:g} mm without a sensor size says nothing about the camera constant")
+        remarks.append(phrase("camera_start.no_sensor_size", focal_mm=focal))
     return _start(1.2 * max(width_px, height_px), NOMINAL_PIXEL_MM, SIGMA["default"], DEFAULT_SOURCE, remarks)
 
 
 def stated_projection(metadata: Metadata) -> str:
     """What is stated of a projection that is not central, in words; empty for a photograph."""
     kind = metadata.xmp.get("GPano:ProjectionType")
-    return (
-        f"XMP says {kind} panorama: no central projection; give a stored calibration of another model" if kind else ""
-    )
+    return phrase("camera_start.panorama", kind=kind) if kind else ""
 
 
 def centre_sigma(metadata: Metadata, width_px: int, height_px: int) -> float:
@@ -135,7 +140,7 @@ def centre_sigma(metadata: Metadata, width_px: int, height_px: int) -> float:
 
 
 def _start(c_px: float, pixel_mm: float, sigma: float, source: str, remarks: list[str]) -> Start:
-    return Start(c_mm=c_px * pixel_mm, pixel_mm=pixel_mm, sigma=sigma, source=source, remarks=tuple(remarks))
+    return Start(c_mm=c_px * pixel_mm, pixel_mm=pixel_mm, sigma=sigma, source=phrase(source), remarks=tuple(remarks))
 
 
 def _taken(metadata: Metadata, width: int, height: int, remarks: list[str]) -> _Taken:
@@ -147,15 +152,14 @@ def _taken(metadata: Metadata, width: int, height: int, remarks: list[str]) -> _
     long, short = max(metadata.exif_width, metadata.exif_height), min(metadata.exif_width, metadata.exif_height)
     if max(abs(long - file_long), abs(short - file_short)) <= 16:
         return same
-    size = f"EXIF says {metadata.exif_width} x {metadata.exif_height} px, the file has {width} x {height}"
+    sizes: dict[str, Any] = {
+        "exif_width": metadata.exif_width, "exif_height": metadata.exif_height, "width": width, "height": height,
+    }  # fmt: skip
     by_long, by_short = long / file_long, short / file_short
     if abs(math.log(by_long / by_short)) < 0.015:
-        remarks.append(
-            f"{size}: taken as a copy, its size divided by {by_long:.4g}; a crop of the same shape looks alike in "
-            f"EXIF, and would have a camera constant {by_long:.4g} times as long in pixels"
-        )
+        remarks.append(phrase("camera_start.copy", ratio=by_long, **sizes))
         return _Taken(long=long, short=short, ratio=by_long)
-    remarks.append(f"{size}: cropped; the principal point may be far from the centre")
+    remarks.append(phrase("camera_start.cropped", **sizes))
     if min(by_long, by_short) < 1:
         return _Taken(long=file_long, short=file_short, doubt=0.2)
     ratio = min(by_long, by_short)
@@ -178,29 +182,16 @@ def _densities(m: Metadata, taken: _Taken, remarks: list[str]) -> tuple[dict[str
     if m.focal35_mm is not None and m.focal_mm is not None:
         equivalent = m.focal35_mm / DIAGONAL_35MM * math.hypot(long, short) / m.focal_mm
     if plane is not None and equivalent is not None and table is not None and _outvoted(table, plane, equivalent):
-        remarks.append(
-            f"the table makes the sensor {long / table:.2f} mm wide; EXIF's focal plane resolution and 35 mm "
-            f"equivalent agree on {long / plane:.2f} mm, which is taken"
-        )
+        remarks.append(phrase("camera_start.table_outvoted", table_mm=long / table, taken_mm=long / plane))
         table = None
     if plane is not None and table is not None and abs(math.log(plane / table)) > SAME_SENSOR:
-        remarks.append(
-            f"EXIF's focal plane resolution makes the sensor {long / plane:.2f} mm wide, the table says "
-            f"{long / table:.2f} mm; the table is taken"
-        )
+        remarks.append(phrase("camera_start.table_taken", plane_mm=long / plane, table_mm=long / table))
         plane = None
     if plane is not None and table is None and equivalent is not None and _far(plane, equivalent):
-        remarks.append(
-            f"EXIF's focal plane resolution makes the sensor {long / plane:.2f} mm wide, the 35 mm equivalent "
-            f"{long / equivalent:.2f} mm; the latter is taken"
-        )
+        remarks.append(phrase("camera_start.equivalent_taken", plane_mm=long / plane, equivalent_mm=long / equivalent))
         plane = None
     if table is not None and equivalent is not None and _far(table, equivalent):
-        remarks.append(
-            f"the 35 mm equivalent makes the sensor {long / equivalent:.2f} mm wide, the table says "
-            f"{long / table:.2f} mm: cropped in the camera, or one of the two is wrong; the table is taken with a "
-            "larger sigma"
-        )
+        remarks.append(phrase("camera_start.table_doubtful", equivalent_mm=long / equivalent, table_mm=long / table))
         doubt = abs(math.log(table / equivalent)) / 2
     named = (("focal plane", plane), ("table", table), ("35 mm", equivalent))
     return {name: density for name, density in named if density is not None}, doubt
@@ -221,10 +212,10 @@ def _focal_plane(m: Metadata, long: int, remarks: list[str]) -> float | None:
         return None
     x, y = m.focal_plane_px_per_mm
     if not SENSOR_WIDTH_MM[0] <= long / x <= SENSOR_WIDTH_MM[1]:
-        remarks.append(f"EXIF's focal plane resolution makes the sensor {long / x:.3g} mm wide; it is not taken")
+        remarks.append(phrase("camera_start.focal_plane_impossible", plane_mm=long / x))
         return None
     if abs(math.log(x / y)) > 0.008:
-        remarks.append(f"EXIF's focal plane resolutions differ by {abs(x / y - 1):.1%}; pixels are taken as square")
+        remarks.append(phrase("camera_start.not_square", share=abs(x / y - 1)))
     return math.sqrt(x * y)
 
 
@@ -236,7 +227,7 @@ def _from_xmp(m: Metadata, taken: _Taken, density: float | None, remarks: list[s
     dewarp = m.xmp.get("drone-dji:DewarpData", "")
     values = dewarp.partition(";")[2].split(",")
     if dewarp and len(values) < DEWARP_VALUES:
-        remarks.append(f"XMP's DewarpData {quoted(dewarp)} is no date and {DEWARP_VALUES} numbers; it is not taken")
+        remarks.append(phrase("camera_start.dewarp_data", value=quoted(dewarp), n=DEWARP_VALUES))
     candidates = [("DewarpData", values[0], 1.0)] if len(values) >= DEWARP_VALUES else []
     candidates.append(("CalibratedFocalLength", m.xmp.get("drone-dji:CalibratedFocalLength", ""), 1.0))
     if density is not None:
@@ -246,12 +237,12 @@ def _from_xmp(m: Metadata, taken: _Taken, density: float | None, remarks: list[s
             continue
         value = number_of(text.strip())
         if value is None:
-            remarks.append(f"XMP's {name} begins with {quoted(text)}, which is no number; it is not taken")
+            remarks.append(phrase("camera_start.no_number", entry=name, value=quoted(text)))
             continue
         c = value * px
         if 0.2 * taken.long < c < 50 * taken.long:
             return c / taken.ratio
-        remarks.append(f"XMP's {name} of {quoted(text)} is no camera constant of this image; it is not taken")
+        remarks.append(phrase("camera_start.no_constant", entry=name, value=quoted(text)))
     return None
 
 
@@ -263,5 +254,5 @@ def _focus(m: Metadata, remarks: list[str]) -> float:
     if share < 0.01:
         return 0.0
     share = min(share, 1.0)
-    remarks.append(f"focused at {m.subject_distance_m:g} m: c may be longer than the focal length by up to {share:.0%}")
+    remarks.append(phrase("camera_start.focused", distance_m=m.subject_distance_m, share=share))
     return share

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from xml.parsers import expat
 
+from raybundle.errors import phrase
+
 PACKET_BYTES = 1 << 20
 ENTRIES = 2000
 VALUE_CHARACTERS = 10_000
@@ -31,12 +33,12 @@ def read_xmp(packet: bytes) -> tuple[dict[str, str], tuple[str, ...]]:
     """
     packet = packet.strip(b"\0 \r\n\t")
     if len(packet) > PACKET_BYTES:
-        return {}, (f"XMP of {len(packet)} bytes is longer than {PACKET_BYTES}: not read",)
+        return {}, (phrase("photo_entry.xmp_long", bytes=len(packet), most=PACKET_BYTES),)
     reader = _Reader()
     try:
         reader.parse(packet)
     except (expat.ExpatError, _Refused, ValueError, LookupError) as error:
-        return reader.entries, (f"XMP is damaged ({error}); what follows was not read",)
+        return reader.entries, (phrase("photo_entry.xmp_damaged", detail=str(error)),)
     return reader.entries, ()
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -10,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, message_of
 from raybundle.io.formats.base import Export, PlaneAxes
 from raybundle.io.pictures.geotiff import system_file
 from raybundle.io.pictures.rectified import WORLD
@@ -102,7 +103,7 @@ def read_plane(path: Path) -> PlaneFile:
         **{n: tree.optional(n, float("nan")) for n in (
             "height", "lean_deg", "lean_sigma_deg", "points_rms", "slope_rms",
         )},
-        kind=_words(tree, "plane"), vertical_by=_words(tree, "vertical_by"), axes_by=_words(tree, "axes_by"),
+        kind=_words(tree, "plane"), vertical_by=_text(tree, "vertical_by"), axes_by=_text(tree, "axes_by"),
         points=int(tree.optional("points")), photographs=len(tree.get("photographs").mapping())
         if tree.has("photographs") else 0, block=_words(tree, "block"), free_scale=_words(tree, "scale") == "free",
         state=_words(tree, "state"), stations={
@@ -113,6 +114,15 @@ def read_plane(path: Path) -> PlaneFile:
 
 def _words(tree: Json, key: str) -> str:
     return tree.get(key).text() if tree.has(key) else ""
+
+
+def _text(tree: Json, key: str) -> str:
+    """Words with their message, where the file has it."""
+    words = _words(tree, key)
+    try:
+        return Text.of(message_of(json.loads(_words(tree, f"{key}_message")))) if words else ""
+    except (ValueError, KeyError, TypeError, AttributeError):
+        return words
 
 
 def _axes(tree: Json) -> PlaneAxes:

@@ -11,7 +11,7 @@ import math
 import re
 from pathlib import Path
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.reading.dialects import table_text
 from raybundle.io.reading.ledger import enter
@@ -21,7 +21,7 @@ from raybundle.io.trajectories.image_rows import ImageRow, cell_number, cells_of
 
 SYSTEM = re.compile(r"\s*(EPSG:\d+|\+(proj|init)=|WGS ?84(\s+UTM|\s*$)|(PROJ|GEOG|COMPD)(CS|CRS)\[)", re.IGNORECASE)
 NAMES = ("image", "X", "Y", "Z", "yaw", "pitch", "roll", "horizontal accuracy", "vertical accuracy")
-WGS84_HEIGHTS = "heights are taken as heights above the ellipsoid of WGS 84"
+WGS84_HEIGHTS = "position_list.ellipsoid"
 
 
 def read(path: Path) -> Trajectory:
@@ -40,13 +40,13 @@ def read(path: Path) -> Trajectory:
 def system_of(text: str, path: Path, line: int) -> tuple[str, tuple[str, ...]]:
     """The coordinate system of a text, and what is assumed about heights; raises InputError with file and line."""
     if re.fullmatch(r"WGS ?84", text.strip(), re.IGNORECASE):
-        return WGS84_HEIGHT, (WGS84_HEIGHTS,)
+        return WGS84_HEIGHT, (phrase(WGS84_HEIGHTS),)
     try:
         system = parse_crs(text)
     except InputError as error:
         raise error.at(path, line=line) from None
     if system.is_geographic and len(system.axis_info) == 2 and system.equals(parse_crs("EPSG:4326"), True):
-        return WGS84_HEIGHT, (WGS84_HEIGHTS,)
+        return WGS84_HEIGHT, (phrase(WGS84_HEIGHTS),)
     return text, ()
 
 

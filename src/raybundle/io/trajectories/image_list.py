@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.cells import SHOWN
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.photos.container import SUFFIXES
@@ -63,7 +63,7 @@ _AROUND = {
     for estimated, words in ((False, _ABOUT), (True, f"estimated|est|{_ABOUT}"))
 }
 """Words before and behind the name of a coordinate, which change nothing of it."""
-ESTIMATED = "the list has estimated coordinates alone: they are no observations of a receiver"
+ESTIMATED = "position_list.estimated"
 SPREAD_DEG = 2.0
 """Extent of a block up to which two numbers are taken for degrees; at the equator 220 km."""
 METRES = {"", "m", "meter", "meters", "metre", "metres"}
@@ -114,9 +114,9 @@ def read(path: Path) -> Trajectory:
         columns, remark = _by_plausibility(path, cells, crs)
         remarks = (*remarks, *remark)
     elif columns.estimated:
-        remarks = (*remarks, ESTIMATED)
+        remarks = (*remarks, phrase(ESTIMATED))
     if columns.geographic and crs is None:
-        crs, remarks = WGS84_HEIGHT, (*remarks, WGS84_HEIGHTS)
+        crs, remarks = WGS84_HEIGHT, (*remarks, phrase(WGS84_HEIGHTS))
     _check_units(path, columns, compound=crs is not None and parse_crs(crs).is_compound)
     width = max((len(w) for _, w in cells), default=0)
     for k in range(width):
@@ -124,7 +124,7 @@ def read(path: Path) -> Trajectory:
             enter(columns.names[k] if k < len(columns.names) else f"column {k + 1}")
     rows = [_row(path, n, w, columns, comma=separator != ",") for n, w in cells]
     if off := sum(_is_off(w, columns) for _, w in cells):
-        remarks = (*remarks, f"{off} of {len(cells)} positions are disabled in the list and not used")
+        remarks = (*remarks, phrase("position_list.disabled", n=off, of=len(cells)))
     return listed(path, rows, crs, remarks)
 
 
@@ -236,22 +236,22 @@ def _by_plausibility(
     a, b = np.abs(known).max(axis=0, initial=0.0).tolist()
     geographic = None if crs is None else parse_crs(crs).is_geographic
     if geographic is False or max(a, b) > LIMITS[0] or min(a, b) > LIMITS[1]:
-        return _Columns(at | {"x": 1, "y": 2}), ("no column names: taken as X, Y, Z",)
+        return _Columns(at | {"x": 1, "y": 2}), (phrase("position_list.unnamed", order="xyz"),)
     degrees = geographic or not len(known) or float(np.ptp(known, axis=0).max()) <= SPREAD_DEG
     if degrees and b > LIMITS[1]:
         return _Columns(at | {"latitude": 1, "longitude": 2}), (
-            "no column names: taken as latitude, longitude, height",
+            phrase("position_list.unnamed", order="latitude_longitude"),
         )
     if degrees and a > LIMITS[1]:
         return _Columns(at | {"longitude": 1, "latitude": 2}), (
-            "no column names: taken as longitude, latitude, height",
+            phrase("position_list.unnamed", order="longitude_latitude"),
         )
     if degrees and len(known):
         north, east = known[0].tolist()
-        remark = (
-            "no column names: taken as latitude, longitude, height, the order of Pix4D; its first place is "
-            f"{abs(north):.6g} {'S' if north < 0 else 'N'}, {abs(east):.6g} {'W' if east < 0 else 'E'}"
-        )
+        remark = phrase(
+            "position_list.order_of_pix4d", latitude_deg=abs(north), south=north < 0, longitude_deg=abs(east),
+            west=east < 0,
+        )  # fmt: skip
         return _Columns(at | {"latitude": 1, "longitude": 2}), (remark,)
     raise InputError(
         "image_list.order_unclear", first=known[0].tolist() if len(known) else ["-"],

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.photos.container import SUFFIXES
 from raybundle.io.reading.words import no_number, number_of
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory
@@ -101,7 +101,7 @@ def listed(
         lost = (xyz[:, :2] == 0).all(axis=1)
         xyz[lost] = np.nan
         if lost.any():
-            said.append(f"{int(lost.sum())} of {len(lost)} positions are 0, 0 and not used: the receiver had no fix")
+            said.append(phrase("position_list.no_fix", n=int(lost.sum()), of=len(lost)))
     return Trajectory(
         path=path, names=tuple(r.name for r in rows), xyz=xyz, sigma=np.where(sigma > 0, sigma, np.nan), crs=crs,
         fix=tuple(fix), remarks=tuple(said), lines=np.array([r.line for r in rows], np.int32),

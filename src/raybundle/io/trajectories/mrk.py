@@ -19,7 +19,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from raybundle.errors import InputError, Message, Value, content
+from raybundle.errors import InputError, Message, Value, content, phrase
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import no_number, number_of, quoted
 from raybundle.io.trajectories.base import WEEK_S, WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
@@ -64,12 +64,12 @@ def read(path: Path) -> Trajectory:
     xyz[lost] = np.nan
     sigma = np.where(table[:, 7:10] > 0, table[:, 7:10], np.nan)
     remarks = [
-        "positions are those of the camera (the offset from the antenna is applied), heights above the ellipsoid",
-        *([f"{int(lost.sum())} of {len(lost)} exposures have no position"] if lost.any() else []),
+        phrase("position_list.of_camera"),
+        *([phrase("position_list.exposures_without", n=int(lost.sum()), of=len(lost))] if lost.any() else []),
     ]
     weak = sum(f != "rtk fixed" for f in fix)
     if weak:
-        remarks.append(f"{weak} of {len(fix)} positions have no fixed solution")
+        remarks.append(phrase("position_list.not_fixed", n=weak, of=len(fix)))
     return Trajectory(
         path=path,
         names=tuple(numbers),

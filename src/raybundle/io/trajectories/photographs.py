@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.geo.coordinate_systems import LocalFrame, parse_crs
 from raybundle.io.photos.metadata import Gps
 from raybundle.io.photos.photo import Photo
@@ -39,12 +39,9 @@ def with_positions(
     changed = [
         p if g is None else replace(p, metadata=replace(p.metadata, gps=g)) for p, g in zip(photos, gps, strict=True)
     ]
-    remark = f"{found} of {len(photos)} photographs get their position from {trajectory.path.name}"
+    remark = phrase("position_list.used", n=found, of=len(photos), name=trajectory.path.name)
     told = trajectory.correlation is not None and bool((np.nan_to_num(trajectory.correlation) != 0).any())
-    left = (
-        f"correlations of the positions in {trajectory.path.name} are not used: photographs keep their standard "
-        "deviations alone; in the stations.csv of a block they count"
-    )
+    left = phrase("position_list.correlations", name=trajectory.path.name)
     return tuple(changed), (remark, *((left,) if told else ()), *trajectory.remarks)
 
 

@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.reading.dialects import table_text
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.trajectories.base import WEEK_S, WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
@@ -69,11 +69,11 @@ def read(path: Path) -> Trajectory:
     weak = sum(f != "rtk fixed" for f in fix)
     clock = _clock(header)
     remarks = [
-        "positions are those of the antenna, by the order of the photographs' names; heights above the ellipsoid",
-        *(["the file does not state what its heights count from"] if not (heights or ecef) else []),
-        *([f"times are {clock}, not GPS time, and not used"] if clock else []),
-        *(["the columns of the standard deviations have other names and are not used"] if columns < 8 else []),
-        *([f"{weak} of {len(fix)} positions have no fixed solution"] if weak else []),
+        phrase("position_list.of_antenna"),
+        *([phrase("position_list.heights_open")] if not (heights or ecef) else []),
+        *([phrase("position_list.clock", clock=clock)] if clock else []),
+        *([phrase("position_list.sigma_columns")] if columns < 8 else []),
+        *([phrase("position_list.not_fixed", n=weak, of=len(fix))] if weak else []),
     ]
     return Trajectory(
         path=path, names=tuple(str(k + 1) for k in range(len(rows))), numbered=True, ordered=True, xyz=xyz, sigma=sigma,

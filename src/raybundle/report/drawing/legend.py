@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from raybundle.errors import phrase
 from raybundle.report.drawing.content import Drawing
 from raybundle.report.drawing.fonts import BOLD, PLAIN, width, wrapped
 from raybundle.report.drawing.paper import Division, Part, usual_length
-from raybundle.report.drawing.symbols import WORDS, draw_line, draw_north, draw_symbol
+from raybundle.report.drawing.symbols import draw_line, draw_north, draw_symbol
 
 LETTER, SMALL = 2.7, 2.3
 """Sizes of letters [mm]"""
@@ -75,7 +76,11 @@ def draw_legend(c: Any, found: Legend, drawing: Drawing, scale: int, part: Part,
             draw_line(c, kind, [(at, line), (at + 8, line)], closed=False)
         c.setFillGray(0)
         c.setFont(PLAIN, LETTER)
-        c.drawString(at + 10.5, line - 0.35 * LETTER, drawing.language.text(WORDS.get(kind, kind)))
+        c.drawString(
+            at + 10.5,
+            line - 0.35 * LETTER,
+            drawing.language.text(phrase("drawing_sheet.kind", kind=kind.replace(" ", "_"))),
+        )
     y -= -(-len(found.items) // found.columns) * LINE + (PAD if found.notes else 0)
     c.setFont(PLAIN, SMALL)
     c.setFillGray(0.15)

@@ -9,6 +9,7 @@ from typing import Literal
 
 import numpy as np
 
+from raybundle.errors import Text, phrase
 from raybundle.numerics.arrays import Array
 
 PaperName = Literal["A4", "A3", "A2", "A1", "A0"]
@@ -57,9 +58,9 @@ class Paper:
         return np.array([right - left, top - bottom])
 
     @property
-    def words(self) -> str:
-        """As a title block says it."""
-        return f"{self.name} landscape" if self.width > self.height else f"{self.name} portrait"
+    def words(self) -> Text:
+        """As a title block has it."""
+        return phrase("drawing_sheet.paper", name=self.name, landscape=self.width > self.height)
 
 
 def usual_scales() -> list[int]:

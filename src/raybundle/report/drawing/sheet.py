@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError, message
+from raybundle.errors import InputError, message, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.drawing.content import Drawing, Field, within
 from raybundle.report.drawing.fonts import PLAIN, load_fonts, shown, width
@@ -137,9 +137,11 @@ def _furnished(
 def _fields(drawing: Drawing, paper: Paper, scale: int, number: int, of: int) -> Sequence[Field]:
     say = drawing.language.text
     told = (
-        Field(label=say("scale"), text=f"1 : {scale:,}".replace(",", " "), first=True),
-        Field(label=say("paper"), text=say(paper.words)),
-        Field(label=say("sheet"), text=say(f"{number} of {of}")),
+        Field(
+            label=say(phrase("drawing_sheet.field", name="scale")), text=f"1 : {scale:,}".replace(",", " "), first=True
+        ),
+        Field(label=say(phrase("drawing_sheet.field", name="paper")), text=say(paper.words)),
+        Field(label=say(phrase("drawing_sheet.field", name="sheet")), text=say(phrase("label.n_of", n=number, of=of))),
     )
     return (*drawing.fields, *told)
 
@@ -361,7 +363,7 @@ class _Page:
                 # at places of the object, so that they are the same on both sheets
                 x, y = (middle, self.bottom + share * tall) if axis == 0 else (self.left + share * wide, middle)
                 draw_register(c, x, y)
-            words = self.d.language.text(f"sheet {number}")
+            words = self.d.language.text(phrase("drawing_sheet.other_sheet", number=number))
             if axis == 0:
                 c.saveState()
                 c.translate(middle + 0.4 * NAME, self.bottom + tall / 2)

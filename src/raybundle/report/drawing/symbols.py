@@ -14,7 +14,6 @@ LINE_INK: dict[str, tuple[float, float, float]] = {
     "straight line": (0.0, 0.0, 0.0), "plane": (0.4, 0.0, 0.5),
 }  # fmt: skip
 DASHES: dict[str, list[float]] = {"distance": [2.0, 1.0], "plumb line": [4.0, 1.0, 0.6, 1.0], "level": [0.6, 0.8]}
-WORDS = {"control": "control point", "check": "check point", "point": "measured point", "tie": "tie point"}
 HALO = 0.5
 """White round what is drawn on a picture [mm]"""
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from raybundle.errors import phrase
 from raybundle.report.drawing.content import Field
 from raybundle.report.drawing.fonts import BOLD, PLAIN, wrapped
 
@@ -50,7 +51,9 @@ class TitleBlock:
         """Names of entries whose words did not fit in."""
         cells = [c for _, row in self.rows for c in row]
         cut = [c.label for c in cells if c.lines and c.lines[-1].endswith("…")]
-        return (("title",) if self.title and self.title[-1].endswith("…") else ()) + tuple(cut)
+        return (
+            (phrase("drawing_sheet.field", name="title"),) if self.title and self.title[-1].endswith("…") else ()
+        ) + tuple(cut)
 
 
 def title_block(title: str, fields: Sequence[Field]) -> TitleBlock:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from html import escape
 
 import numpy as np
 
 from raybundle.block import Role
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index
-from raybundle.report.figures.svg import Drawing, drawing, label, labels_apart, round_below, vectors
+from raybundle.report.figures.svg import Drawing, drawing, label, labels_apart, round_below, vectors, written
 from raybundle.report.text.numbers import significant
 from raybundle.report.view import View
 
@@ -50,7 +50,7 @@ def marks_figure(view: View) -> tuple[Drawing, float] | None:
     foot = y0 + line_height + 16
     parts.append(f'<path class="vector" d="M4 {foot:.1f}h{reference * per_px:.1f}"/>')
     parts.append(label(10 + reference * per_px, foot + 3.5, f"{significant(reference, 1)} px"))
-    return drawing(right + 4, foot + 10, parts, "marked points in their images with residuals"), reference
+    return drawing(right + 4, foot + 10, parts, phrase("drawn.marks")), reference
 
 
 def _one(
@@ -76,11 +76,14 @@ def _one(
         point = int(o.point[m])
         check = int(points.role[point]) == Role.CHECK
         length = float(np.linalg.norm(residual[m]))
-        told = f"{significant(length, 2)} px" if math.isfinite(length) else "no residual"
-        words = f"{points.ids[point]}: {told}{', rejected' if rejected[k] else ''}"
+        known = math.isfinite(length)
+        words = phrase(
+            "drawn.mark", point=points.ids[point], known=known, residual_px=length if known else 0.0,
+            rejected=bool(rejected[k]),
+        )  # fmt: skip
         parts.append(
             f'<circle class="{"check" if check else "control"}" cx="{x[k]:.1f}" cy="{y[k]:.1f}" r="3">'
-            f"<title>{escape(words)}</title></circle>"
+            f"<title>{written(words)}</title></circle>"
         )
         if rejected[k]:
             parts.append(f'<path class="mark" d="M{x[k] - 5:.1f} {y[k] - 5:.1f}l10 10m0 -10l-10 10"/>')

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 TIMES = 201
 """At which a curve is drawn."""
 NAMES = {
-    "position": ("position along track", "position across track", "height"),
-    "attitude": ("attitude about x", "attitude about y", "attitude about z"),
+    "position": ("position_along_track", "position_across_track", "height"),
+    "attitude": ("attitude_about_x", "attitude_about_y", "attitude_about_z"),
 }
 
 
@@ -86,17 +86,17 @@ def _figure(
         )
     )
     parts = [
-        axes(plot, "time from the first line [s]", f"correction [{unit}]"),
+        axes(plot, phrase("axis.time_from_first_line"), phrase("axis.correction", unit=unit)),
         band(plot, time, low, high, "band first") if banded else "",
         line(plot, np.array([time[0], time[-1]]), np.zeros(2), "zero"),
         line(plot, time, value, "curve first"),
     ]
     largest = float(np.abs(value).max())
     return Figure(
-        drawing=drawing(plot.width, plot.height, parts, f"correction of the {name} against time"),
+        drawing=drawing(plot.width, plot.height, parts, phrase("drawn.correction", quantity=name)),
         caption=phrase(
             "report_scenes.correction",
-            quantity=name.replace(" ", "_"),
+            quantity=name,
             mean=middle,
             known=banded and spread > 0,
             sigma=spread if banded else 0.0,

@@ -8,6 +8,7 @@ from html import escape
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.figures.svg import (
     Drawing,
@@ -51,32 +52,29 @@ def principal_axes(xyz: Array) -> Array:
 
 
 def displacement_views(
-    ids: Sequence[str], xyz: Array, d: Array, marked: Mask, unit: tuple[float, str], what: str
+    ids: Sequence[str], xyz: Array, d: Array, marked: Mask, unit: tuple[float, str], kind: str
 ) -> tuple[tuple[Drawing, str], ...]:
     """Two drawings with their captions: components in the plane that fits the points best, and from its edge.
 
     xyz     (n, 3) points [m]; d (n, 3) their vectors [m]; marked (n,) which stand out, and are named
     unit    factor from metres and name, of the vectors
+    kind    deviations or displacements
     """
     frame = principal_axes(xyz)
     length = np.linalg.norm(d, axis=1)
     usual = float(np.quantile(length[np.isfinite(length)], USUAL)) if np.isfinite(length).any() else 0.0
     usual = max(usual, float(np.nanmax(length, initial=0.0)) / BEYOND)
     reference = round_below(usual * unit[0]) / unit[0] if usual > 0 else 1.0 / unit[0]
-    told = f"{plain(reference * unit[0])} {unit[1]}"
+    size = f"{plain(reference * unit[0])} {unit[1]}"
     long_px = min(LONGEST * WIDTH, math.sqrt(WIDTH * HEIGHT / max(len(ids), 1)))
     per_m = long_px / max(usual, reference)
-    views = (
-        (0, 1, "in the plane that fits the points best, seen square to it"),
-        (0, 2, "across that plane, seen along it from below"),
-    )
     found: list[tuple[Drawing, str]] = []
-    for right, up, words in views:
+    for right, up in ((0, 1), (0, 2)):
         drawn = _view(
-            ids, xyz @ frame[[right, up]].T, d @ frame[[right, up]].T, marked, (per_m, long_px), (reference, told), what
-        )
-        caption = f"{what[:1].upper()}{what[1:]} {words}; the scale of the vectors is told below."
-        found.append((drawn, caption))
+            ids, xyz @ frame[[right, up]].T, d @ frame[[right, up]].T, marked, (per_m, long_px), (reference, size),
+            phrase("drawn.vectors", kind=kind),
+        )  # fmt: skip
+        found.append((drawn, phrase("drawn.vectors_in", kind=kind, across=up == 2)))
     return tuple(found)
 
 
@@ -120,7 +118,7 @@ def length_errors(
     x, e, s, a = length[order], error[order], coverage * sigma[order], allowed[order]
     y_range = span(e - s, e + s, a[np.isfinite(a)], -a[np.isfinite(a)], zero=True)
     plot = fitted(Plot(width=420, height=240, x_range=span(x, zero=True), y_range=y_range))
-    parts = [axes(plot, "length [m]", "error [mm]", grid="xy")]
+    parts = [axes(plot, phrase("axis.length"), phrase("axis.error"), grid="xy")]
     parts.append(line(plot, np.array(plot.x_range), np.zeros(2), "zero"))
     if np.isfinite(a).any():
         parts += [line(plot, x, side * a, "limit") for side in (1, -1)]
@@ -133,4 +131,4 @@ def length_errors(
             f'<circle class="{style}" cx="{u:.1f}" cy="{v:.1f}" r="{2.8 if strange else 1.8}">'
             f"<title>{significant(value)} mm</title></circle>"
         )
-    return drawing(plot.width, plot.height, parts, "errors of lengths over the lengths")
+    return drawing(plot.width, plot.height, parts, phrase("drawn.length_errors"))

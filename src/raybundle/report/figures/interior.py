@@ -10,6 +10,7 @@ import numpy as np
 from raybundle.adjustment.network import CELLS, format_cells
 from raybundle.block import Camera
 from raybundle.calibration.maps import UncertaintyMap
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures.distortion import Curve, Interior, field
 from raybundle.report.figures.svg import (
@@ -77,14 +78,14 @@ def _beyond(plot: Plot, reach: float) -> str:
     x = max(float(plot.x(reach)), x0)
     if not np.isfinite(x) or x >= x0 + w - 1:
         return ""
-    words = "no observation" if x0 + w - x > 80 else ""
+    words = phrase("drawn.no_observation") if x0 + w - x > 80 else ""
     return f'<rect class="beyond" x="{x:.1f}" y="{y0:.1f}" width="{x0 + w - x:.1f}" height="{h:.1f}"/>' + label(
         x0 + w - 4, y0 + 12, words, "t faint", "end"
     )
 
 
 def curves(
-    interior: Interior, drawn: Sequence[tuple[Curve, str, str]], reach: float, what: str, y_name: str = "correction"
+    interior: Interior, drawn: Sequence[tuple[Curve, str, str]], reach: float, what: str, y_label: str = ""
 ) -> Drawing:
     """Corrections with their 1-sigma band against the radius; each curve with a style and a name.
 
@@ -99,7 +100,7 @@ def curves(
     )  # fmt: skip
     parts = [
         _beyond(plot, reach),
-        axes(plot, "radius from the principal point [mm]", f"{y_name} [µm]"),
+        axes(plot, phrase("axis.radius"), y_label or phrase("axis.correction", unit="µm")),
         _second_axis(plot, 1e-3 / interior.pixel, "[px]"),
         line(plot, np.array([0.0, interior.corner_mm]), np.zeros(2), "zero"),
     ]
@@ -121,7 +122,7 @@ def sigma_curve(interior: Interior, curve: Curve, reach: float, what: str) -> Dr
     if curve.std_mm is None:
         return None
     shown = Curve(radius_mm=curve.radius_mm, value_mm=curve.std_mm, std_mm=None)
-    return curves(interior, [(shown, "first", "")], reach, what, "standard deviation")
+    return curves(interior, [(shown, "first", "")], reach, what, phrase("axis.standard_deviation", unit="µm"))
 
 
 def correction_field(interior: Interior, what: str) -> tuple[Drawing, float]:
@@ -174,7 +175,7 @@ def uncertainty_figure(camera: Camera, found: UncertaintyMap) -> Drawing:
         for k in range(10)
     ]
     parts.append(label(100, y + 8, f"0 … {significant(most, 2)} px", "t"))
-    return drawing(plot.width, plot.height, parts, "standard deviation of projection over the format")
+    return drawing(plot.width, plot.height, parts, phrase("drawn.projection_uncertainty"))
 
 
 def coverage_map(camera: Camera, xy_px: Array, what: str) -> Drawing:

@@ -11,7 +11,7 @@ import numpy as np
 
 from raybundle.adjustment.result import NetworkFigures
 from raybundle.block import Role
-from raybundle.errors import Message, note
+from raybundle.errors import Message, note, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.svg import (
     CHARACTER,
@@ -32,6 +32,7 @@ from raybundle.report.figures.svg import (
     spread_rows,
     tick_labels,
     ticks,
+    written,
 )
 from raybundle.report.network_shape import ellipse_rows, ellipses, frusta, frustum_size, network_shape
 from raybundle.report.text.numbers import significant
@@ -85,9 +86,7 @@ def network_views(view: View) -> NetworkViews | None:
         parts += [_scale_bars(view, (plot, a, b)), _symbols(view, kept, (plot, a, b)), "</g>"]
     if factor:
         parts.append(_ellipse_key(view, factor * px_per_unit, width, height))
-    return NetworkViews(
-        drawing=drawing(width, height, parts, "plan and side views of the network"), remark=tuple(remark)
-    )
+    return NetworkViews(drawing=drawing(width, height, parts, phrase("drawn.network_views")), remark=tuple(remark))
 
 
 def _panels(limits: Sequence[Interval]) -> tuple[list[Panel], float, float, float]:
@@ -191,8 +190,8 @@ def ray_histogram(rays: Array, what: str) -> Drawing:
     parts = [
         axes(
             plot,
-            "rays per point",
-            "points",
+            phrase("axis.rays_per_point"),
+            phrase("label.points"),
             x_count=min(6, max(1, int(edges[-1] - edges[0]))),
             y_count=count_ticks(heights),
         ),
@@ -204,8 +203,8 @@ def ray_histogram(rays: Array, what: str) -> Drawing:
 def angle_histogram(figures: NetworkFigures, what: str) -> Drawing:
     """Number of object points against their largest intersection angle."""
     return histogram(
-        np.degrees(figures.intersection_angle), "largest intersection angle [°]", what,
-        edges=np.arange(0, 181, 10.0), y_label="points", width=286,
+        np.degrees(figures.intersection_angle), phrase("axis.largest_intersection_angle"), what,
+        edges=np.arange(0, 181, 10.0), y_label=phrase("label.points"), width=286,
     )  # fmt: skip
 
 
@@ -224,7 +223,6 @@ def roll_rose(roll: Array, what: str) -> Drawing:
         if n:
             length = r * (0.25 + 0.75 * math.sqrt(n / most))
             x, y = m + math.sin(math.radians(5 * k)) * length, m - math.cos(math.radians(5 * k)) * length
-            parts.append(
-                f'<path class="spoke" d="M{m:g} {m:g}L{x:.1f} {y:.1f}"><title>{5 * k}°: {n} images</title></path>'
-            )
+            title = written(phrase("drawn.spoke", angle_deg=5 * k, n=n))
+            parts.append(f'<path class="spoke" d="M{m:g} {m:g}L{x:.1f} {y:.1f}"><title>{title}</title></path>')
     return drawing(size, size, parts, what)

@@ -8,10 +8,11 @@ from html import escape
 
 import numpy as np
 
+from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.figures.svg import CHARACTER, Drawing, drawing, label, round_below, spread_rows
 from raybundle.report.sigma_classes import Classes, sigma_classes
-from raybundle.report.text.numbers import counted, grouped, plain
+from raybundle.report.text.numbers import plain
 from raybundle.report.view import View
 
 WIDTH, MOST_HEIGHT, MARGIN = 330.0, 300.0, 6.0
@@ -52,7 +53,7 @@ def object_view(view: View, *, from_above: bool, heights: bool = True, width: fl
     centres = _centres(view)
     std = np.full(len(rows), np.nan) if view.std is None else _rms(view.std[rows, : 3 if heights else 2])
     front = _object(std)
-    towards, words = (np.eye(3), "from above") if from_above else _square_to(xyz[rows[front]], centres, view)
+    towards, side = (np.eye(3), "above") if from_above else _square_to(xyz[rows[front]], centres, view)
     at, stations = xyz[rows] @ towards[:2].T, centres @ towards[:2].T
     near = _near(at, front)
     rows, at, std = rows[near], at[near], std[near]
@@ -73,25 +74,22 @@ def object_view(view: View, *, from_above: bool, heights: bool = True, width: fl
     bar, long = _scale_bar(view, right, max(bottom - 6, lines + 16), scale, size[0])
     parts += [legend, bar]
     height = max(bottom, lines + 24) + MARGIN
-    what = f"the object {words}, {counted(len(rows), 'point')} coloured by standard deviation"
+    what = phrase("drawn.object", side=side, n=len(rows))
     drawn = drawing(right + max(wide, long), height, parts, what)
-    return ObjectView(drawing=drawn, caption=_caption(view, words, len(rows), near, inside, heights=heights))
+    return ObjectView(drawing=drawn, caption=_caption(view, side, len(rows), near, inside, heights=heights))
 
 
-def _caption(view: View, words: str, points: int, near: Mask, inside: Mask, *, heights: bool) -> str:
-    one = "" if points <= DOTS else "; the median where several lie together"
-    axes = "X, Y and Z" if heights else "the plan; nobody measured heights"
-    colour = (
-        "no standard deviations were computed" if view.std is None
-        else f"coloured by the standard deviation of a coordinate (rms of {axes}{one})"
-    )  # fmt: skip
-    told = f"The object {words}: {counted(points, 'object point')}, {colour}."
+def _caption(view: View, side: str, points: int, near: Mask, inside: Mask, *, heights: bool) -> Text:
+    found: list[Message] = [note("drawn.object_points", side=side, n=points)]
+    if view.std is None:
+        found.append(note("verdict.no_statistics"))
+    else:
+        found.append(note("drawn.object_colours", plan=not heights, median=points > DOTS))
     if inside.any():
-        told += " Small triangles: photographs"
-        lost = len(inside) - int(inside.sum())
-        told += f" ({grouped(lost)} outside)." if lost else "."
-    far = int((~near).sum())
-    return told + (f" {grouped(far)} far points lie outside." if far else "")
+        found.append(note("drawn.object_stations", outside=len(inside) - int(inside.sum())))
+    if far := int((~near).sum()):
+        found.append(note("report_network.far_points", n=far))
+    return Text.of(*found)
 
 
 def _centres(view: View) -> Array:
@@ -103,7 +101,7 @@ def _centres(view: View) -> Array:
 
 
 def _square_to(xyz: Array, centres: Array, view: View) -> tuple[Array, str]:
-    """Unit vectors (3, 3) right, up and towards the eye for a view square to the best plane, and its words."""
+    """Unit vectors (3, 3) right, up and towards the eye for a view square to the best plane, and how it is seen."""
     some = xyz[spread_rows(len(xyz), 20_000)]
     some = some[_near(some, np.ones(len(some), bool))]
     middle = np.median(some, axis=0)
@@ -120,7 +118,7 @@ def _square_to(xyz: Array, centres: Array, view: View) -> tuple[Array, str]:
         up = np.array([0.0, 0.0, 1.0])
     up = up - (up @ normal) * normal
     up /= np.linalg.norm(up)
-    return np.stack([np.cross(up, normal), up, normal]), "square to its best-fitting plane"
+    return np.stack([np.cross(up, normal), up, normal]), "square"
 
 
 def _up_of_photographs(view: View, normal: Array, other: Array) -> Array:

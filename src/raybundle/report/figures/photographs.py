@@ -9,6 +9,7 @@ from html import escape
 import numpy as np
 
 from raybundle.adjustment.network import FEW
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.svg import (
     Drawing,
@@ -23,6 +24,7 @@ from raybundle.report.figures.svg import (
     mixed,
     span,
     spread_rows,
+    written,
 )
 from raybundle.report.text.numbers import grouped
 from raybundle.report.view import View
@@ -73,7 +75,7 @@ def plan_of(view: View) -> Plan:
     return Plan(
         origin=middle,
         axes=np.stack([right, up]),
-        names=(f"along the object [{unit}]", f"across [{unit}]"),
+        names=(phrase("axis.along_object", unit=unit), phrase("axis.across", unit=unit)),
         oblique=True,
     )
 
@@ -152,7 +154,8 @@ def match_graph(view: View, plan: Plan, images: Index, common: Array) -> Drawing
         n = int(common[i, j])
         style = "edge strong" if n >= STRONG else "edge" if n >= FEW else "edge weak"
         width = 0.4 + 3.6 * math.sqrt(n / most)
-        title = f"<title>{escape(f'{ids[i]} – {ids[j]}: {grouped(n)} common points')}</title>" if named else ""
+        pair = written(phrase("drawn.pair", first=ids[i], second=ids[j], n=n))
+        title = f"<title>{pair}</title>" if named else ""
         parts.append(
             f'<path class="{style}" stroke-width="{width:.1f}" d="M{x[i]:.1f} {y[i]:.1f}L{x[j]:.1f} {y[j]:.1f}">'
             f"{title}</path>"
@@ -163,7 +166,7 @@ def match_graph(view: View, plan: Plan, images: Index, common: Array) -> Drawing
         )
     if len(ids) <= MOST_NAMES:
         parts += labels_apart(x.tolist(), y.tolist(), [_short(name) for name in ids], plot.box)
-    return drawing(plot.width, plot.height, parts, "images and the points that they share")
+    return drawing(plot.width, plot.height, parts, phrase("drawn.match_graph"))
 
 
 def _short(name: str, most: int = 14) -> str:
@@ -197,12 +200,13 @@ def match_matrix(ids: list[str], common: Array) -> tuple[Drawing, int]:
                 f'fill="{fill}">{title}</rect>'
             )
     parts.append(f'<rect class="frame" x="{left}" y="{top}" width="{n * size:.1f}" height="{n * size:.1f}"/>')
-    parts += colour_key(left, top + n * size + 10, most, "common points")
+    key = phrase("drawn.common_points_to", most=int(most))
+    parts += colour_key(left, top + n * size + 10, key)
     return drawing(
-        max(width, left + 96 + KEY_CHARACTER * len(f"0 … {grouped(most)} common points")),
+        max(width, left + 96 + KEY_CHARACTER * len(key)),
         height,
         parts,
-        "common points of every two images",
+        phrase("drawn.match_matrix"),
     ), group
 
 
@@ -210,14 +214,14 @@ KEY_CHARACTER = 6.4
 """Width of a character beside a colour key [px], rather too much than too little."""
 
 
-def colour_key(x: float, y: float, most: float, words: str) -> list[str]:
-    """A strip of colours from zero to the largest value (square-root scale)."""
+def colour_key(x: float, y: float, words: str) -> list[str]:
+    """A strip of colours from zero to the largest value (square-root scale), with its words."""
     parts = [
         f'<rect x="{x + 9 * k:.1f}" y="{y:.1f}" width="9" height="8" '
         f'fill="{mixed(0.08 + 0.92 * k / 9, OVERLAP_COLOUR)}"/>'
         for k in range(10)
     ]
-    return [*parts, label(x + 96, y + 8, f"0 … {grouped(most)} {words}", "t")]
+    return [*parts, label(x + 96, y + 8, words, "t")]
 
 
 def near_points(xy: Array) -> Array:
@@ -249,7 +253,7 @@ def ray_map(view: View, plan: Plan) -> tuple[Drawing, int, int]:
         parts.append(label(x + 10, plot.height - 4.5, words, "t"))
         x += 22 + 5.6 * len(words)
     width = max(plot.width, x + 10)
-    return drawing(width, plot.height, parts, "object points by number of rays"), len(kept), int((view.rays > 0).sum())
+    return drawing(width, plot.height, parts, phrase("drawn.ray_map")), len(kept), int((view.rays > 0).sum())
 
 
 def overlap_cells(view: View, plan: Plan) -> tuple[Plot, Array, tuple[Array, Array]] | None:
@@ -288,13 +292,15 @@ def overlap_map(plan: Plan, found: tuple[Plot, Array, tuple[Array, Array]]) -> D
     for j, i in zip(*np.nonzero(count), strict=True):
         n = int(count[j, i])
         fill = mixed(0.08 + 0.92 * math.sqrt(n / most), OVERLAP_COLOUR)
+        seen = written(phrase("drawn.images", n=n))
+        title = f"<title>{seen}</title>" if few else ""
         parts.append(
             f'<rect x="{x[i]:.1f}" y="{y[j + 1]:.1f}" width="{x[i + 1] - x[i]:.1f}" height="{y[j] - y[j + 1]:.1f}" '
-            f'fill="{fill}">{f"<title>{grouped(n)} images</title>" if few else ""}</rect>'
+            f'fill="{fill}">{title}</rect>'
         )
     parts.append(axes(plot, *plan.names, grid=""))
-    parts += colour_key(plot.left, plot.height - 14, most, "images")
-    return drawing(max(plot.width, plot.left + 190), plot.height, parts, "number of images that see each part")
+    parts += colour_key(plot.left, plot.height - 14, phrase("drawn.images_to", most=int(most)))
+    return drawing(max(plot.width, plot.left + 190), plot.height, parts, phrase("drawn.overlap"))
 
 
 def radius_profile(view: View) -> tuple[Array, Array, Array]:
@@ -315,7 +321,7 @@ def radius_figure(profile: tuple[Array, Array, Array]) -> Drawing:
     """Residuals of image points against their distance from the middle of the format."""
     edges, rms, count = profile
     plot = fitted(Plot(width=300, height=190, x_range=(0, 1), y_range=(0.0, span(rms, zero=True)[1])))
-    titles = [f"{grouped(float(n))} image points" for n in count]
-    name = "distance from the middle / half diagonal"
-    parts = [axes(plot, name, "rms residual [px]"), columns(plot, edges, np.nan_to_num(rms), titles=titles)]
-    return drawing(plot.width, plot.height, parts, "residuals by radius")
+    titles = [phrase("drawn.image_points", n=int(n)) for n in count]
+    name = phrase("axis.distance_from_middle")
+    parts = [axes(plot, name, phrase("axis.rms_residual")), columns(plot, edges, np.nan_to_num(rms), titles=titles)]
+    return drawing(plot.width, plot.height, parts, phrase("drawn.residuals_by_radius"))

@@ -7,6 +7,7 @@ from base64 import b64encode
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures.svg import CHARACTER, Drawing, Plot, axes, drawing, label, tick_labels, ticks
 from raybundle.report.sigma_classes import Classes
@@ -103,7 +104,7 @@ def small_map(values: Array, classes: Classes, name: str, told: str, width: floa
         label(0, 11, name, "name"), embedded(classed(values, classes), 0, 16, width, height),
         label(0, height + 29, told),
     ]  # fmt: skip
-    return drawing(width, height + 34, parts, f"{name}: {told}")
+    return drawing(width, height + 34, parts, phrase("drawn.depth_map", name=name))
 
 
 def legend_of(classes: Classes) -> Drawing:
@@ -127,8 +128,11 @@ def _framed(rgb: Array, cell: float, left: float, top: float, unit: str) -> tupl
         y_range=(top - high, top),
     )  # fmt: skip
     x0, y0, w, h = plot.box
-    of = f" [{unit}]" if unit else ""
-    return plot, [embedded(rgb, x0, y0, w, h), axes(plot, f"right{of}", f"up{of}", grid="")]
+    right_, up = (
+        (phrase("axis.right_in", unit=unit), phrase("axis.up_in", unit=unit)) if unit
+        else (phrase("axis.right"), phrase("axis.up"))
+    )  # fmt: skip
+    return plot, [embedded(rgb, x0, y0, w, h), axes(plot, right_, up, grid="")]
 
 
 def _legend(classes: Classes, x: float, y: float) -> list[str]:

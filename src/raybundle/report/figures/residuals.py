@@ -60,7 +60,7 @@ def image_vectors(view: View, image: int, rows: Index, tests: Array, px_per_px: 
     parts.append(vectors(x, y, v[:, 0], v[:, 1], "vector"))
     if len(lost):
         parts.append(crosses(plot.left + xy[lost, 0] * scale, plot.top + xy[lost, 1] * scale, 2.5, "lost"))
-    return drawing(plot.width, plot.height, parts, f"residual vectors of image {view.given.images.ids[image]}")
+    return drawing(plot.width, plot.height, parts, phrase("drawn.vectors_of_image", image=view.given.images.ids[image]))
 
 
 def exaggeration(residuals_px: Array, width: float) -> float:
@@ -76,7 +76,7 @@ def reference(px_per_px: float, width: float) -> Drawing:
     length = round_below(width / 8 / px_per_px)
     plot = Plot(width=width, height=18, x_range=(0, 1), y_range=(0, 1))
     return drawing(
-        width, 18, [scale_bar(plot, length * px_per_px, f"{significant(length, 1)} px")], "scale of the vectors"
+        width, 18, [scale_bar(plot, length * px_per_px, f"{significant(length, 1)} px")], phrase("drawn.vector_scale")
     )
 
 
@@ -131,7 +131,7 @@ def normal_histogram(tests: Array, x_label: str, what: str) -> Drawing:
     top = max(float(d.counts.max(initial=1)), float(d.expected.max())) * 1.06
     plot = fitted(Plot(width=400, height=250, x_range=(-5, 5), y_range=(0, top)))
     parts = [
-        axes(plot, x_label, "number", x_count=10),
+        axes(plot, x_label, phrase("label.number"), x_count=10),
         columns(plot, d.edges, d.counts),
         line(plot, d.at, d.expected, "curve second"),
     ]
@@ -149,7 +149,7 @@ def normal_quantiles(tests: Array, y_label: str, what: str) -> Drawing:
     plot = fitted(Plot(width=320, height=250, x_range=(-4.6, 4.6), y_range=(-reach, reach)))
     ends = min(4.5, reach) * np.array([-1.0, 1.0])  # within the frame
     parts = [
-        axes(plot, "expected quantile", y_label, grid="xy", x_count=9),
+        axes(plot, phrase("axis.expected_quantile"), y_label, grid="xy", x_count=9),
         line(plot, ends, ends, "curve second"),
         dots(plot.x(expected), plot.y(np.clip(t[rows], -reach, reach)), "points"),
     ]
@@ -169,7 +169,7 @@ def image_columns(ids: Sequence[str], values: Array, y_label: str, what: str, da
         )
     )
     titles = [f"{i}: {significant(v)}" for i, v in zip(ids, values.tolist(), strict=True)] if n <= MOST_TITLES else []
-    name = "image" if few else "image, in the order of the block"
+    name = phrase("label.image") if few else phrase("axis.images_in_order")
     parts = [
         axes(plot, name, y_label, x_count=0 if few else 12),
         columns(plot, np.arange(n + 1.0), values, titles=titles),
@@ -189,11 +189,11 @@ def profile_figure(profile: Profile, what: str) -> Drawing:
     limits = span(mean - std, mean + std, zero=True)
     plot = fitted(Plot(width=400, height=266, top=26, x_range=(0.0, reach), y_range=limits))
     parts = [
-        axes(plot, "radius from the principal point [mm]", "mean residual [px]"),
+        axes(plot, phrase("axis.radius"), phrase("axis.mean_residual")),
         line(plot, np.array([0, reach]), np.zeros(2), "zero"),
     ]
     x0, y0, _, _ = plot.box
-    for k, (style, name) in enumerate((("first", "radial"), ("second", "tangential"))):
+    for k, (style, name) in enumerate((("first", phrase("drawn.radial")), ("second", phrase("drawn.tangential")))):
         shift = (k - 0.5) * 3
         x = plot.x(profile.radius_mm) + shift
         low, high = plot.y(mean[:, k] - std[:, k]), plot.y(mean[:, k] + std[:, k])

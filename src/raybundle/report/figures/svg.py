@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from html import escape
+from json import dumps, loads
 
 import numpy as np
 from markupsafe import Markup
 
+from raybundle.errors import Text, message_of, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.text.numbers import MINUS, fixed, grouped
 
 Interval = tuple[float, float]
 CHARACTER = 5.6
 """Mean width of a character of the ticks [px]."""
+_OPEN, _CLOSE = "\ue000", "\ue001"
+"""About the messages of a text, until the drawing is whole; characters for private use"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -126,10 +131,25 @@ def band(plot: Plot, xs: Array, low: Array, high: Array, style: str) -> str:
     return f'<path class="{style}" d="{coordinates(plot.x(x), plot.y(y))}Z"/>'
 
 
+def written(words: str) -> str:
+    """Words as a part of a drawing; a text of the catalogue keeps its messages for another reader."""
+    if isinstance(words, Text):
+        return f"{_OPEN}{dumps([m.json() for m in words.messages])}{_CLOSE}"
+    return escape(words.translate({ord(_OPEN): None, ord(_CLOSE): None}))
+
+
+def _pieces(svg: str) -> tuple[str, ...]:
+    """SVG and the texts within it, in turns."""
+    found = list[str]()
+    for k, piece in enumerate(re.split(f"[{_OPEN}{_CLOSE}]", svg)):
+        found.append(Text.of(*map(message_of, loads(piece))) if k % 2 else piece)
+    return tuple(found)
+
+
 def label(x: float, y: float, words: str, style: str = "t", anchor: str = "start", turn: float = 0.0) -> str:
     """A piece of text at a pixel."""
     turned = f' transform="rotate({turn:g} {x:.1f} {y:.1f})"' if turn else ""
-    return f'<text class="{style}" x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{turned}>{escape(words)}</text>'
+    return f'<text class="{style}" x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{turned}>{written(words)}</text>'
 
 
 def labels_apart(
@@ -209,19 +229,26 @@ def axes(plot: Plot, x_label: str, y_label: str, *, grid: str = "y", x_count: in
 class Drawing:
     """A whole drawing."""
 
-    svg: Markup
+    pieces: tuple[str, ...]
+    """SVG; each second one is a text of the catalogue"""
     width: float
     """[px]"""
+
+    @property
+    def svg(self) -> Markup:
+        """SVG with its texts."""
+        whole = "".join(escape(p) if isinstance(p, Text) else p for p in self.pieces)
+        return Markup(whole)  # noqa: S704  (every text in it is escaped where it is set)
 
 
 def drawing(width: float, height: float, parts: Sequence[str], what: str) -> Drawing:
     """A whole drawing; `what` is read to those who do not see it."""
     body = "".join(parts)
-    svg = Markup(  # noqa: S704  (every text in it is escaped where it is set)
+    svg = (
         f'<svg viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" height="{height:.0f}" role="img" '
-        f'aria-label="{escape(what)}">{body}</svg>'
+        f'aria-label="{written(what)}">{body}</svg>'
     )
-    return Drawing(svg=svg, width=width)
+    return Drawing(pieces=_pieces(svg), width=width)
 
 
 def columns(
@@ -241,7 +268,7 @@ def columns(
         return f'<path class="{style}" d="{d}"/>'
     return "".join(
         f'<rect class="{style}" x="{a + gap:.1f}" y="{t:.1f}" width="{max(b - a - 2 * gap, 0.5):.1f}" '
-        f'height="{max(base - t, 0.0):.1f}"><title>{escape(words)}</title></rect>'
+        f'height="{max(base - t, 0.0):.1f}"><title>{written(words)}</title></rect>'
         for a, b, t, words in zip(left.tolist(), right.tolist(), top.tolist(), titles, strict=True)
     )
 
@@ -252,7 +279,7 @@ def count_ticks(counts: Array) -> int:
 
 
 def histogram(
-    values: Array, x_label: str, what: str, *, edges: Array | None = None, y_label: str = "number", width: float = 300
+    values: Array, x_label: str, what: str, *, edges: Array | None = None, y_label: str = "", width: float = 300
 ) -> Drawing:
     """A histogram; values beyond the edges count in the outermost columns."""
     good = values[np.isfinite(values)]
@@ -265,7 +292,8 @@ def histogram(
     counts = np.histogram(np.clip(good, edges[0], edges[-1]), edges)[0].astype(float)
     x_range, y_range = (float(edges[0]), float(edges[-1])), (0.0, max(float(counts.max()), 1.0) * 1.06)
     plot = fitted(Plot(width=width, height=190, x_range=x_range, y_range=y_range))
-    parts = [axes(plot, x_label, y_label, y_count=count_ticks(counts)), columns(plot, edges, counts)]
+    y_name = y_label or phrase("label.number")
+    parts = [axes(plot, x_label, y_name, y_count=count_ticks(counts)), columns(plot, edges, counts)]
     return drawing(plot.width, plot.height, parts, what)
 
 

@@ -7,9 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from html import escape, unescape
 
-from markupsafe import Markup
-
-from raybundle.errors import phrase
+from raybundle.errors import Text, phrase
 from raybundle.report.figures.svg import Drawing
 from raybundle.report.languages.language import Language
 from raybundle.report.parts import (
@@ -82,4 +80,7 @@ def drawing_in(drawing: Drawing, language: Language) -> Drawing:
         before, words, behind = (found[1], found[2], found[3]) if found[1] else (found[4], found[5], found[6])
         return f"{before}{escape(language.text(unescape(words)))}{behind}"
 
-    return replace(drawing, svg=Markup(SVG_TEXT.sub(said, str(drawing.svg))))  # noqa: S704  (escaped as before)
+    pieces = (
+        escape(language.text(p)) if isinstance(p, Text) else SVG_TEXT.sub(said, p) for p in drawing.pieces
+    )  # fmt: skip
+    return replace(drawing, pieces=("".join(pieces),))

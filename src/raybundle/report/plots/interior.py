@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from raybundle.adjustment.result import InteriorResult
 from raybundle.calibration.maps import UncertaintyMap
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, phrase
 from raybundle.report.figures.distortion import (
     ADDITIONAL,
     Curve,
@@ -81,14 +81,14 @@ def _panels(view: View, result: InteriorResult) -> list[Panel]:
         curve = radial_curve(interior)
         flat, share = balanced(curve)
         told = f"balanced ($c$ {'+' if share > 0 else ''}{significant(100 * share, 2)} %)"
-        drawn = [(curve, BLUE, "-", "Gaussian"), (flat, VERMILION, "--", told)]
-        found.append(partial(_curves, interior, drawn, reach, "radial correction, ideal − measured", "correction"))
-        sigmas.append((curve, BLUE, "-", "radial"))
+        drawn = [(curve, BLUE, "-", phrase("drawn.gaussian")), (flat, VERMILION, "--", told)]
+        found.append(partial(_curves, interior, drawn, reach, "radial correction, ideal − measured", _correction()))
+        sigmas.append((curve, BLUE, "-", phrase("drawn.radial")))
     if interior.has("decentring"):
         curve = decentring_curve(interior)
         found.append(
             partial(
-                _curves, interior, [(curve, BLUE, "-", "")], reach, "decentring, largest over directions", "correction"
+                _curves, interior, [(curve, BLUE, "-", "")], reach, "decentring, largest over directions", _correction()
             )
         )
         sigmas.append((curve, VERMILION, "--", "decentring"))
@@ -99,11 +99,16 @@ def _panels(view: View, result: InteriorResult) -> list[Panel]:
     ]
     if spread:
         title = "standard deviation of the corrections"
-        found.append(partial(_curves, interior, spread, reach, title, "standard deviation"))
+        found.append(partial(_curves, interior, spread, reach, title, phrase("axis.standard_deviation", unit="µm")))
     if any(interior.has(k) for k in sorted(ADDITIONAL)):
         found.append(partial(_grid, interior))
     found += [partial(_uncertainty, view, interior, m) for m in uncertainty_maps(view, result)]
     return found
+
+
+def _correction() -> Text:
+    """The name of an axis."""
+    return phrase("axis.correction", unit="µm")
 
 
 def _curves(
@@ -117,11 +122,13 @@ def _curves(
             s = 1000 * curve.std_mm
             axes.fill_between(curve.radius_mm, um - s, um + s, color=colour, alpha=0.25, linewidth=0)
     axes.axhline(0, color=BLACK, linewidth=0.6)
-    axes.set(xlim=(0, interior.corner_mm), xlabel="radius from the principal point [mm]", ylabel=f"{name} [µm]")
+    axes.set(xlim=(0, interior.corner_mm), xlabel=phrase("axis.radius"), ylabel=name)
     axes.set_title(title, fontsize="medium")
     axes.grid(visible=True, alpha=0.3, linewidth=0.6)
     if reach < interior.corner_mm:
-        axes.axvspan(reach, interior.corner_mm, color=GREY, alpha=0.25, linewidth=0, label="no observation")
+        axes.axvspan(
+            reach, interior.corner_mm, color=GREY, alpha=0.25, linewidth=0, label=phrase("drawn.no_observation")
+        )
     if len(drawn) > 1 or reach < interior.corner_mm:
         axes.legend(fontsize="small", loc="best", framealpha=0.7, handlelength=1.5)
     px = axes.secondary_yaxis(

@@ -14,7 +14,7 @@ from matplotlib.transforms import ScaledTranslation
 from mpl_toolkits.axes_grid1.anchored_artists import AnchoredSizeBar
 
 from raybundle.block import Role
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.svg import Interval, round_below
 from raybundle.report.network_shape import (
@@ -171,10 +171,10 @@ def _legend(canvas: Canvas, view: View, role: Array, factor: float) -> None:
             markeredgewidth=edge, label=name,
         )  # fmt: skip
 
-    handles = [Line2D([], [], color=BLUE, linewidth=0.9, label="images")]
-    handles += [mark("object points", "o", GREY, filled=True)] if (role == Role.TIE).any() else []
+    handles = [Line2D([], [], color=BLUE, linewidth=0.9, label=phrase("label.images"))]
+    handles += [mark(phrase("label.object_points"), "o", GREY, filled=True)] if (role == Role.TIE).any() else []
     handles += [mark("control", "^", VERMILION)] if (role == Role.CONTROL).any() else []
-    handles += [mark("check points", "o", GREEN)] if (role == Role.CHECK).any() else []
+    handles += [mark(phrase("label.check_points"), "o", GREEN)] if (role == Role.CHECK).any() else []
     handles += (
         [Line2D([], [], color=BLACK, linewidth=1.4, label="distances")] if len(view.given.distances.start) else []
     )

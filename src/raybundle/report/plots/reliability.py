@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from raybundle.adjustment.cell_means import cell_means
 from raybundle.block import Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.detectable import UNTESTED, detectable
 from raybundle.report.plots.canvas import (
@@ -41,7 +41,7 @@ def draw(view: View, camera: str | None, figure: Canvas | None) -> Figure:
         cells = cell_means(view.adjustment, own, mask, tests)
         format_axes(axes[0], own, f"camera {own.id}: means of cells")
         means = cells.redundancy.reshape(cells.rows, cells.columns)
-        cells_over_format(axes[0], own, means, "redundancy number", "cividis", high=1.0)
+        cells_over_format(axes[0], own, means, phrase("axis.redundancy_number"), "cividis", high=1.0)
         _redundancy(axes[1], view, own, mask)
         _detectable(axes[2], mdb[mask])
     return whole
@@ -51,7 +51,7 @@ def _redundancy(axes: Axes, view: View, camera: Camera, mask: Mask) -> None:
     r = view.adjustment.image_observations.redundancy[mask].ravel()
     r = r[np.isfinite(r)]
     counts_axis(axes, "image coordinates")
-    axes.set(xlim=(0, 1), xlabel="redundancy number")
+    axes.set(xlim=(0, 1), xlabel=phrase("axis.redundancy_number"))
     if not len(r):
         axes.set_title(f"no image point of camera {camera.id} has one", fontsize="medium")
         return

@@ -121,13 +121,15 @@ def _advice(q: CalibrationQuality) -> list[Part]:
         Heading(text=phrase("calibration_quality.photograph_next")),
         table(
             (
+                number(""),
                 text(phrase("calibration_quality.photographs_in_order")),
                 number(phrase("calibration_quality.uncertainty_now"), "px"),
                 number(phrase("calibration_quality.uncertainty_then"), "px"),
                 number(phrase("calibration_quality.smaller_by")),
             ),
             (
-                [f"{k + 1}. {p.words}" for k, p in enumerate(q.advice)],
+                [grouped(k + 1) for k in range(len(q.advice))],
+                [p.words for p in q.advice],
                 [now for _ in q.advice],
                 [significant(p.uncertainty_px, 2) for p in q.advice],
                 [per_cent(1 - p.ratio) if p.ratio > 0 else NONE for p in q.advice],

@@ -38,7 +38,7 @@ from raybundle.report.text.numbers import (
     with_sigma,
 )
 from raybundle.report.text.words import printed
-from raybundle.report.view import View, adjusted_interior, key_of, name_of
+from raybundle.report.view import View, adjusted_interior, key_of
 
 MOST_DRAWN = 6
 """Interior orientations with figures of their own."""
@@ -129,7 +129,7 @@ def parameter_table(result: InteriorResult, view: View) -> Table:
         ),
         (
             [p.symbol for p in rows],
-            [p.meaning + (f" ({p.remark})" if p.remark else "") for p in rows],
+            [p.words for p in rows],
             [unit for _, unit in units],
             [c[0] for c in cells],
             [c[1] for c in cells],
@@ -197,7 +197,7 @@ def _details(view: View, result: InteriorResult) -> list[Part]:
     interior = adjusted_interior(view, result)
     reach = reach_of(view, result, interior)
     if any(interior.has(k) for k in sorted(ADDITIONAL)):
-        parts += _distortion(interior, reach, name_of(result))
+        parts += _distortion(interior, reach, (result.camera, result.image or ""))
     else:
         parts.append(Paragraph(text=phrase("report_interior.no_distortion"), note=True))
     return parts
@@ -209,7 +209,12 @@ def _correlations(view: View, result: InteriorResult) -> list[Part]:
         return []
     figures = [
         Figure(
-            drawing=heat_map(result.free, result.free, result.correlations, f"correlations of {name_of(result)}"),
+            drawing=heat_map(
+                result.free,
+                result.free,
+                result.correlations,
+                phrase("drawn.correlations", camera=result.camera, image=result.image or ""),
+            ),
             caption=phrase("report_interior.correlations"),
         )
     ]
@@ -220,7 +225,7 @@ def _correlations(view: View, result: InteriorResult) -> list[Part]:
             Figure(
                 drawing=heat_map(
                     result.free, ("X", "Y", "Z", "ω", "φ", "κ"), _largest(cross),
-                    "correlations with exterior orientation",
+                    phrase("drawn.exterior_correlations"),
                     signed=False,
                 ),
                 caption=phrase("report_interior.correlations_exterior"),
@@ -257,26 +262,32 @@ def _uncertainty(view: View, result: InteriorResult) -> list[Part]:
     return [Figures(figures=tuple(figures))] if figures else []
 
 
-def _distortion(interior: Interior, reach: float, name: str) -> list[Part]:
+def _distortion(interior: Interior, reach: float, name: tuple[str, str]) -> list[Part]:
     figures: list[Figure] = []
     if interior.has("radial"):
         figures += _radial(interior, reach, name)
     if interior.has("decentring"):
         curve = decentring_curve(interior)
-        drawn = curves(interior, [(curve, "first", "")], reach, f"decentring distortion of {name}")
+        drawn = curves(
+            interior,
+            [(curve, "first", "")],
+            reach,
+            phrase("drawn.distortion", kind="decentring", camera=name[0], image=name[1]),
+        )
         words = Text.of(note("report_interior.decentring"), *_banded(curve))
         figures.append(Figure(drawing=drawn, caption=words))
-    drawn, largest = correction_field(interior, f"corrections over the format of {name}")
+    drawn, largest = correction_field(interior, phrase("drawn.corrections", camera=name[0], image=name[1]))
     words = phrase("report_interior.corrections", largest_px=largest)
     figures.append(Figure(drawing=drawn, caption=words))
     return [Figures(figures=tuple(figures))]
 
 
-def _radial(interior: Interior, reach: float, name: str) -> list[Figure]:
+def _radial(interior: Interior, reach: float, name: tuple[str, str]) -> list[Figure]:
     curve = radial_curve(interior)
     flat, share = balanced(curve)
-    what = f"radial distortion of {name}"
-    drawn = curves(interior, [(curve, "first", "Gaussian"), (flat, "second", "balanced")], reach, what)
+    what = phrase("drawn.distortion", kind="radial", camera=name[0], image=name[1])
+    both = [(curve, "first", phrase("drawn.gaussian")), (flat, "second", phrase("drawn.balanced"))]
+    drawn = curves(interior, both, reach, what)
     extrapolated = [note("report_interior.extrapolated", reach_mm=reach)] if reach < interior.corner_mm else []
     words = Text.of(
         note("report_interior.radial"),
@@ -285,7 +296,7 @@ def _radial(interior: Interior, reach: float, name: str) -> list[Figure]:
         *extrapolated,
     )
     figures = [Figure(drawing=drawn, caption=words)]
-    sigma = sigma_curve(interior, curve, reach, f"standard deviation of the {what}")
+    sigma = sigma_curve(interior, curve, reach, phrase("drawn.distortion_sigma", camera=name[0], image=name[1]))
     if sigma is not None:
         words = phrase("report_interior.radial_sigma")
         figures.append(Figure(drawing=sigma, caption=words))

@@ -57,7 +57,7 @@ def deviations(o: Occasion) -> tuple[Section, ...]:
     if fit is None:
         return ()
     strange = np.asarray(fit.significant, bool)
-    views = displacement_views(fit.ids, fit.xyz, fit.deviation, strange, (MM, "mm"), "deviations from nominal")
+    views = displacement_views(fit.ids, fit.xyz, fit.deviation, strange, (MM, "mm"), "deviations")
     parts: list[Part] = [
         Facts(facts=_fit_facts(fit)),
         Figures(figures=tuple(Figure(drawing=d, caption=c) for d, c in views)),

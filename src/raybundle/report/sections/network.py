@@ -78,8 +78,10 @@ def _histograms(std: Array, unit: str) -> tuple[Figure, ...]:
     edges = np.linspace(0, top, 26)
     return tuple(
         Figure(
-            drawing=histogram(std[:, k], f"sigma {axis} [{unit}]", f"standard deviations of {axis}", edges=edges,
-                              y_label="points", width=286),
+            drawing=histogram(
+                std[:, k], phrase("axis.sigma", axis=axis, unit=unit), phrase("drawn.deviations_of", axis=axis),
+                edges=edges, y_label=phrase("label.points"), width=286,
+            ),
             caption=phrase("report_network.deviations", axis=axis),
         )
         for k, axis in enumerate("XYZ")
@@ -201,22 +203,36 @@ def _figures_table(view: View, n: NetworkFigures) -> Table:
 
 def _diversity(view: View, n: NetworkFigures) -> Figures:
     figures = [
-        Figure(drawing=ray_histogram(view.rays, "rays per point"), caption=phrase("report_network.ray_histogram")),
-        Figure(drawing=angle_histogram(n, "intersection angles"), caption=phrase("report_network.angle_histogram")),
-        Figure(drawing=roll_rose(n.roll, "rolls of the images"), caption=_roll_words(view, n.roll)),
+        Figure(
+            drawing=ray_histogram(view.rays, phrase("axis.rays_per_point")),
+            caption=phrase("report_network.ray_histogram"),
+        ),
+        Figure(
+            drawing=angle_histogram(n, phrase("drawn.intersection_angles")),
+            caption=phrase("report_network.angle_histogram"),
+        ),
+        Figure(drawing=roll_rose(n.roll, phrase("drawn.rolls")), caption=_roll_words(view, n.roll)),
     ]
     scale = n.image_scale[np.isfinite(n.image_scale)]
     if len(scale) > 3:
         spread = float(scale.max() / scale.min()) if scale.min() > 0 else math.nan
         figures.append(
             Figure(
-                drawing=histogram(scale, "image scale number", "image scales", y_label="images", width=286),
+                drawing=histogram(
+                    scale,
+                    phrase("axis.image_scale"),
+                    phrase("drawn.image_scales"),
+                    y_label=phrase("label.images"),
+                    width=286,
+                ),
                 caption=phrase("report_network.scale_histogram", ratio=spread),
             )
         )
     if len(n.base_to_depth):
-        drawn = histogram(n.base_to_depth, "base-to-depth ratio", "base-to-depth ratios", y_label="pairs", width=286,
-                          edges=np.append(np.linspace(0, 2, 21), [2.1]))  # fmt: skip
+        drawn = histogram(
+            n.base_to_depth, phrase("axis.base_to_depth"), phrase("drawn.base_to_depth"), y_label=phrase("label.pairs"),
+            width=286, edges=np.append(np.linspace(0, 2, 21), [2.1]),
+        )  # fmt: skip
         words = phrase("report_network.ratio_histogram", n=len(n.base_to_depth), most=2)
         figures.append(Figure(drawing=drawn, caption=words))
     return Figures(figures=tuple(figures))
@@ -260,7 +276,7 @@ def _coverage(view: View, n: NetworkFigures) -> list[Part]:
     if len(taken) < 2:
         return []
     ids = pick(taken, view.given.images.ids)
-    drawn = image_columns(ids, 100 * n.coverage[taken], "coverage [%]", "coverage of the image format")
+    drawn = image_columns(ids, 100 * n.coverage[taken], phrase("axis.coverage"), phrase("drawn.coverage"))
     return [Figures(figures=(Figure(drawing=drawn, caption=phrase("report_network.coverage_of_images")),))]
 
 

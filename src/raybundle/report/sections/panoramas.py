@@ -60,9 +60,9 @@ def _camera_parts(view: View, camera: Camera, mask: Mask) -> list[Part]:
     ]
     words: list[tuple[str, str]] = []
     figures: list[Figure] = []
-    for at, x_label, name in ((direction, "direction [°]", "direction"), (elevation, "elevation [°]", "elevation")):
-        for k, which in enumerate(("along the arc", "along the line")):
-            figure, word = _against(view, rows, at, v[:, k], x_label, name, which)
+    for at, name in ((direction, "direction"), (elevation, "elevation")):
+        for k in range(2):
+            figure, word = _against(view, rows, at, v[:, k], name, k)
             figures.append(figure)
             words += word
     if not words:
@@ -94,11 +94,10 @@ def _angles(view: View, camera: Camera, rows: Index) -> tuple[Array, Array]:
 
 
 def _against(
-    view: View, rows: Index, at: Array, v: Array, x_label: str, name: str, which: str
+    view: View, rows: Index, at: Array, v: Array, name: str, axis: int
 ) -> tuple[Figure, list[tuple[str, str]]]:
     """Residuals against an angle, and what is to be said of them."""
     low, high = float(at.min()), float(at.max())
-    axis = 0 if which == "along the arc" else 1
     sigma = np.sqrt(view.given.observations.cov_px2[rows, axis])
     windows = int(np.clip(len(rows) // 12, 12, 60))
     curve = running(at, v, low, max(high, low + 1e-6), windows, sigma)
@@ -109,9 +108,9 @@ def _against(
             at,
             v,
             curve,
-            x_label,
-            f"{which} [px]",
-            f"residuals {which} against {name}",
+            phrase("axis.panorama", angle=name),
+            phrase("axis.along", arc=arc),
+            phrase("drawn.along_against", arc=arc, angle=name),
             x_range=(low, max(high, low + 1e-6)),
         ),
         caption=Text.of(note("report_panoramas.against", arc=arc, angle=name), *chance),
@@ -158,7 +157,7 @@ def _sketch(view: View, result: InteriorResult | None, direction: Array) -> Draw
         parts.append(label(x, y, words, anchor="end" if x > middle else "middle"))
     parts.append(label(1, middle + 4, "270°"))
     parts += _centre(view, result, middle, inner)
-    return drawing(SIZE, SIZE, parts, "directions of the image points and eccentricity of the projection centre")
+    return drawing(SIZE, SIZE, parts, phrase("drawn.panorama"))
 
 
 def _centre(view: View, result: InteriorResult | None, middle: float, inner: float) -> list[str]:

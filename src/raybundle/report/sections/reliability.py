@@ -110,7 +110,7 @@ def _figures(view: View) -> list[Part]:
     figures = [
         Figure(
             drawing=redundancy_map(cell_means(a, view.given.cameras[c], mask, tests), view.given.cameras[c],
-                                   f"redundancy numbers over the format of camera {view.given.cameras[c].id}"),
+                                   phrase("drawn.redundancy_map", camera=view.given.cameras[c].id)),
             caption=phrase("report_reliability.map", camera=view.given.cameras[c].id),
         )
         for c, mask in view.cameras()[:6]
@@ -118,7 +118,10 @@ def _figures(view: View) -> list[Part]:
     figures.append(
         Figure(
             drawing=histogram(
-                np.clip(r, 0, 1), "redundancy number", "histogram of redundancy numbers", edges=np.linspace(0, 1, 21)
+                np.clip(r, 0, 1),
+                phrase("axis.redundancy_number"),
+                phrase("drawn.redundancy_histogram"),
+                edges=np.linspace(0, 1, 21),
             ),
             caption=phrase("report_reliability.histogram"),
         )
@@ -128,7 +131,10 @@ def _figures(view: View) -> list[Part]:
     if len(rows) > 1:
         ids = [view.given.images.ids[row.image] for row in rows]
         drawn = image_columns(
-            ids, np.array([row.redundancy for row in rows]), "mean r", "mean redundancy number of each image"
+            ids,
+            np.array([row.redundancy for row in rows]),
+            phrase("axis.mean_redundancy"),
+            phrase("drawn.redundancy_of_images"),
         )
         caption = phrase("report_reliability.of_images")
         parts.append(Figures(figures=(Figure(drawing=drawn, caption=caption),)))

@@ -95,7 +95,7 @@ def _distribution(view: View, tests: Array) -> list[Part]:
         Figures(
             figures=(
                 Figure(
-                    drawing=normal_histogram(t, name, "histogram of normalised residuals"),
+                    drawing=normal_histogram(t, name, phrase("drawn.normalised_histogram")),
                     caption=phrase(
                         "report_residuals.histogram",
                         symbol=name,
@@ -106,7 +106,7 @@ def _distribution(view: View, tests: Array) -> list[Part]:
                     ),
                 ),
                 Figure(
-                    drawing=normal_quantiles(t, name, "quantiles of normalised residuals"),
+                    drawing=normal_quantiles(t, name, phrase("drawn.normalised_quantiles")),
                     caption=phrase("report_residuals.quantiles"),
                 ),
             )
@@ -127,11 +127,11 @@ def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
         Figures(
             figures=(
                 Figure(
-                    drawing=mean_field(means, camera, f"mean residuals of camera {camera.id}"),
+                    drawing=mean_field(means, camera, phrase("drawn.mean_residuals", camera=camera.id)),
                     caption=phrase("report_residuals.cells", level=FAMILY, white=white),
                 ),
                 Figure(
-                    drawing=profile_figure(profile, f"mean residuals of camera {camera.id} against the radius"),
+                    drawing=profile_figure(profile, phrase("drawn.mean_residuals_by_radius", camera=camera.id)),
                     caption=phrase("report_residuals.profile"),
                 ),
             ),
@@ -171,7 +171,9 @@ def _images(view: View, rows: list[ImageRow], tests: Array) -> list[Part]:
 
     parts: list[Part] = [Heading(text=phrase("report_residuals.images"))]
     if len(rows) > 1:
-        columns = image_columns([ids[r.image] for r in rows], sizes, "rms [px]", "rms residual of each image", overall)
+        columns = image_columns(
+            [ids[r.image] for r in rows], sizes, phrase("axis.rms"), phrase("drawn.rms_of_images"), overall
+        )
         caption = phrase("report_residuals.rms_of_images", rms_px=overall)
         parts.append(Figures(figures=(Figure(drawing=columns, caption=caption),)))
     scale = Figure(drawing=reference(enlarged, SMALL), caption=phrase("report_residuals.scale"))

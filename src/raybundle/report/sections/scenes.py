@@ -318,7 +318,7 @@ def _bias_figure(camera: Camera) -> Figure | None:
         unit = round_below(1.6 * largest)
         parts.append(scale_bar(plot, unit * scale, f"{significant(unit, 1)} px", "vector bold"))
     return Figure(
-        drawing=drawing(plot.width, plot.height, parts, "bias of the RPC over the scene"),
+        drawing=drawing(plot.width, plot.height, parts, phrase("drawn.rpc_bias")),
         caption=phrase("report_scenes.bias_map", constant=sensor.bias == "shift"),
     )
 
@@ -335,7 +335,8 @@ def _track_figures(view: View, image: int, track: tuple[Index, Running, Running]
         figures.append(
             Figure(
                 drawing=series_figure(
-                    at, v[:, k], curve, "line [px]", f"residual in {axis} [px]", f"residuals in {axis} along the track",
+                    at, v[:, k], curve, phrase("axis.line"), phrase("axis.residual_in", axis=axis),
+                    phrase("drawn.residuals_along_track", axis=axis),
                     x_range=(0.0, height),
                 ),
                 caption=Text.of(note("report_scenes.track", axis=axis), *chance),
@@ -368,8 +369,8 @@ def _jitter(camera: Camera) -> Part | None:
     if max(size) < SMOOTH_PX:
         return Paragraph(text=phrase("report_scenes.no_jitter", limit_px=SMOOTH_PX))
     drawn: Drawing = line_figure(
-        lines, (("x", miss[:, 0], None), ("y", miss[:, 1], None)), "line [px]", "rigorous − RPC [px]",
-        "rigorous model minus its RPC along the lines", width=860,
+        lines, (("x", miss[:, 0], None), ("y", miss[:, 1], None)), phrase("axis.line"),
+        phrase("axis.rigorous_minus_rpc"), phrase("drawn.jitter"), width=860,
     )  # fmt: skip
     return Figures(
         figures=(

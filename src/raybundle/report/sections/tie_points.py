@@ -28,7 +28,10 @@ def tie_point_section(view: View, sigma_px: float) -> Section:
     scale = [note("report_tie_points.arbitrary_scale")] if view.arbitrary_scale else []
     parts += [_ray_table(view, size, scale)]
     figures = [
-        Figure(drawing=ray_histogram(view.rays, "rays per point"), caption=phrase("report_tie_points.ray_histogram"))
+        Figure(
+            drawing=ray_histogram(view.rays, phrase("axis.rays_per_point")),
+            caption=phrase("report_tie_points.ray_histogram"),
+        )
     ]
     good = np.zeros(0) if size is None else size[np.isfinite(size)]
     if len(good):
@@ -36,8 +39,10 @@ def tie_point_section(view: View, sigma_px: float) -> Section:
         edges = np.linspace(0, top, 26) if top > 0 else None
         figures.append(
             Figure(
-                drawing=histogram(good, f"sigma of a point [{view.unit}]", "precision of points", edges=edges,
-                                  y_label="points", width=300),
+                drawing=histogram(
+                    good, phrase("axis.sigma_of_point", unit=view.unit), phrase("drawn.precision_of_points"),
+                    edges=edges, y_label=phrase("label.points"), width=300,
+                ),
                 caption=phrase("report_tie_points.deviations"),
             )
         )  # fmt: skip

@@ -164,7 +164,7 @@ def _carried_table(view: View, carried: list[InteriorResult]) -> Table:
             if p.status == "not determinable":
                 marked.append(len(rows))
             status = phrase("report_interior.status", status=p.status.replace(" ", "_"))
-            rows.append([r.camera, p.symbol, p.meaning, unit, *shown, NONE if p.t is None else fixed(p.t, 1), status])
+            rows.append([r.camera, p.symbol, p.words, unit, *shown, NONE if p.t is None else fixed(p.t, 1), status])
     return table(
         (
             text(phrase("report_trajectories.carrier")), text(phrase("label.symbol")), text(phrase("label.meaning")),
@@ -198,19 +198,28 @@ def _lines(view: View, groups: dict[str, ObservationGroup]) -> list[Line]:
         time = np.array([key[i][1] if i in key else math.nan for i in images])
         if np.isfinite(time).all() and np.ptp(time) > 0:
             order = np.argsort(time, kind="stable")
-            found.append(Line(kind=kind, name=name, images=np.array(images)[order], at=time[order], unit="time [s]"))
+            found.append(
+                Line(kind=kind, name=name, images=np.array(images)[order], at=time[order], unit=phrase("axis.time"))
+            )
             continue
         centre = view.adjusted.images.centre[images]
         steps = np.linalg.norm(np.diff(centre, axis=0), axis=1)
         at = np.concatenate([[0.0], np.cumsum(np.nan_to_num(steps))])
-        found.append(Line(kind=kind, name=name, images=np.array(images), at=at, unit=f"way flown [{view.length_unit}]"))
+        found.append(
+            Line(
+                kind=kind,
+                name=name,
+                images=np.array(images),
+                at=at,
+                unit=phrase("axis.way_flown", unit=view.length_unit),
+            )
+        )
     return found
 
 
 def _line_figures(view: View, groups: dict[str, ObservationGroup], line: Line) -> tuple[Figure, ...]:
     """Observed minus adjusted along one line, a figure for each component."""
     names = [view.given.images.ids[int(i)] for i in line.images]
-    named = f"Antenna {line.name}" if line.name else line.kind.capitalize()
     figures: list[Figure] = []
     for kind, components, factor, unit in (
         ("station", ("X", "Y", "Z"), view.factor, view.unit),
@@ -227,9 +236,11 @@ def _line_figures(view: View, groups: dict[str, ObservationGroup], line: Line) -
             value = np.array([d[k] * factor if k >= 0 else math.nan for k in pick])
             stated = np.array([sigma[k] * factor * view.scale if k >= 0 else math.nan for k in pick])
             name = _name(view, component)
+            words = phrase("report_trajectories.component", component=name)
             drawn = line_figure(
-                line.at, ((name, value, stated),), line.unit, f"observed − adjusted [{unit}]",
-                f"observed minus adjusted {name} along {named}", width=285, marks=len(names) <= MARKED,
+                line.at, ((words, value, stated),), line.unit, phrase("axis.observed_minus_adjusted", unit=unit),
+                phrase("drawn.along_line", component=name, kind=line.kind, name=line.name), width=285,
+                marks=len(names) <= MARKED,
             )  # fmt: skip
             figures.append(
                 Figure(
@@ -247,9 +258,9 @@ def _motion(view: View) -> list[Part]:
         return []
     at = np.arange(1, len(own) + 1, dtype=float)
     figures: list[Figure] = []
-    for symbols, factor, unit, name, kind in (
-        (("vx", "vy", "vz"), 1.0, f"{view.length_unit}/s", "velocity during read-out", "velocity"),
-        (("wx", "wy", "wz"), math.degrees(1), "°/s", "rotation during read-out", "rotation"),
+    for symbols, factor, unit, kind in (
+        (("vx", "vy", "vz"), 1.0, f"{view.length_unit}/s", "velocity"),
+        (("wx", "wy", "wz"), math.degrees(1), "°/s", "rotation"),
     ):
         value, sigma = (
             np.array(
@@ -262,11 +273,12 @@ def _motion(view: View) -> list[Part]:
         spread = (
             np.sqrt(np.nanmean(sigma**2, axis=1)) * factor if np.isfinite(sigma).any() else np.full(len(own), math.nan)
         )
+        name = phrase("drawn.motion", kind=kind)
         drawn = line_figure(
             at,
-            ((name, size, None), ("its sigma", spread, None)),
-            "image",
-            f"{name.split()[0]} [{unit}]",
+            ((name, size, None), (phrase("drawn.its_sigma"), spread, None)),
+            phrase("label.image"),
+            phrase("axis.motion", kind=kind, unit=unit),
             name,
             marks=len(own) <= MARKED,
         )

@@ -7,6 +7,7 @@ from pathlib import Path
 from raybundle import words
 from raybundle.adjustment.result import Notice, as_told
 from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.calibration.quality import CalibrationQuality
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.report.chapters import Occasion
 from raybundle.report.languages import Said
@@ -94,7 +95,7 @@ def steps_left(o: Occasion) -> int:
 def _steps(o: Occasion) -> tuple[tuple[str, str], ...]:
     """Faults, what to photograph next for a calibration, warnings."""
     found = [(n.severity, _step(n, o.language)) for n in as_told(o.view.adjustment.notices, many=1)]
-    next_ = [("next", _advice(f"camera {q.camera}: {q.advice[0].words}", o.language)) for q in o.qualities if q.advice]
+    next_ = [("next", _advice(q, o.language)) for q in o.qualities if q.advice]
     faults, warnings = ([(s.value, w) for s, w in found if s is of] for of in (Severity.FAULT, Severity.WARNING))
     return (*faults, *next_, *warnings)
 
@@ -109,9 +110,9 @@ def _step(n: Notice, language: Language) -> Said:
     return Said(unbroken(" ".join(filter(None, parts))))
 
 
-def _advice(text: str, language: Language) -> Said:
-    made = language.text(unbroken(text))
-    return Said(f"{made[:1].upper()}{made[1:]}")
+def _advice(q: CalibrationQuality, language: Language) -> Said:
+    """The first photograph that is proposed for a camera."""
+    return Said(language.text(Text.of(note("next_photograph.camera", camera=q.camera), *q.advice[0].words.messages)))
 
 
 def handed_over(files: tuple[str, ...]) -> tuple[tuple[str, Text], ...]:

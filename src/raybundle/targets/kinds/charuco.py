@@ -14,7 +14,7 @@ from typing import Any
 import cv2
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.reading.words import number_of, whole_of
 from raybundle.numerics.arrays import Array
 from raybundle.targets.detect import eight_bits
@@ -82,17 +82,19 @@ class Charuco:
         eight = eight_bits(image)[0]
         found = [_corners(eight, self.board(old=old)) for old in (False, True)]
         if max(f[2] for f in found) >= TWICE:
-            return nothing(self.family, two_seen(self.title))
+            return nothing(self.family, two_seen(self.family))
         corners, ids, _ = max(found, key=lambda c: len(c[1]))
         if len(ids) < LEAST:
-            return nothing(self.family, f"{len(ids)} corners of a {self.title} seen, {LEAST} are needed")
+            return nothing(
+                self.family, phrase("target_seen.corners_missing", target=self.family, n=len(ids), least=LEAST)
+            )
         columns = self.columns - 1
         place = np.stack([ids % columns, ids // columns], axis=1).astype(float)
         u, v = _arms(place, corners)
         blank = (1 - self.ratio) / 2
         first = fit_corners(image, corners, u, v, CornerOptions(band=blank))
         if not first.measured.any():
-            return nothing(self.family, f"{len(ids)} corners of a {self.title} seen, none sharp enough to be measured")
+            return nothing(self.family, phrase("target_seen.corners_blurred", target=self.family, n=len(ids)))
         # tags are blurred towards the edges
         clear = 2.4 * float(np.median(first.blur_px[first.measured]))
         c = fit_corners(image, corners, u, v, CornerOptions(band=blank, clear_px=clear))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array
 from raybundle.targets.detect import eight_bits
@@ -84,9 +84,17 @@ class Chessboard:
         del options
         boards = find_boards(eight_bits(image)[0], (self.columns, self.rows))
         if not boards:
-            return nothing(self.family, f"no whole {self.title} seen{self._squares(image)}")
+            return nothing(
+                self.family,
+                phrase(
+                    "target_seen.no_board",
+                    target=self.family,
+                    squares=self._squares(image),
+                    named=f"chessboard-{self.columns - 1}x{self.rows - 1}",
+                ),
+            )
         if len(boards) > 1:
-            return nothing(self.family, two_seen(self.title))
+            return nothing(self.family, two_seen(self.family))
         (rough,) = boards
         image = np.ascontiguousarray(image, np.uint16)
         fitted = measure_grid(image, rough)
@@ -94,13 +102,12 @@ class Chessboard:
         if good.mean() < LEAST_SHARE:
             return nothing(
                 self.family,
-                f"a {self.title} seen, but only {good.sum()} of {good.size} corners are sharp and even enough to be "
-                "measured",
+                phrase("target_seen.few_corners", target=self.family, n=int(good.sum()), of=good.size),
             )
         if beyond(image, np.where(good[..., None], fitted.xy_px.reshape(rough.shape), rough)):
             return nothing(
                 self.family,
-                f"the chessboard has more than {self.columns} x {self.rows} inner corners: name the right number",
+                phrase("target_seen.larger_board", columns=self.columns, rows=self.rows),
             )
         turned = self._turn(fitted.xy_px.reshape(rough.shape), fitted.contrast.reshape(good.shape))
         order = turned.reshape(-1)
@@ -112,15 +119,13 @@ class Chessboard:
             covariance=fitted.covariance[which], ellipse=no_ellipses(len(which)), gate=fitted.residual[which],
         )  # fmt: skip
 
-    def _squares(self, image: Array) -> str:
-        """What is seen of a board of as many squares as this one has corners."""
+    def _squares(self, image: Array) -> bool:
+        """Whether a board of as many squares as this one has corners is seen."""
         columns, rows = self.columns - 1, self.rows - 1
         if min(columns, rows) < FEWEST:
-            return ""
+            return False
         boards = find_boards(eight_bits(image)[0], (columns, rows))
-        if len(boards) != 1 or beyond(np.ascontiguousarray(image, np.uint16), boards[0]):
-            return ""
-        return f", but one of {self.columns} x {self.rows} squares: its name is chessboard-{columns}x{rows}"
+        return len(boards) == 1 and not beyond(np.ascontiguousarray(image, np.uint16), boards[0])
 
     def _turn(self, xy: Array, contrast: Array) -> Array:
         """Corners (rows, columns) as positions in the order found: seen from the front, dark first square."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
 from raybundle.targets.detect import DetectionOptions, Detections, detect_targets
@@ -76,13 +76,15 @@ class Circles:
             found = lattices(chosen.xy_px, chosen.ellipse, max(5, int((1 - MISSING) * total)))
             grids = [g for k in found if (g := self._fits(k.grid(), chosen.xy_px)) is not None]
             if len(grids) > 1:
-                return nothing(self.family, two_seen(self.title))
+                return nothing(self.family, two_seen(self.family))
             if grids:
                 return marks_of_grid(self.family, chosen, grids[0])
             if found:
-                return nothing(self.family, f"dots in {found[0].size[0]} columns and {found[0].size[1]} rows seen, "
-                               f"which are not a {self.title}")  # fmt: skip
-        return nothing(self.family, f"no whole {self.title} among {len(dots)} dots seen")
+                return nothing(self.family, phrase(
+                    "target_seen.other_raster", target=self.family, columns=int(found[0].size[0]),
+                    rows=int(found[0].size[1]),
+                ))  # fmt: skip
+        return nothing(self.family, phrase("target_seen.no_raster", target=self.family, n=len(dots)))
 
     def _fits(self, grid: Index, xy: Array) -> Index | None:
         """Dots (rows, columns) of this raster, -1 where missing, whose first row looks most to the right."""

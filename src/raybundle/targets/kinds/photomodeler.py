@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.targets.detect import DetectionOptions, Detections, detect_targets
 from raybundle.targets.kinds.circles import marks_of_grid
@@ -69,12 +70,12 @@ class Sheet:
         dots = detect_targets(image, None, DetectionOptions(polarity="dark", threads=options.threads))
         found = lattices(dots.xy_px, dots.ellipse, LEAST)
         if not found:
-            return nothing(FAMILY, f"no raster of dots among {len(dots)} dots seen")
+            return nothing(FAMILY, phrase("target_seen.no_raster", target=FAMILY, n=len(dots)))
         grids = [g for k in found if (g := _named(k, arcs(image, dots.rows(k.dot)))) is not None]
         if not grids:
-            return nothing(FAMILY, f"{len(found[0].dot)} dots in a raster seen, but not two rings of one to four arcs")
+            return nothing(FAMILY, phrase("target_seen.no_rings", n=len(found[0].dot)))
         if (np.sum([g >= 0 for g in grids], axis=0) > 1).sum() >= TWICE:
-            return nothing(FAMILY, two_seen(self.title))
+            return nothing(FAMILY, two_seen(FAMILY))
         marks = marks_of_grid(FAMILY, dots, np.max(grids, axis=0))
         places = [n[1:].split("c") for n in marks.name]
         names = tuple(_name(int(c), int(r)) for r, c in places)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.targets.codes import RingFamily
 from raybundle.targets.detect import DetectionOptions, Detections, detect_targets
@@ -67,7 +68,7 @@ def marks_of(found: Detections, family: str) -> Marks:
         covariance=found.covariance,
         ellipse=found.ellipse,
         gate=found.residual,
-        remarks=tuple(f"target {i} read in two places" for i in twice),
+        remarks=tuple(phrase("target_seen.read_twice", target=str(i)) for i in twice),
     )
 
 

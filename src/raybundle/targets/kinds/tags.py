@@ -13,7 +13,7 @@ from typing import Any
 import cv2
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.targets.border import fit_squares
 from raybundle.targets.detect import eight_bits
@@ -112,7 +112,7 @@ class Tags:
             ellipse=no_ellipses(int(good.sum())),
             gate=residual[good],
             remarks=tuple(
-                f"tag {i} seen in {n} places: its corners have no name"
+                phrase("target_seen.tag_in_places", tag=str(i), n=n)
                 for i, n in zip(twice.tolist(), count[count > 1].tolist(), strict=True)
             ),
         )

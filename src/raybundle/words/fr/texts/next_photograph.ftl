@@ -1,0 +1,1 @@
+next_photograph-camera = Caméra { $camera } :
