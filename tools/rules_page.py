@@ -16,7 +16,7 @@ from pathlib import Path
 
 from rule_charts import picture
 
-from raybundle.planning.rules import Evidence, Rule, Source, in_order, told
+from raybundle.planning.rules import Evidence, Rule, Source, in_order, reported
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs/explanation/network-rules.md"
@@ -72,7 +72,7 @@ def shown(rule: Rule) -> str:
 
 def section(rule: Rule, evidence: Evidence) -> str:
     """What the page says of a rule."""
-    w = told(rule, evidence)
+    w = reported(rule, evidence)
     known = "; ".join(f"{s.who}" for s in rule.sources)
     return (
         f'<a id="{rule.name}"></a>\n\n## {rule.title}\n\n**{w.statement}** ({known})\n\n*Computed.* {w.network}\n\n'
@@ -83,7 +83,7 @@ def section(rule: Rule, evidence: Evidence) -> str:
 
 def short(evidences: dict[str, Evidence]) -> str:
     """All rules in a sentence each, with links."""
-    lines = [f"- [{r.title}](#{r.name}): {told(r, evidences[r.name]).statement}" for r in in_order()]
+    lines = [f"- [{r.title}](#{r.name}): {reported(r, evidences[r.name]).statement}" for r in in_order()]
     return "\n".join(lines) + "\n"
 
 
@@ -104,7 +104,7 @@ def page(evidences: dict[str, Evidence]) -> str:
 
 def figure(rule: Rule, evidence: Evidence) -> str:
     """The charts of a rule."""
-    return picture(evidence.charts, told(rule, evidence).statement)
+    return picture(evidence.charts, reported(rule, evidence).statement)
 
 
 def same(one: str, other: str) -> bool:

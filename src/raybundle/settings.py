@@ -73,8 +73,8 @@ class About:
     """of a number, or of each number and text of a tuple"""
     joined: bool = False
     """whether the texts of a tuple stand in one, with commas between, where they are typed"""
-    unsaid: bool = False
-    """whether the default is what holds where nothing is said, and no word of the command line"""
+    unstated: bool = False
+    """whether the default is what holds where nothing is stated, and no word of the command line"""
     typed: str = ""
     """the default as it is typed, where that is not its value: 5mm"""
     also: tuple[str, ...] = ()
@@ -83,7 +83,7 @@ class About:
 
 def setting(
     default: Any, help_: str, *, flag: str = "", metavar: str = "", limits: Part | tuple[Part, ...] = (),
-    joined: bool = False, unsaid: bool = False, typed: str = "", also: tuple[str, ...] = (),
+    joined: bool = False, unstated: bool = False, typed: str = "", also: tuple[str, ...] = (),
 ) -> Any:  # fmt: skip
     """A field of a data class of settings; with MISSING for its default it has to be given.
 
@@ -91,7 +91,7 @@ def setting(
     """
     parts = limits if isinstance(limits, tuple) else (limits,)
     about = About(
-        words=help_, flag=flag, metavar=metavar, limits=parts, joined=joined, unsaid=unsaid, typed=typed, also=also
+        words=help_, flag=flag, metavar=metavar, limits=parts, joined=joined, unstated=unstated, typed=typed, also=also
     )
     return field(default=default, metadata={"about": about})
 

@@ -15,7 +15,7 @@ from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics.rotation import angles_from_rotation, left_jacobian, rotation_from_vector
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, measured, simulate
-from raybundle.platforms.imu import told
+from raybundle.platforms.imu import reported
 from tests.truth.mixed_blocks import MonteCarlo
 
 MISALIGNMENT = ("bx", "by", "bz")
@@ -78,14 +78,14 @@ def test_the_flight_is_consistent():
 def test_how_an_imu_follows_image_and_boresight():
     rng = np.random.default_rng(1)
     R, b = rotation_from_vector(rng.normal(0, 1, (5, 3))), np.array([0.3, -0.2, 0.5])
-    seen, by_rotation, by_boresight = told(R, b)
+    seen, by_rotation, by_boresight = reported(R, b)
     for axis in range(3):
         d = np.zeros(3)
         d[axis] = 1e-6
-        turned = told(rotation_from_vector(d) @ R, b)[0]
+        turned = reported(rotation_from_vector(d) @ R, b)[0]
         small = (turned @ np.swapaxes(seen, 1, 2) - np.eye(3))[:, [2, 0, 1], [1, 2, 0]] / 1e-6
         assert np.abs(small - by_rotation[:, axis]).max() < 1e-5
-        moved = told(R, b + d)[0]
+        moved = reported(R, b + d)[0]
         small = (moved @ np.swapaxes(seen, 1, 2) - np.eye(3))[:, [2, 0, 1], [1, 2, 0]] / 1e-6
         assert np.abs(small - by_boresight[:, axis]).max() < 1e-5
     assert np.abs(left_jacobian(1e-3 * b) - left_jacobian(1.001e-3 * b)).max() < 1e-6

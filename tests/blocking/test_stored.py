@@ -103,8 +103,8 @@ def test_what_is_done_is_not_done_again(tmp_path):
     moved = replace(block, observations=replace(block.observations, xy_px=block.observations.xy_px + 0.01))
     done.clear()
     assert (
-        adjust_columns(InMemory(moved), OPTIONS, free_of(block), Folder(tmp_path), Counting(), leaf=60).told
-        != first.told
+        adjust_columns(InMemory(moved), OPTIONS, free_of(block), Folder(tmp_path), Counting(), leaf=60).reported
+        != first.reported
     )
     assert len(done) > 50
 

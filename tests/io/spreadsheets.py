@@ -27,7 +27,7 @@ def control(folder):
 
     c = read_control(folder / "c.csv")
     m = c.measurements
-    return c.ids, c.xyz, c.sigma, c.role, c.radius, c.normal, c.told, m.image, m.point, m.xy_px
+    return c.ids, c.xyz, c.sigma, c.role, c.radius, c.normal, c.reported, m.image, m.point, m.xy_px
 
 
 def marks(folder):

@@ -110,9 +110,9 @@ def at(block, origin, crs=UTM):
 def test_another_origin_of_one_system_is_brought_to_the_first(flown, flown_again):
     here, there = at(flown, ORIGIN), at(flown_again, (500100.0, 6199000.0, 1250.0))
     told = in_frame_of(at(flown_again, ORIGIN), there)
-    assert told.told.code == "join.other_frame"
-    assert told.told.values["name"] == flown_again.name
-    assert told.told.values["away_m"] > 900
+    assert told.reported.code == "join.other_frame"
+    assert told.reported.values["name"] == flown_again.name
+    assert told.reported.values["away_m"] > 900
     back = in_frame_of(told.block, here).block
     np.testing.assert_allclose(back.points.xyz, flown_again.points.xyz, atol=1e-8)
     np.testing.assert_allclose(back.images.centre, flown_again.images.centre, atol=1e-8)

@@ -241,7 +241,7 @@ def test_scales_that_contradict_each_other_are_a_fault_with_their_bars(epochs, t
     write_result(rb.adjust(block.having(longer), rb.AdjustmentOptions(jobs=1)), other, report="none")
     done = rb.moved_points([epochs[0], other], tmp_path / "m")
     assert {i for i, m in zip(done.ids, done.moved, strict=True) if m} == set(MOVED)
-    (told,) = [n for n in done.told if n.code == "epochs_scale"]
+    (told,) = [n for n in done.reported if n.code == "epochs_scale"]
     assert told.severity == "fault"
     assert told.values["bars"]
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
@@ -262,7 +262,7 @@ def test_names_shifted_by_one_are_a_fault(epochs, tmp_path):
     ids = list(rb.read_block(epochs[1] / "block").points.ids)
     after = dict(zip(ids, [*ids[1:], ids[0]], strict=True))
     done = rb.moved_points([epochs[0], renamed(epochs[1], tmp_path / "e", after.get)], tmp_path / "m", report=False)
-    (told,) = [n for n in done.told if n.code == "epochs_names"]
+    (told,) = [n for n in done.reported if n.code == "epochs_names"]
     assert told.severity == "fault"
     assert told.values["moved"] > told.values["n"] / 2
 

@@ -22,7 +22,7 @@ from raybundle.observations.coordinates import Coordinates
 from raybundle.observations.total_station import Differences
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.platforms.imu import told
+from raybundle.platforms.imu import reported
 
 ONE = AdjustmentOptions(jobs=1)
 EXACT = AdjustmentOptions(jobs=1, tolerance=1e-13)
@@ -88,9 +88,9 @@ def independent(block):
 def error_of_image(truth, result, rng, part):
     """Error and covariance of the projection centre or the angles of an image; the second drawn."""
     i = int(rng.integers(len(truth.images)))
-    told = np.hstack([truth.images.centre, truth.images.angles])[i]
+    reported = np.hstack([truth.images.centre, truth.images.angles])[i]
     found = np.hstack([result.adjusted.images.centre, result.adjusted.images.angles])[i]
-    off = (found - told)[part]
+    off = (found - reported)[part]
     return np.arctan2(np.sin(off), np.cos(off)) if part.start else off, result.precision.images[i][part, part]
 
 
@@ -169,7 +169,7 @@ def test_adjusting_and_rotating_may_be_exchanged(residuals):
     if residuals != "of all":
         alone = adjust(replace(block, tables={n: t for n, t in block.tables.items() if n != "attitudes"}), EXACT)
         ins = next(i for i in block.instruments if i.model == "imu")
-        seen = told(alone.adjusted.images.rotation, np.array([ins.values[s] for s in ("bx", "by", "bz")]))[0]
+        seen = reported(alone.adjusted.images.rotation, np.array([ins.values[s] for s in ("bx", "by", "bz")]))[0]
         block = block.having(replace(block.attitudes, angles=angles_from_rotation(seen)))
     limit = 1e-9 if residuals != "of all" else 1e-4
     moved = rb.transform_block(block, TILTED, observed="follow")

@@ -32,9 +32,9 @@ class Machines:
         line = process.stdout.readline() if wait else ""
         if wait not in line:
             raise AssertionError(f"{words} said {line!r} {process.stderr.read()}")
-        process.said = []
+        process.stated = []
         process.reader = threading.Thread(  # so that nobody waits to be read
-            target=lambda: process.said.append(process.stdout.read()), daemon=True
+            target=lambda: process.stated.append(process.stdout.read()), daemon=True
         )
         process.reader.start()
         return process

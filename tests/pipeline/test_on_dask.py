@@ -465,7 +465,7 @@ def test_a_run_says_that_it_waits_for_a_worker_and_a_worker_for_a_scheduler(mach
     waiting.send_signal(signal.SIGTERM)
     waiting.wait(DEADLINE_S)
     waiting.reader.join(DEADLINE_S)
-    assert "11 tasks done in all" in waiting.said[0]
+    assert "11 tasks done in all" in waiting.stated[0]
 
     class Told(Exception):
         """That somebody is waited for."""

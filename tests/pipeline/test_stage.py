@@ -49,7 +49,8 @@ def _sums(given, means):
 
 DOUBLE = Stage(
     name="double", inputs=lambda s: s.given, function=_double, put=lambda s, p: replace(s, doubled=p),
-    codec=Codec(arrays=lambda p: {"p": np.array(p)}, product=lambda a: float(a["p"])), told=lambda s: f"{s.doubled:g}",
+    codec=Codec(arrays=lambda p: {"p": np.array(p)}, product=lambda a: float(a["p"])),
+    reported=lambda s: f"{s.doubled:g}",
 )  # fmt: skip
 SUMS = Stage(
     name="sums", after=("double",), inputs=lambda s: s.doubled, function=_sums, put=lambda s, p: replace(s, sums=p)
@@ -88,7 +89,7 @@ def test_a_product_with_the_fields_of_another_version_is_made_again(run):
 
 
 def test_stages_of_one_line_are_told_together(run):
-    other = replace(SUMS, line="double", told=lambda s: f"{len(s.sums)} sums")
+    other = replace(SUMS, line="double", reported=lambda s: f"{len(s.sums)} sums")
     run.stages((DOUBLE, other), State(given=3.0))
     (record,) = run.project.records
     assert (record.name, record.summary, record.from_cache) == ("double", "6; 3 sums", False)

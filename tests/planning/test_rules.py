@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raybundle.planning.rules import in_order, rules, told
+from raybundle.planning.rules import in_order, reported, rules
 from raybundle.planning.rules.networks import Targets
 from raybundle.planning.rules.resolution import fitted, matched
 
@@ -40,7 +40,7 @@ def test_the_page_says_what_is_computed(name):
     assert rules_page.same(written.group(0).strip(), rules_page.section(rule, evidence(name)).strip())
     picture = (rules_page.IMAGES / f"{name}.svg").read_text(encoding="utf-8")
     assert rules_page.same(picture, rules_page.figure(rule, evidence(name)))
-    assert told(rule, evidence(name)).statement in page
+    assert reported(rule, evidence(name)).statement in page
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -105,7 +105,7 @@ def printed_by(rule):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_rule_says_what_it_costs(name):
-    words = told(rules[name], evidence(name)).costs
+    words = reported(rules[name], evidence(name)).costs
     assert re.search("photograph|minutes", words, re.IGNORECASE)
 
 

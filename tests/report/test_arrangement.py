@@ -134,7 +134,7 @@ def test_figures_that_come_first_stay_longest():
 )
 def test_nothing_is_lost_whatever_the_measure(any_case, measure):
     view = view_of(any_case)
-    made = [(c.part, s) for c in rooms.chapters() for s in c.make(Occasion(view=view, told=verdict(view)))]
+    made = [(c.part, s) for c in rooms.chapters() for s in c.make(Occasion(view=view, reported=verdict(view)))]
     before = [p for _, s in made for p in flat(s.parts)]
     after = [p for s in all_sections(arranged(made, measure)) for p in flat(s.section.parts)]
     assert sorted(str(type(p)) for p in after if not isinstance(p, Pointer | Heading)) == sorted(
@@ -168,7 +168,7 @@ def client(monkeypatch):
 def test_the_clients_part_comes_first_and_takes_no_number(tmp_path):
     a = rich()
     view = view_of(a)
-    document = document_of(Occasion(view=view, told=verdict(view)))
+    document = document_of(Occasion(view=view, reported=verdict(view)))
     names = [d.name for d in document.divisions()]
     assert names == ["client", "specialist", "appendix"]
     assert [p.number for p in document.divisions()[1].sections][:2] == ["1", "2"]

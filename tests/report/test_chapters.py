@@ -57,7 +57,7 @@ def test_a_chapter_behind_none_is_a_fault_of_the_program():
 
 def test_what_says_nothing_is_left_out():
     view = view_of(free())
-    occasion = Occasion(view=view, told=verdict(view))
+    occasion = Occasion(view=view, reported=verdict(view))
     assert {c.name for c in chapters() if not c.make(occasion)} == {
         "calibration", "deviations", "length errors", "photographs", "noise", "trajectories", "strips", "scenes",
         "panoramas", "processing", "record",

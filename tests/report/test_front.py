@@ -58,7 +58,7 @@ def flight():
 def occasion(result, **more):
     delivery = replace(delivery_of(result), **more)
     view = view_of(result, delivery.accuracy)
-    return Occasion(view=view, told=verdict(view), delivery=delivery)
+    return Occasion(view=view, reported=verdict(view), delivery=delivery)
 
 
 def parts_of(result, kind, **more):

@@ -214,7 +214,7 @@ def uncovered(texts, language: Language, used: set[str]):
     for t in texts:
         if t.template in c["texts"]:
             used.add(t.template)
-            told = Template(t.template, c["texts"][t.template]).told
+            told = Template(t.template, c["texts"][t.template]).reported
             for k, within in enumerate(t.within):
                 if k in told:
                     yield from uncovered(within, language, used)

@@ -172,7 +172,7 @@ def test_signs_of_the_trade_have_their_glyphs():
 
 def test_pages_have_heads_numbers_and_bookmarks(case):
     view = view_of(case("rich"))
-    made = document_of(Occasion(view=view, told=verdict(view)))
+    made = document_of(Occasion(view=view, reported=verdict(view)))
     reader = read(pdf_of(made))
     count = len(reader.pages)
     for k, page in enumerate(reader.pages, 1):
@@ -196,7 +196,7 @@ def test_pages_have_heads_numbers_and_bookmarks(case):
 @pytest.mark.parametrize("name", ["rich", "two_cameras", "without_statistics"])
 def test_no_more_than_six_pages_stand_before_the_appendix(case, name):
     view = view_of(case(name))
-    pages = read(pdf_of(document_of(Occasion(view=view, told=verdict(view))))).pages
+    pages = read(pdf_of(document_of(Occasion(view=view, reported=verdict(view))))).pages
     first = next(k for k, p in enumerate(pages) if "APPENDIX" in p.extract_text())
     assert first <= BODY
 
@@ -217,7 +217,7 @@ def test_a_calibration_begins_with_its_verdict(case, tmp_path):
 @pytest.mark.usefixtures("client")
 def test_the_client_has_a_page_of_its_own(case):
     view = view_of(case("rich"))
-    made = document_of(Occasion(view=view, told=verdict(view)))
+    made = document_of(Occasion(view=view, reported=verdict(view)))
     pages = [squeezed(p.extract_text()) for p in read(press._set(copy_of(made))).pages]
     assert "Whatwasaskedfor" in pages[0]
     assert "Itholds." in pages[0]
@@ -324,7 +324,7 @@ def specialist(copy):
 def test_a_report_too_long_gives_up_figures_before_rows(case, monkeypatch):
     tried = []
     view = view_of(case("rich"))
-    made = document_of(Occasion(view=view, told=verdict(view)))
+    made = document_of(Occasion(view=view, reported=verdict(view)))
 
     def pages(copy):
         shown = sum(q["kind"] == "figures" for s in specialist(copy)["sections"] for q in s["parts"])
@@ -340,6 +340,6 @@ def test_a_report_too_long_gives_up_figures_before_rows(case, monkeypatch):
 
 def test_a_report_that_cannot_be_short_is_whole(case, monkeypatch):
     view = view_of(case("rich"))
-    made = replace(document_of(Occasion(view=view, told=verdict(view))), written=NOW)
+    made = replace(document_of(Occasion(view=view, reported=verdict(view))), written=NOW)
     monkeypatch.setattr(press, "body_pages", lambda _: BODY + 1)
     assert specialist(press.fitted(made))["sections"]

@@ -78,7 +78,7 @@ def test_a_step_is_what_happened_and_the_remedy(language):
     adjustment = replace(made("rich"), notices=(notice,))
     view = view_of(adjustment)
     occasion = Occasion(
-        view=view, told=verdict(view), delivery=delivery_of(adjustment), language=language_of(language)
+        view=view, reported=verdict(view), delivery=delivery_of(adjustment), language=language_of(language)
     )  # fmt: skip
     ((_, step),) = next_steps(occasion)
     head, do, why = (

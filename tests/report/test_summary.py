@@ -61,7 +61,7 @@ def test_the_headline_and_the_key_figure_of_points_are_one_number():
     view = view_of(replace(result, precision=of_points))
     headline = {m.code: m.values for m in verdict(view).headline.messages}
     number = headline["verdict.points_median"]["sigma"]
-    facts = glance_parts(Occasion(view=view, told=verdict(view)), delivery_of(view.adjustment))[0].facts
+    facts = glance_parts(Occasion(view=view, reported=verdict(view)), delivery_of(view.adjustment))[0].facts
     (fact,) = [f for f in facts if f.label.messages[0].code == "label.standard_deviation"]
     assert fact.remark.messages[0].values == {"median": True}
     assert fact.value == f"{significant(number, 2)} mm"

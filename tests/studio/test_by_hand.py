@@ -88,7 +88,7 @@ def test_three_hundred_tabs_are_told_at_once():
         live = Live()
         queues = [live.join() for _ in range(300)]
         message = {"type": "state", "state": {"marks": [{"image": "a", "point": str(k)} for k in range(5000)]}}
-        live.tell(message)
+        live.notify(message)
         return [q.get_nowait() for q in queues]
 
     texts = asyncio.run(told())

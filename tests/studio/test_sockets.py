@@ -46,7 +46,7 @@ def test_the_token_is_handed_over_in_a_file_of_the_user(project, photo_folders, 
 
     monkeypatch.setattr(serving.webbrowser, "open", open_)
     monkeypatch.setattr(serving, "Server", Seen)
-    serving.serve(project, photo_folders, told=told)
+    serving.serve(project, photo_folders, notify=told)
     assert opened.is_set()
     assert seen["status"] == 401  # it answered when the browser was opened
     token = seen["told"].partition("token=")[2]

@@ -25,7 +25,7 @@ def settled(folder, surface, thin, wanted=frozenset({""})):
 
 def coded(found):
     """Codes and values of what is told."""
-    return [(m.code, m.values) for text in found.told for m in text.messages]
+    return [(m.code, m.values) for text in found.reported for m in text.messages]
 
 
 def test_what_is_of_the_same_points_stays(written):

@@ -83,7 +83,7 @@ def test_a_stage_of_ones_own_is_one_value(photos, tmp_path, monkeypatch):
         name="counted", after=("start",), before=("precision", "scene_start"),
         inputs=lambda s: (s.ties, s.photos), function=lambda i, _: len(i[0][0].block.points),
         put=lambda s, n: replace(s, notices=(*s.notices, Notice(code="count", message=f"{n} points"))),
-        told=lambda s: s.notices[-1].message,
+        reported=lambda s: s.notices[-1].message,
     )  # fmt: skip
     mine = Workflow("orient", stages={**ORIENT.stages, "counted": counted}, alternatives=ORIENT.alternatives)
     monkeypatch.setattr(module, "ORIENT", mine)

@@ -54,7 +54,7 @@ def test_all_are_written_and_told(made):
     assert names == ["", "depths", "dsm", "las", "mesh", "ortho"]
     for _, w in done.written:
         assert all(f.exists() for f in w.files)
-    told = {name: " ".join(w.told) for name, w in done.written}
+    told = {name: " ".join(w.reported) for name, w in done.written}
     assert re.search(r"standard deviation of a place in plan [\d.]+ mm in the median", told["ortho"])
     assert re.search(r"standard deviation [\d.]+ mm in the median", told["dsm"])
     assert re.search(r"standard deviation of a height [\d.]+ mm in the median", told["mesh"])
@@ -330,7 +330,7 @@ def test_the_cells_of_heights_follow_the_points_where_nobody_says(made):
 
     def grids(**given):
         asked = {"heights": None, "orthophoto": None, "mesh": None, **given}
-        return surface_grids.grids_over(block, Wall(), None, density=2, told=(), **asked)
+        return surface_grids.grids_over(block, Wall(), None, density=2, reported=(), **asked)
 
     pixel = surface_grids.usual_pixel(block, Wall())
     found = grids(orthophoto=0.001)
@@ -340,11 +340,11 @@ def test_the_cells_of_heights_follow_the_points_where_nobody_says(made):
     assert grids(mesh=0.1).orthophoto.pixel == pytest.approx(pixel)
     assert grids(heights=0.1).orthophoto is None
     fine = 1.5 * pixel
-    (told,) = grids(heights=fine).told
+    (told,) = grids(heights=fine).reported
     assert [m.code for m in told.messages] == ["surface_remark.fine_cells"]
     assert told.message.values["cell"] == fine
     assert told.message.values["pixel"] == pixel
-    assert not grids(heights=4 * pixel).told
+    assert not grids(heights=4 * pixel).reported
 
 
 def test_gltf_says_what_it_holds(made):

@@ -264,7 +264,7 @@ class Accuracy:
         return _rss(d) if len(d) >= least else math.nan
 
     def as_mapping(self) -> dict[str, Any]:
-        """What result.json says."""
+        """What result.json states."""
         found: dict[str, Any] = {}
         t = self.tested
         if t is not None:

@@ -2,7 +2,7 @@
 
 ASPRS Positional Accuracy Standards for Digital Geospatial Data, Edition 2, Version 2 (2024): a class is the largest
 RMSE_H or RMSE_V, in centimetres; a product is *tested* by 30 check points or more (`accuracy.required_check_points`),
-else it is *produced to meet* its class, which is said where nothing that is known of the result denies it.
+else it is *produced to meet* its class, which is stated where nothing that is known of the result denies it.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ class Judged:
 
     @property
     def claimable(self) -> bool:
-        """Whether a result may be said to be made for it: nothing that is known of it says otherwise."""
+        """Whether a result may be stated to be made for it: nothing that is known of it states otherwise."""
         if self.kept:
             return True
         known = [v for v in (self.found, self.stated, self.left_out) if math.isfinite(v)]
@@ -100,24 +100,24 @@ class Judged:
 def judged(accuracy: Accuracy, wanted: AccuracyClass, *, heights: bool = True) -> tuple[Judged, ...]:
     """Whether the result keeps what is wanted, the plan first.
 
-    heights  whether any height was given; where none was, nothing is said of them
+    heights  whether any height was given; where none was, nothing is stated of them
 
     Kept: RMSE, the check points' own standard deviations in it, is no larger than wanted, of enough check points.  Not
     kept: it is larger at FEWEST check points or more, and with fewer so much larger that errors of the wanted size
     would make it with a probability of 5 % at most (chi-square of as many degrees of freedom as there are
     differences).  Where check points cannot judge, a result is denied by its own standard deviations: those of half of
     its object points are larger than wanted.  Else it cannot be judged; control left out (FEWEST points or more) then
-    says whether it may be claimed (`Judged.claimable`).
+    states whether it may be claimed (`Judged.claimable`).
     """
     metres = 0.001 if accuracy.result.given.length_unit == "mm" else 1.0
-    told: list[Judged] = []
+    reported: list[Judged] = []
     parts: tuple[tuple[Part, float | None], ...] = (("horizontal", wanted.horizontal), ("vertical", wanted.vertical))
     for part, limit in parts:
         if limit is None:
             continue
         j = _by_check_points(accuracy, part, limit, metres, asprs=wanted.asprs)
         if part == "vertical" and not heights:
-            told.append(replace(j, kept=None, why="heights", found=math.nan, points=0))
+            reported.append(replace(j, kept=None, why="heights", found=math.nan, points=0))
             continue
         stated, left_out = metres * accuracy.promised(part), metres * accuracy.rmse_left_out(part, FEWEST)
         j = replace(j, stated=stated, left_out=left_out)
@@ -125,8 +125,8 @@ def judged(accuracy: Accuracy, wanted: AccuracyClass, *, heights: bool = True) -
             j = replace(j, kept=False, why="precision")
         elif j.kept is None and left_out > limit and not j.points:
             j = replace(j, why="left out")
-        told.append(j)
-    return tuple(told)
+        reported.append(j)
+    return tuple(reported)
 
 
 def _by_check_points(accuracy: Accuracy, part: Part, limit: float, metres: float, *, asprs: bool) -> Judged:

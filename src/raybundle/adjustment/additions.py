@@ -10,7 +10,7 @@ cofactors of the result, the stations eliminated,
 W = L^-1 J Q and U an orthonormal basis of L^-1 E this is Q' = Q - W' W + (U' W)' (U' W).
 
 The datum needs no care.  An S-transformation S depends on coordinates and on the points that carry the datum, not on Q;
-photographs with free stations tell nothing of the datum, J S = J when the stations are eliminated: so the same formula
+photographs with free stations show nothing of the datum, J S = J when the stations are eliminated: so the same formula
 holds in every datum, and in that of the result it gives what a full adjustment with these photographs would.
 """
 

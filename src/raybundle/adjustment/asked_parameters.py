@@ -1,4 +1,4 @@
-"""Which parameters are free or held because somebody asked for it, whatever the block or a test says."""
+"""Which parameters are free or held because somebody asked for it, whatever the block or a test states."""
 
 from __future__ import annotations
 

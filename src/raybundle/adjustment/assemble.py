@@ -1,7 +1,7 @@
 """From a block to unknowns and observations: what is free, what is held, where it stands.
 
-Which unknowns there are, and the nodes that they stand in, says `adjustment.layout`.  An image observation touches one
-point and a list of nodes; all other observations (`raybundle.observations`) touch single unknowns of nodes.
+Which unknowns there are, and the nodes that they stand in, states `adjustment.layout`.  An image observation touches
+one point and a list of nodes; all other observations (`raybundle.observations`) touch single unknowns of nodes.
 """
 
 from __future__ import annotations
@@ -229,7 +229,7 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
 def system_of(
     block: Block, options: AdjustmentOptions, used: Used, free: dict[str, tuple[str, ...]], shift: Array | None = None
 ) -> System:
-    """As `assemble`, of what is told to take part.
+    """As `assemble`, of what is asked to take part.
 
     shift  (3,) origin of the frame of the values; None: near the middle of the block
     """

@@ -19,7 +19,7 @@ SPREAD = 0.1
 """Share of the cells that differ from zero beyond which it is the camera, not a place of it; by chance a single cell
 does in one camera of twenty."""
 FEWEST = 400
-"""Image points of a camera below which its cells are too few to be told from single points."""
+"""Image points of a camera below which its cells are too few to be distinguished from single points."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,7 +46,7 @@ class CellMeans:
 
     @property
     def well_filled(self) -> Mask:
-        """(cells,) whether a mean says something: three points at least, and a tenth of the typical number."""
+        """(cells,) whether a mean states something: three points at least, and a tenth of the typical number."""
         if not self.count.any():
             return np.zeros(len(self.count), bool)
         return self.count >= max(3.0, 0.1 * float(np.median(self.count[self.count > 0])))
@@ -97,7 +97,7 @@ def cell_means(result: Adjustment, camera: Camera, mask: Mask, tests: Array) -> 
     tests  (m, 2) normalised residuals
 
     Where the standard deviations contain smooth errors of single images (`noise.kind` other than white), what an
-    image's points of a cell have in common is one observation, and the images tell how far it scatters: Hotelling's
+    image's points of a cell have in common is one observation, and the images show how far it scatters: Hotelling's
     T^2 over the images.  With white noise the test takes residuals as uncorrelated; a common unmodelled effect of a
     few images then looks like a systematic one of the camera.
     """

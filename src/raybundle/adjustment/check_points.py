@@ -16,7 +16,7 @@ from raybundle.errors import Message, Value, message
 from raybundle.numerics.arrays import Array, Index, Mask
 
 LEVEL = 1e-3
-"""Probability with which differences that are as stated are told, at most."""
+"""Probability with which differences that are as stated are reported, at most."""
 STILL = 0.1
 """Standard deviations that a coordinate may move with an open rotation: half a turn moves it by twice as much."""
 
@@ -55,8 +55,8 @@ def _determined(a: Adjustment) -> Mask:
 
 def with_check_notice(a: Adjustment) -> Adjustment:
     """The result as it was given, with what its check points say."""
-    told = tuple(n for n in (check_notice(a), open_notice(a)) if n is not None)
-    return replace(a, notices=(*told, *a.notices)) if told else a
+    found = tuple(n for n in (check_notice(a), open_notice(a)) if n is not None)
+    return replace(a, notices=(*found, *a.notices)) if found else a
 
 
 def open_notice(a: Adjustment) -> Notice | None:
@@ -74,7 +74,7 @@ def open_notice(a: Adjustment) -> Notice | None:
 
 
 def check_notice(a: Adjustment) -> Notice | None:
-    """What is to be said of differences at check points that are larger than stated; None where there is nothing.
+    """What is to be stated of differences at check points that are larger than stated; None where there is nothing.
 
     Each axis is tested by the mean square of differences over their standard deviations (those of the adjusted and of
     the given coordinates).  Differences of one block are correlated, by its datum above all.  A caution where the mean

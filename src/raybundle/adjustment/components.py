@@ -22,7 +22,7 @@ SETTLED = 0.005
 """Relative change of a component at which the iteration ends."""
 ROUNDS = 15
 LEAST = 2.0
-"""Redundancy below which a group cannot tell a component of its own."""
+"""Redundancy below which a group cannot show a component of its own."""
 FARTHEST = 1e3
 """Ratio beyond which a group is not wrongly weighted but something else."""
 LARGE = 400_000
@@ -145,7 +145,7 @@ def settled_components(
 
     adjusted  adjusts a block of other weights and gives what components are made of
     One step is too small where a group is less precise than stated, because its weight has bent the others.  Kinds
-    that tell too little keep their weight beside the image observations.  Components of single images and of classes
+    that show too little keep their weight beside the image observations.  Components of single images and of classes
     of points stay those of one step.
     """
     images = "camera" if any(c.kind == "camera" for c in found) else "image observations"
@@ -154,20 +154,22 @@ def settled_components(
         return found
     factors = {(c.kind, c.group): 1.0 for c in kinds}
     steps: dict[tuple[str, str], VarianceComponent] = {(c.kind, c.group): c for c in kinds}
-    told = {key for key, c in steps.items() if c.redundancy >= LEAST}
+    controlled = {key for key, c in steps.items() if c.redundancy >= LEAST}
     try:
         for _ in range(ROUNDS):
-            change = {key: steps[key].ratio if key in told and key in steps else _of_images(steps) for key in factors}
+            change = {
+                key: steps[key].ratio if key in controlled and key in steps else _of_images(steps) for key in factors
+            }
             factors = {key: f * change[key] for key, f in factors.items()}
             if not all(1 / FARTHEST < f < FARTHEST for f in factors.values()):
                 return found  # observations without errors, or a group that nothing holds
-            if all(abs(c - 1) < SETTLED for key, c in change.items() if key in told):
+            if all(abs(c - 1) < SETTLED for key, c in change.items() if key in controlled):
                 break
             now = variance_components(adjusted(weighted(block, factors)))
             steps = {(c.kind, c.group): c for c in now if (c.kind, c.group) in factors}
     except NotSolvable:
         return found
-    return tuple(replace(c, ratio=factors[c.kind, c.group]) if (c.kind, c.group) in told else c for c in found)
+    return tuple(replace(c, ratio=factors[c.kind, c.group]) if (c.kind, c.group) in controlled else c for c in found)
 
 
 def _is_kind(c: VarianceComponent, images: str) -> bool:

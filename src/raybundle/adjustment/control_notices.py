@@ -1,4 +1,4 @@
-"""What is to be said of control that contradicts the rest: which points are wrong, and which of several may be."""
+"""What is to be stated of control that contradicts the rest: which points are wrong, and which of several may be."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ SHOWN = 10
 def control_notices(result: Adjustment, found: Contradiction) -> list[Notice]:
     """The faults of a result whose control contradicts it, the points that are wrong before those that may be.
 
-    Points of which a notice of the result already says why they take part are not named again.
+    Points of which a notice of the result already states why they take part are not named again.
     """
-    told = {i for n in result.notices if n.code == "control_not_located" for i in n.ids}
-    wrong = [p for p in found.wrong if p.name not in told]
+    missing = {i for n in result.notices if n.code == "control_not_located" for i in n.ids}
+    wrong = [p for p in found.wrong if p.name not in missing]
     located = [p for p in wrong if not p.others]
     notices = [_located(result, located, found.swayed)] if located else []
     for p in wrong:
         group = (p.name, *p.others)
-        if p.others and not told & set(group):
+        if p.others and not missing & set(group):
             notices.append(not_located(group, p.w, p.limit))
-            told |= set(group)
+            missing |= set(group)
     if found.unexplained:
         notices.append(_unexplained(found.unexplained))
     return notices

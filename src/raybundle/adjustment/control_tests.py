@@ -146,15 +146,15 @@ class ControlTests:
         joint = self._joint
         at = np.concatenate([joint.at[i] for i in chosen])
         values, vectors = np.linalg.eigh(joint.Q[np.ix_(at, at)])
-        told = values > joint.within
-        along = vectors[:, told].T @ joint.g[at]
-        d = -(vectors[:, told] @ (along / values[told])) / joint.scale[at]
+        testable = values > joint.within
+        along = vectors[:, testable].T @ joint.g[at]
+        d = -(vectors[:, testable] @ (along / values[testable])) / joint.scale[at]
         start = 0
         for k, i in enumerate(chosen):
             axes = self._seen[i].axes
             shift[k, axes] = d[start : start + len(axes)]
             start += len(axes)
-        return float((along**2 / values[told]).sum()), int(told.sum()), shift
+        return float((along**2 / values[testable]).sum()), int(testable.sum()), shift
 
     def tail(self, more: float, directions: int, T: float = 0.0, k: int = 0) -> float:
         """Probability that letting more go takes `more` from what is left of W when T in k directions is gone."""
@@ -305,7 +305,7 @@ class _Seen:
     distances: dict[int, Array]
     """(k,) partials of distances, by row of the extra observations"""
     least: float
-    """T is no less, as far as image points tell; T itself where all is weighted"""
+    """T is no less, as far as image points show; T itself where all is weighted"""
     nodes: Array
     """(u, k) of A'H, the unknowns of nodes"""
     at_point: Array
@@ -348,8 +348,8 @@ def _seen(work: Work) -> list[_Seen]:
             values, vectors = np.linalg.eigh(
                 np.eye(len(a)) - work.found.points_minimal[p][np.ix_(a, a)] / np.outer(s, s)
             )
-            told = values > CONTROLLED
-            least += float(((vectors[:, told].T @ u) ** 2 / values[told]).sum())
+            testable = values > CONTROLLED
+            least += float(((vectors[:, testable].T @ u) ** 2 / values[testable]).sum())
         found.append(
             _Seen(
                 point=p, axes=axes, held=bool(held[p].any()), rows=rows[mine], H=H, own=own, force=force, distances={},

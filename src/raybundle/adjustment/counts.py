@@ -1,4 +1,4 @@
-"""How much was given to an adjustment and how much of it took part: one definition, wherever it is told."""
+"""How much was given to an adjustment and how much of it took part: one definition, wherever it is reported."""
 
 from __future__ import annotations
 

@@ -214,7 +214,7 @@ def open_directions(rows: Array, sigma: Array) -> Array:
 
     Open is what moves no observation, and a rotation or change of scale of which a whole radian, or a factor of e,
     moves none of them by LEVER of its standard deviations once the best shift is taken out, nor all of them together
-    by more than errors of measurement would (MISTAKEN): stations on a straight line do not tell the rotation about it,
+    by more than errors of measurement would (MISTAKEN): stations on a straight line do not show the rotation about it,
     however far errors of measurement put them off the line.  So the answer is the same at approximate and at adjusted
     values.  A shift has no lever, and is determined as well as it is observed.
     """
@@ -236,12 +236,12 @@ def open_directions(rows: Array, sigma: Array) -> Array:
 
 
 LEVER = 5.0
-"""Standard deviations by which a whole radian must move an observation that tells a rotation.
+"""Standard deviations by which a whole radian must move an observation that shows a rotation.
 
 Errors alone put one of a million stations on a line so far off it.
 """
 MISTAKEN = 6e-7
-"""That probability.  Many observations tell a rotation together, none of them by itself: the sum of squares of their
+"""That probability.  Many observations show a rotation together, none of them by itself: the sum of squares of their
 levers must be larger than that of errors of stations on a line, two coordinates of each across it."""
 HELD = 1e-9
 """Standard deviation, in extents, that stands for that of a held value."""

@@ -130,7 +130,7 @@ def _snoop(
     Test: tau = v / (sigma0 s sqrt r), largest of the two coordinates of an image point, against the family-wise
     critical value (Pope 1976).  A rejected observation returns once if its residual is below that limit.  Where
     rejections would leave position, orientation or scale open, it is the control that contradicts: its image
-    observations return and stay, and the contradiction is told.
+    observations return and stay, and the contradiction is reported.
     """
     returned: set[int] = set()
     guarded = np.zeros(len(block.observations), bool)

@@ -1,4 +1,4 @@
-"""What the observations do not determine, found before any sigma is printed and told in words."""
+"""What the observations do not determine, found before any sigma is printed and stated in words."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ SHARE = 1e-13
 The information is the diagonal of the normal matrix before anything is eliminated; every elimination changes it by
 some units of 2.2e-16 of that, so that what is left of an unknown without information is rounding, some 1e-15 of
 either sign, however the pivot compares with other pivots.  The limit is a hundred times that.  Where a network falls
-near it, `steady` says the same of its interior orientations on both sides; tests/verdicts holds the degenerate ones.
+near it, `steady` states the same of its interior orientations on both sides; tests/verdicts holds the degenerate ones.
 """
 NULL = 1e-9
 """Eigenvalue of the scaled reduced normal matrix below which a direction is part of what is left open."""
@@ -418,7 +418,7 @@ by what a test of truth sees, and where the iteration ends is chance.
 
 
 def check_scatter(system: System, whitened: Array) -> None:
-    """Raise NoConvergence where image points lie so far beside the solution that they do not tell a block.
+    """Raise NoConvergence where image points lie so far beside the solution that they do not show a block.
 
     whitened  (m, 2) residuals of a solution, wherever the iteration has ended
     Their size is that of the median, as a standard deviation under the redundancy that there is: a few gross

@@ -90,16 +90,16 @@ def adjust_block(
 ) -> Adjustment:
     """Adjust a block whose images are oriented and whose points have coordinates, approximately.
 
-    free      camera id -> free parameters; None: as the cameras' `estimate` says
+    free      camera id -> free parameters; None: as the cameras' `estimate` states
     rejected  (m,) reason for each image observation, None = takes part; None: all take part
     notices   what earlier steps have to say; passed on
     extent    decisions: of the statistics only redundancy numbers, tests and the interior orientations' covariances;
-              tests: without these and what is said of the interior orientations, too
+              tests: without these and what is stated of the interior orientations, too
               residuals: without any statistics, and without a test of the rank
     start     adjusted: the values come from an adjustment of nearly the same; the first step is not damped
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
-    The normal equations are made in one piece, or as `factoring.made_by` says, as in parts (`raybundle.blocking`).
+    The normal equations are made in one piece, or as `factoring.made_by` states, as in parts (`raybundle.blocking`).
     Camera parameters that the network leaves open are kept near what was given (`steady`), and called not determinable.
 
     What it does not do: find approximate values (`raybundle.orientation`), reject blunders or choose
@@ -123,7 +123,7 @@ def adjust_block(
         work, found = carry_out(steady.block, options, free, reasons, progress, start=start)
         system = work.system
         if system.observations - len(steady.added) - system.unknowns + work.datum.defect < 0:
-            raise  # fewer observations than unknowns: what is said would be what was added
+            raise  # fewer observations than unknowns: what is stated would be what was added
     seconds = time.perf_counter() - began
     result = result_of(work, steady.block, options, found, notices, seconds, progress, extent, steady.added)
     result = _with_settled_components(result, steady.block, options, free, found)
@@ -180,7 +180,7 @@ UNENDING = 0.05
 """Steps, in standard deviations, that do not end but are so short that the standard deviations can be stated.
 
 Where a network hardly determines something, rounding keeps the iteration moving along it; its standard deviation then
-says more than an error would.
+states more than an error would.
 """
 
 
@@ -335,7 +335,7 @@ def open_datum(
     system = assemble(block, options, np.array([bool(r) for r in reasons], bool), free)
     try:
         return open_names(analyse(system, system.initial_state(), replace(options, datum="auto")).basis)
-    except DatumDefect as error:  # instruments that need it tell what would be open
+    except DatumDefect as error:  # instruments that need it show what would be open
         return error.open_names
 
 
@@ -431,7 +431,7 @@ def result_of(
         interior = tuple(told_by_network(i, added, variance) for i in interior)
     tests = 2 * len(system.rows) + sum(int((g.sigma > 0).sum()) for g in groups)
     limit = family_wise_tau(options.significance, tests, redundancy)
-    told = found is not None and not brief
+    explained = found is not None and not brief
     if not solution.converged:
         ended = {"step_sigmas": float(solution.step), "iterations": solution.iterations}
         notices = (Notice(code="weak_convergence", values=ended), *notices)
@@ -455,13 +455,13 @@ def result_of(
         groups=groups,
         precision=covariances,
         interior=interior,
-        variance_components=variance_components((system, whitened, observations, groups)) if told else (),
+        variance_components=variance_components((system, whitened, observations, groups)) if explained else (),
         network=None if brief or not options.statistics else _network(work, covariances),
         not_determinable=_not_determinable(interior),
         not_significant=(),
         critical_w=family_wise_normal(options.significance, tests),
         critical_tau=limit,
-        suspects=suspects(work, state, observations, limit) if told else (),
+        suspects=suspects(work, state, observations, limit) if explained else (),
         notices=notices,
         condition=1 / max(normals.smallest_pivot, 1e-300),
         handle=Handle(work) if found is not None else EMPTY,
@@ -471,7 +471,7 @@ def result_of(
 
 
 def _covariances(work: Work, variance: float, extent: Extent) -> Precision | None:
-    """What the inverse says, times the variance factor, as far as it is asked for."""
+    """What the inverse states, times the variance factor, as far as it is asked for."""
     if work.found is None or extent in {"tests", "residuals"}:
         return None
     take = precision if extent == "report" else interior_precision

@@ -37,5 +37,5 @@ def made_by(factoring: Factoring) -> Generator[None]:
 
 
 def around() -> Factoring:
-    """As `made_by` says here; else in one piece."""
+    """As `made_by` states here; else in one piece."""
     return _around.get()

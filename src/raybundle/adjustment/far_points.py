@@ -14,7 +14,7 @@ import numpy as np
 from raybundle.numerics.arrays import Array, Index
 
 FARTHEST = 1e6
-"""Distance, in medians of the block, beyond which rays are said to diverge.
+"""Distance, in medians of the block, beyond which rays are stated to diverge.
 
 The parallax over a base of one median is then 1e-6 radians, a hundredth of a pixel at c = 10 000 pixels: less than the
 best targets are measured to, so no point is determined there.

@@ -6,7 +6,7 @@ too small on real photographs, by factors of 1.5 to 14.  The model here: in each
 degree 1 and 2 whose coefficients are random with one standard deviation tau [px]; a scale, which a wandering focus
 moves, with one of its own (variance components: Rao and Kleffe 1988); and a floor phi >= 1 by which all noise carries
 less information than white noise would (in the sense of quasi-likelihood: McCullagh and Nelder 1989).  The estimates
-stay those of least squares; only their covariance and what is said of it change (`raybundle.adjustment.noise`).
+stay those of least squares; only their covariance and what is stated of it change (`raybundle.adjustment.noise`).
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ half of chi-square with one degree of freedom, for a variance at its border)."""
 REACH = 14.0
 """Of the logarithms, from where a search begins."""
 FEWEST_DIRECTIONS = 20
-"""Directions from which on two numbers can be told: their standard deviation is then below a third."""
+"""Directions from which on two numbers can be determined: their standard deviation is then below a third."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,7 +61,7 @@ class Noise:
     focus_px: float = 0.0
     """Standard deviation of each image's scale, which a wandering focus makes: displacement at half the longer side"""
     directions: int = 0
-    """Independent combinations of the fields that the residuals tell of"""
+    """Independent combinations of the fields that the residuals reports"""
     chi_square: float = 1.0
     """Mean square of the residuals in these directions, in units of what white noise would leave there"""
     images: int = 0
@@ -136,7 +136,7 @@ class WithFields(SensorModel, registered=False):
         return found
 
     def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
-        """As the camera's own model says."""
+        """As the camera's own model states."""
         return self.base.in_front(points, image, None if values is None else values[: -self.columns])
 
 

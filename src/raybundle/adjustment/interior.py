@@ -1,4 +1,4 @@
-"""What the adjustment says of each interior orientation: significance, determinability, effect in the image."""
+"""What the adjustment states of each interior orientation: significance, determinability, effect in the image."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from raybundle.sensors import SensorModel
 
 JOINT = ("radial", "decentring", "affinity", "harmonic", "principal point")
 PLAUSIBLE = {"scale": 0.05, "principal point": 0.02}
-"""Sigma beyond which a block says less about a parameter than one knows before: shares of c and of the format."""
+"""Sigma beyond which a block states less about a parameter than one knows before: shares of c and of the format."""
 PLAUSIBLE_SHIFT = 0.05
 """The same for corrections: largest shift within the format, as a share of half its diagonal."""
 
@@ -28,7 +28,7 @@ PLAUSIBLE_SHIFT = 0.05
 NEAR_LINES = 65
 """Lines at which the effect of parameters that act in a neighbourhood is looked at."""
 PLAUSIBLE_CARRIED = {"length": 0.3, "rad": 0.02, "s": 0.1}
-"""The same for what GNSS and INS have: a tape tells a lever arm better, a look at the mounting the misalignment."""
+"""The same for what GNSS and INS have: a tape shows a lever arm better, a look at the mounting the misalignment."""
 
 
 def image_effects(model: SensorModel, camera: Camera, values: Array, distance: float = 1.0) -> Array:
@@ -63,7 +63,7 @@ def image_shifts(model: SensorModel, camera: Camera, values: Array, distance: fl
 
 
 def plausible_std(owner: Camera | Instrument, values: Array, position: int, effects: Callable[[], Array]) -> float:
-    """Standard deviation of a parameter beyond which a block says less of it than one knows beforehand.
+    """Standard deviation of a parameter beyond which a block states less of it than one knows beforehand.
 
     effects  gives the largest shift [px] over the format per unit of each parameter (`image_effects`)
     """
@@ -140,7 +140,7 @@ def _one(
             determinability = float(1 / max(C[k, k] / variance * diagonal[k], 1e-300))
             effect_std = float(effects()[position]) * std if row.camera >= 0 else None
             t = abs(value) / std if parameter.kind != "scale" and std > 0 else None
-            # what was known of this camera is observed: `known_before` says whether the images add to it
+            # what was known of this camera is observed: `known_before` states whether the images add to it
             if parameter.symbol not in known and std > plausible_std(owner, values, position, effects):
                 status = "not determinable"
         parameters[parameter.symbol] = ParameterResult(

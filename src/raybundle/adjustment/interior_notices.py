@@ -1,4 +1,4 @@
-"""What is to be said of interior orientations: what is not determinable, what is coupled, and the remedy."""
+"""What is to be stated of interior orientations: what is not determinable, what is coupled, and the remedy."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ STRONG = 0.95
 
 
 def interior_notices(result: Adjustment) -> list[Notice]:
-    """What is to be said of each interior orientation."""
+    """What is to be stated of each interior orientation."""
     found: list[Notice] = []
     for interior in result.interior:
         name = interior.camera if interior.image is None else f"{interior.camera}/{interior.image}"

@@ -217,12 +217,12 @@ def design_rows(system: System, state: State, rows: Index) -> tuple[Array, Array
     if len(mine):
         mask = np.zeros(len(system.rows), bool)
         mask[rows[mine]] = True
-        told, at = external_rows(system, state, mask)
+        reported, at = external_rows(system, state, mask)
         order = np.argsort(np.argsort(rows[mine]))
-        told, at = told[order], at[order]
+        reported, at = reported[order], at[order]
         k = at.shape[1]
-        D[mine, :, :3] = told[:, 2:8].reshape(-1, 2, 3)
-        D[mine, :, 3 : 3 + k] = told[:, 8 : 8 + 2 * k].reshape(-1, 2, k)
+        D[mine, :, :3] = reported[:, 2:8].reshape(-1, 2, 3)
+        D[mine, :, 3 : 3 + k] = reported[:, 8 : 8 + 2 * k].reshape(-1, 2, k)
         starts = np.array([system.offsets[r.node] + r.start if r.node >= 0 else -1 for r in system.interior])
         touched[mine, :k] = np.where(at >= 0, starts[of_image[mine]][:, None] + at, -1)
     R = state.rotation[image]

@@ -30,7 +30,7 @@ LEVEL = 1e-3
 
 
 def against_known(result: Adjustment) -> Adjustment:
-    """The result with what is to be said of its cameras against what was known of them."""
+    """The result with what is to be stated of its cameras against what was known of them."""
     notices = list[Notice]()
     interiors = list[InteriorResult]()
     names = list[str]()
@@ -162,7 +162,7 @@ def _found_by_photographs(camera: Camera, interior: InteriorResult) -> set[str]:
 def _by_noise(result: Adjustment) -> float:
     """Largest factor by which noise of sigma0 > 1 enlarges the variance of a residual of what was known; 1 or more.
 
-    Known with the variance c beside image observations that tell it with a stated one and truly with s^2 a, its
+    Known with the variance c beside image observations that show it with a stated one and truly with s^2 a, its
     residual has the variance c^2 (c + s^2 a) / (c + a)^2: over a that is c at most where s^2 <= 2, else c s^4 /
     (4 (s^2 - 1)), at a = c (s^2 - 2) / s^2.
     """

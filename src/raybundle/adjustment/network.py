@@ -50,7 +50,7 @@ def weak_images(figures: NetworkFigures, images: int) -> Index:
 def classed(block: Block) -> bool:
     """Whether classes of relative precision compare: they are those of photographs of targets.
 
-    Tie points that a program found lie where a texture is, as many and as far as it happens; most of them tell nothing
+    Tie points that a program found lie where a texture is, as many and as far as it happens; most of them show nothing
     of the object as targets do.
     """
     if any(c.is_scene for c in block.cameras):

@@ -73,18 +73,18 @@ class Outside:
     axis: Index
     weight: Array
 
-    def told(self, nodes: Array, points: Array) -> Array:
+    def reported(self, nodes: Array, points: Array) -> Array:
         """(k, c) of columns for nodes (N, c) and points (p, 3, c)."""
         found = self.nodes.T @ nodes
         found[len(found) - len(self.point) :] += self.weight[:, None] * points[self.point, self.axis]
         return found
 
-    def right(self, told: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
+    def right(self, reported: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
         """Right sides for nodes (N, c) and points (p, 3, c), `shape`, of coefficients (k, c)."""
         points = np.zeros(shape)
-        values = self.weight[:, None] * told[len(told) - len(self.point) :]
+        values = self.weight[:, None] * reported[len(reported) - len(self.point) :]
         np.add.at(points, (self.point, self.axis), values)
-        return self.nodes @ told, points
+        return self.nodes @ reported, points
 
 
 @dataclass(slots=True)
@@ -106,7 +106,7 @@ class Spread:
     points: Array
     """(p, 3, 3) of the points"""
     own_fields: tuple[OwnField, ...] = ()
-    """What the residuals of single images tell of a field of their own, of the images that were asked"""
+    """What the residuals of single images reports a field of their own, of the images that were asked"""
 
     def solve(self, nodes: Array, points: Array) -> tuple[Array, Array]:
         """The covariance applied to right sides for nodes (N, k) and points (p, 3, k), k <= 16; as `Normals.solve`.
@@ -150,11 +150,11 @@ class Spread:
         if self.outside is None:
             own_n, own_p = self.own_solve(nodes, points)
             return n - own_n, p - own_p
-        told = self.outside.told(n, p)
-        taken_n, taken_p = self.outside.right(told, p.shape)
+        reported = self.outside.reported(n, p)
+        taken_n, taken_p = self.outside.right(reported, p.shape)
         own_n, own_p = self.own_solve(nodes - taken_n, points - taken_p)
-        told = told - self.outside.told(own_n, own_p)
-        k_n, k_p = self.fields.base.solve(self.fields.state, *self.outside.right(told, p.shape))
+        reported = reported - self.outside.reported(own_n, own_p)
+        k_n, k_p = self.fields.base.solve(self.fields.state, *self.outside.right(reported, p.shape))
         return n - own_n - k_n, p - own_p - k_p
 
     def moved(self, nodes: Array, given: Array) -> tuple[Array, Array]:
@@ -193,7 +193,7 @@ def noise_of(
 
     normals   with the undamped factor in its minimal datum, at `state`
     variance  sigma0^2
-    returns   white noise with its reason and the cofactors as they are where fields cannot be told
+    returns   white noise with its reason and the cofactors as they are where fields cannot be determined
     """
     reason = reason_against(normals.system) if normals.one_piece else phrase("noise.in_parts")
     if reason:
@@ -201,22 +201,22 @@ def noise_of(
     fields = field_system(normals, state)
     if not fields.is_finite:
         return replace(WHITE, reason=phrase("noise.singular_points")), found, None
-    told, of_images = components(fields, variance)
+    reported, of_images = components(fields, variance)
     noise = Noise(
-        kind="fields", phi=told.phi, tau_px=float(np.sqrt(told.tau_square)),
-        focus_px=float(np.sqrt(told.focus_square)), directions=told.directions, chi_square=told.chi_square,
+        kind="fields", phi=reported.phi, tau_px=float(np.sqrt(reported.tau_square)),
+        focus_px=float(np.sqrt(reported.focus_square)), directions=reported.directions, chi_square=reported.chi_square,
         images=len(fields.images), sampled=len(of_images),
     )  # fmt: skip
-    if told.directions < FEWEST_DIRECTIONS:
-        few = phrase("noise.few_directions", n=told.directions, least=FEWEST_DIRECTIONS)
+    if reported.directions < FEWEST_DIRECTIONS:
+        few = phrase("noise.few_directions", n=reported.directions, least=FEWEST_DIRECTIONS)
         return replace(WHITE, reason=few), found, None
-    spread = spread_of(fields, found, told.phi, told.root(variance))
+    spread = spread_of(fields, found, reported.phi, reported.root(variance))
     spread.own_fields = of_images
     return noise, spread_in_datum(spread, found, datum), spread
 
 
 def components(fields: FieldSystem, variance: float) -> tuple[Components, tuple[OwnField, ...]]:
-    """Floor and fields from the residuals, and what those of each image that they are taken from tell by themselves.
+    """Floor and fields from the residuals, and what those of each image that they are taken from show by themselves.
 
     Of more than WHOLE images samples of neighbouring ones are taken: their scores, with all that the fields of the
     others do to them.
@@ -276,7 +276,7 @@ def spread_alone(fields: FieldSystem, phi: float, root: Array) -> Spread:
 def spread_of(fields: FieldSystem, found: Cofactors, phi: float, root: Array) -> Spread:
     """The noise spread over the unknowns; `root` (10, 10) of the covariance of an image's coefficients, units of s0^2.
 
-    Of more than EXACT images random combinations of all coefficients stand for them: PROBES of them tell a variance to
+    Of more than EXACT images random combinations of all coefficients stand for them: PROBES of them show a variance to
     a tenth, a standard deviation to a twentieth, and what is stated remains a covariance.
     """
     spread = spread_alone(fields, phi, root)
@@ -333,16 +333,16 @@ def _from_outside(spread: Spread, outside: Outside, row: Array, column: Array) -
         nodes += sign * np.einsum("ek,ek->e", n[row], n[column])
         points += sign * (moved @ np.swapaxes(moved, 1, 2))
 
-    def solved(told: Array) -> tuple[Array, Array]:
-        return spread.fields.base.solve(spread.fields.state, *outside.right(told, (p, 3, told.shape[1])))
+    def solved(reported: Array) -> tuple[Array, Array]:
+        return spread.fields.base.solve(spread.fields.state, *outside.right(reported, (p, 3, reported.shape[1])))
 
     for first in range(0, count, 16):
-        told = np.eye(count)[:, first : first + 16]
-        own_n, own_p = spread.own_solve(*outside.right(told, (p, 3, told.shape[1])))
-        n, moved = solved(told)
+        reported = np.eye(count)[:, first : first + 16]
+        own_n, own_p = spread.own_solve(*outside.right(reported, (p, 3, reported.shape[1])))
+        n, moved = solved(reported)
         add(n - own_n, moved - own_p)
         add(own_n, own_p, -1.0)
-        both[:, first : first + 16] = outside.told(own_n, own_p)
+        both[:, first : first + 16] = outside.reported(own_n, own_p)
     touching = np.flatnonzero(np.abs(both).sum(axis=0) > 0)
     if len(touching):
         values, vectors = np.linalg.eigh(both[np.ix_(touching, touching)])

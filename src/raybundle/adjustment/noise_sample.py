@@ -1,7 +1,7 @@
-"""What errors that image points share make of standard deviations, told by some neighbouring images of a block.
+"""What errors that image points share make of standard deviations, given by some neighbouring images of a block.
 
 Noise fields need the normal equations in one piece.  Where a block is too large for that, a part of it is adjusted once
-more by itself: how much wider its standard deviations get under fields is told of the whole.
+more by itself: how much wider its standard deviations get under fields is reported of the whole.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Mask
 
 IMAGES = 40
-"""Of a sample: fields of a tenth of a pixel are told by them as well as by any number (docs/explanation/noise-of-
+"""Of a sample: fields of a tenth of a pixel are given by them as well as by any number (docs/explanation/noise-of-
 photographs.md), and their adjustment takes seconds."""
 
 

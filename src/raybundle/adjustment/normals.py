@@ -294,7 +294,7 @@ class Normals:
     def statistics(
         self, state: State, inverse: Array, change: Transformation | None = None
     ) -> tuple[Array, Array, Array, Array]:
-        """What an inverse of the reduced matrix says of object points and image points.
+        """What an inverse of the reduced matrix states of object points and image points.
 
         returns  cofactors (p, 3, 3) of the object points, A Q A' (m, 3) of each whitened image point, effect (m, 3, 2)
                  of a blunder in it, and H (p, 3, d) of the object points where the datum changes

@@ -206,9 +206,9 @@ def _points(result: Adjustment) -> list[Notice]:
 def _control(result: Adjustment) -> list[Notice]:
     """Suspects among control, distances and stations, the latter with the family-wise critical value.
 
-    Where a whole group is less precise than stated, one notice says so; single values are suspects beside the others
+    Where a whole group is less precise than stated, one notice states it; single values are suspects beside the others
     of their group.  Of control, the coordinates of a point are judged together (`control_tests`).  Where a scale bar
-    alone explains it, that is said of it, and nothing of the control that it bends.
+    alone explains it, that is stated of it, and nothing of the control that it bends.
     """
     limit = result.critical_w
     scale = max(result.sigma0, 1.0) if np.isfinite(result.sigma0) else 1.0
@@ -237,7 +237,7 @@ def _control(result: Adjustment) -> list[Notice]:
 
 
 def _unchecked(result: Adjustment) -> list[Notice]:
-    """Control of which nothing but its own standard deviation says that it is right: coordinates, and how far."""
+    """Control of which nothing but its own standard deviation states that it is right: coordinates, and how far."""
     unchecked: dict[str, list[tuple[str, float]]] = {}
     for g in result.groups:
         if g.kind == "control":
@@ -264,13 +264,13 @@ def _unchecked(result: Adjustment) -> list[Notice]:
 
 
 KNOWN_BY = 2.0
-"""Ratio of the 95 % limits of sigma0 from which on it tells nothing: a-priori values are a guess of that factor."""
+"""Ratio of the 95 % limits of sigma0 from which on it shows nothing: a-priori values are a guess of that factor."""
 
 
 def _photographs(result: Adjustment) -> list[Notice]:
-    """Photographs joined by tie points that hang on one connection, or whose residuals tell next to nothing.
+    """Photographs joined by tie points that hang on one connection, or whose residuals show next to nothing.
 
-    Of measured points nothing is said: who measures them knows how few they are.
+    Of measured points nothing is stated: who measures them knows how few they are.
     """
     block, network = result.given, result.network
     if network is None or not block.observations.point.size:
@@ -301,7 +301,7 @@ def _photographs(result: Adjustment) -> list[Notice]:
 
 
 def _stored_ways(result: Adjustment) -> list[Notice]:
-    """Files whose pixels are not those in which image points are told."""
+    """Files whose pixels are not those in which image points are reported."""
     found: list[Notice] = []
     for way in stored_ways(result.given):
         camera = result.given.cameras[way.camera].id
@@ -323,7 +323,7 @@ def _open_beside_given(result: Adjustment) -> list[Notice]:
     if not (control or centres) or not result.datum_defect:
         return []
     if control and not centres and levelled(result).issuperset(control):
-        return []  # what is open is how it lies tilted, which the notice of its unknown heights says
+        return []  # what is open is how it lies tilted, which the notice of its unknown heights states
     names = control + centres
     kind = "both" if control and centres else "control" if control else "centres"
     code, values = _why_open(result)

@@ -42,7 +42,7 @@ class AdjustmentOptions:
     datum_over: Literal["", "all", "good"] = ""
     """Without `datum_points`: all object points; good: those that rays determine to twice the median standard
     deviation, where points far away would carry their uncertainty into every standard deviation; "": as the block
-    says, or all."""
+    states, or all."""
     estimate: Literal["given", "auto"] = setting(
         "given",
         "Choice of camera parameters. given: those named in block.toml. auto: by significance and determinability.",
@@ -70,7 +70,7 @@ class AdjustmentOptions:
     )
     residuals: Literal["as_block", "measured", "corrected"] = setting(
         "as_block", "Place of residuals: the measured or the corrected image point.  [default: as in block.toml]",
-        unsaid=True,
+        unstated=True,
     )  # fmt: skip
     robust_start: bool = setting(False, "Begin with a robust weight function and end with least squares.")
     statistics: bool = True

@@ -1,7 +1,7 @@
 """Images whose residuals want an interior orientation of their own: cropped, zoomed, stretched, of another camera.
 
 Where measurements that contradict the approximate orientation are dropped before the adjustment, those that are left of
-such an image fit nearly as well as the others', and the size of its residuals tells nothing; their pattern does.
+such an image fit nearly as well as the others', and the size of its residuals shows nothing; their pattern does.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ DEGREE = np.repeat([a + b for a, b in TERMS], 2)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OwnField:
-    """What the residuals of one image tell of a field of its own."""
+    """What the residuals of one image reports a field of its own."""
 
     image: int
     square: float
@@ -37,7 +37,7 @@ class OwnField:
     directions: int
     """k, their number"""
     rms_px: float
-    """of the displacement over the format, by one step from none, in directions that are told"""
+    """of the displacement over the format, by one step from none, in directions that are reported"""
 
 
 def own_fields(images: Array, M: Array, scores: Array, variance: float) -> list[OwnField]:
@@ -54,8 +54,8 @@ def own_fields(images: Array, M: Array, scores: Array, variance: float) -> list[
         kept = values > max(NEGLIGIBLE * values[-1], 0.0)
         values, vectors = values[kept], vectors[:, kept]
         y = vectors.T @ scores[at] / np.sqrt(values * variance)
-        told = y**2 > POOR_FIT**2
-        b = vectors[:, told] @ (y[told] * np.sqrt(variance / values[told]))
+        poor = y**2 > POOR_FIT**2
+        b = vectors[:, poor] @ (y[poor] * np.sqrt(variance / values[poor]))
         rms = float(np.sqrt(np.sum((b / DEGREE) ** 2)))
         found.append(OwnField(image=image, square=float(y @ y), directions=len(y), rms_px=rms))
     return found

@@ -23,11 +23,11 @@ LIMIT = 1e-4
 ROUNDED = 0.5
 """Pixels by which each side of a picture that was made smaller is rounded: its pixels are that much less square."""
 LEVEL = 1e-3
-"""Probability with which anything is said of all cameras of a block whose pixels are as a sensor has them, at most."""
+"""Probability of any statement on all cameras of a block whose pixels are as a sensor has them, at most."""
 UNLIKELY = 2.6
 """Standard deviations beyond the limit from which on a value is more probably chance than a sensor's (99 percent)."""
 UNTOLD = 0.01
-"""Error of projection, in half diagonals of the format, from which on nothing is told of a camera."""
+"""Error of projection, in half diagonals of the format, from which on nothing is reported of a camera."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,9 +91,9 @@ def _critical(result: Adjustment, count: int) -> float:
 
 
 def untold_shape(result: Adjustment, cameras: Sequence[str]) -> Notice | None:
-    """The affinity or shear of these cameras that says least of the sensor; else None.
+    """The affinity or shear of these cameras that states least of the sensor; else None.
 
-    It is told worse than what a sensor may have, or lies beyond that by `UNLIKELY` standard deviations, too few for
+    It is reported worse than what a sensor may have, or lies beyond that by `UNLIKELY` standard deviations, too few for
     `beyond_sensor` to say so.  Estimated, it would take with it what it correlates with: of photographs about one axis,
     an affinity stretches the camera and the object along that axis.  Not every such value is significant, and none of
     them is the sensor's.
@@ -124,7 +124,7 @@ def _untold(camera: str, symbol: str, value: float, std: float, limit: float) ->
 
 
 def under_its_noise(result: Adjustment) -> Adjustment:
-    """The result with what was said of affinity and shear under white noise restated under the noise that it has.
+    """The result with what was stated of affinity and shear under white noise restated under the noise that it has.
 
     Some decisions are taken under white noise.  Where smooth errors make standard deviations so much larger that a
     value may be a sensor's after all, it stays held, for a sensor's is known better than by these photographs; that

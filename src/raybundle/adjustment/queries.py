@@ -256,7 +256,7 @@ def suspects(
 ) -> tuple[tuple[str, str, float, float], ...]:
     """Suspects and their separability: image, point, |w|, and the largest correlation of w with another suspect's.
 
-    Correlation of the test values (Förstner 1983): near 1 the test cannot tell which of the two is wrong.
+    Correlation of the test values (Förstner 1983): near 1 the test cannot show which of the two is wrong.
     """
     system = work.system
     size = np.nan_to_num(np.abs(statistics.t[system.rows]))

@@ -1,7 +1,7 @@
 """What an adjustment returns: plain data, read by reports and written to result folders.
 
 Standard deviations and covariances carry the a-posteriori sigma0; test values w and smallest
-detectable blunders carry the a-priori one, as BLOCK_FORMAT says.  Arrays are parallel to the
+detectable blunders carry the a-priori one, as BLOCK_FORMAT states.  Arrays are parallel to the
 tables of the block.
 """
 
@@ -94,7 +94,7 @@ def gravest_first(notices: Iterable[Notice]) -> list[Notice]:
 
 
 MANY = 3
-"""Notices of one kind that are told one by one."""
+"""Notices of one kind that are reported one by one."""
 NAMED = 10
 """Objects that a notice names in the place of their notices."""
 
@@ -331,7 +331,7 @@ class GroupFactor:
     factor: float
     """sigma taken / sigma given; 1: as given."""
     estimated: bool
-    """Whether the residuals told it; otherwise the given standard deviation stands."""
+    """Whether the residuals stated it; otherwise the given standard deviation stands."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -471,7 +471,7 @@ class Adjustment:
 def variance_factor(options: AdjustmentOptions, sigma0: float, redundancy: int) -> float:
     """What covariances are cofactors times.
 
-    sigma0^2, one factor for all observations; 1 where nothing tells it, and where each group of observations has a
+    sigma0^2, one factor for all observations; 1 where nothing shows it, and where each group of observations has a
     factor of its own, which its standard deviations contain.
     """
     return sigma0**2 if redundancy > 0 and not options.variance_groups else 1.0

@@ -1,4 +1,4 @@
-"""Which ray of a point is wrong: where the test cannot tell, the point leaves rather than a ray by lot.
+"""Which ray of a point is wrong: where the test cannot show, the point leaves rather than a ray by lot.
 
 The residuals of a point with few rays move together: a blunder in one of three rays may show most in another one
 (Förstner 1983).  Taking out the ray with the largest test value is then a coin-flip that costs a good ray, leaves the

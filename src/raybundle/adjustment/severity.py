@@ -58,9 +58,9 @@ def severity_of(code: str) -> Severity:
 POOR_FIT = 3.0
 """sigma0 beyond which the a-priori standard deviations alone do not explain the residuals: a fault.
 
-They are guesses of a factor of two, as a rule; what is three times as large says that something else is wrong."""
+They are guesses of a factor of two, as a rule; what is three times as large states that something else is wrong."""
 NEARLY = 1.1
-"""sigma0 up to which residuals of many observations are as stated for every use, whatever a test of their sum says.
+"""sigma0 up to which residuals of many observations are as stated for every use, whatever a test of their sum states.
 
 A standard deviation from 50 redundant observations is uncertain by 10 % itself (GUM, table E.1), and two digits of it
 suffice (7.2.6)."""

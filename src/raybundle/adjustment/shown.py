@@ -48,12 +48,12 @@ def html_of(a: Adjustment) -> str:
     )
     titles = "".join(f"<th>{t}</th>" for t in ("camera", "parameter", "value", "sigma", "unit", ""))
     table = f"<table><tr>{titles}</tr>{rows}</table>" if rows else ""
-    told = as_told(a.notices)
+    reported = as_told(a.notices)
     notices = "".join(
         f'<li><b style="color:{COLOURS[n.severity]}">{n.severity.value}</b>: {escape(n.text)}</li>'
-        for n in told[:NOTICES]
+        for n in reported[:NOTICES]
     )
-    more = f"<li>and {counted(len(told) - NOTICES, 'more notice')}</li>" if len(told) > NOTICES else ""
+    more = f"<li>and {counted(len(reported) - NOTICES, 'more notice')}</li>" if len(reported) > NOTICES else ""
     return f"<div>{head}{table}{f'<ul>{notices}{more}</ul>' if notices else ''}</div>"
 
 

@@ -38,7 +38,7 @@ def without_reasons(reasons: Rejections, rows: Sequence[int]) -> Rejections:
 
 
 def with_rejected(result: Adjustment, reasons: Rejections, chosen: Array, size: Array) -> Rejections:
-    """The reasons with those of these suspects, or of all rays of a point whose wrong one cannot be told."""
+    """The reasons with those of these suspects, or of all rays of a point whose wrong one cannot be determined."""
     new = list(reasons)
     point = result.given.observations.point
     whole: dict[int, Rejection] = {}

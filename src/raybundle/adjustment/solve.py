@@ -30,7 +30,7 @@ Where a step was refused before, it goes down slowly.
 ROUNDING = 1e-13
 """Share of the square sum below which a predicted decrease is rounding."""
 NOISE = 1e-11
-"""Share of the square sum below which a difference of two of them says nothing."""
+"""Share of the square sum below which a difference of two of them states nothing."""
 NEARLY = 1e-3
 """Steps, in standard deviations, that are short enough where points run away whose rays diverge."""
 EXACT = 1e-5
@@ -155,7 +155,7 @@ def _iterated(
         sigma0 = max(np.sqrt(2 * cost / redundancy), EXACT)
         length = float(np.sqrt(max(2 * predicted, 0.0) / unknowns) / sigma0)
         if sigma0 == EXACT and length < limit and damping > FLOOR and not refused:
-            damping = FLOOR  # exact from the start: the full step tells whether that is all
+            damping = FLOOR  # exact from the start: the full step shows whether that is all
             normals.reduce(state, damping=damping, huber=huber)
             continue
         new_cost, new_behind = _cost(normals, new, huber)

@@ -1,9 +1,9 @@
-"""Interior orientations that a network does not determine: kept near what was given, so that all else can be said.
+"""Interior orientations that a network does not determine: kept near what was given, so that all else can be stated.
 
 A network that leaves a camera parameter open (square views of a plane and the camera constant; no rolls and the
 principal point) is singular, or nearly so: whether its factor fails, its iteration ends, or a standard deviation of
 metres comes out hangs on the last bits.  Observed with a standard deviation far beyond what anybody knows of a camera
-beforehand, the parameter is carried instead of the rounding, and its own standard deviation says what is true on
+beforehand, the parameter is carried instead of the rounding, and its own standard deviation states what is true on
 every machine: it is not determinable.  What is determined hardly notices: the added weight is a hundredth of the least
 that the observations bring of a parameter which counts as determinable.
 """
@@ -92,7 +92,7 @@ def without_priors(result: Adjustment, given: Block, added: Mapping[tuple[str, s
 def told_by_network(
     interior: InteriorResult, added: Mapping[tuple[str, str], float], variance: float
 ) -> InteriorResult:
-    """A parameter that its added observation tells rather than the network is not determinable.
+    """A parameter that its added observation shows rather than the network is not determinable.
 
     variance  what covariances are cofactors times
     """

@@ -14,7 +14,7 @@ BESIDE = 3.0
 """Deviations from a line, in their standard deviations, from which on they are there.
 
 An image turns about the line of its points unless some lie beside it, and what lies beside it by errors alone
-(whose root mean square is 1) tells a rotation that the errors made.
+(whose root mean square is 1) shows a rotation that the errors made.
 """
 
 
@@ -46,7 +46,7 @@ def check_turning(result: Adjustment) -> None:
 
 
 def _straight(xyz: Array, covariance: Array) -> bool:
-    """Whether points (n, 3) lie on a line as far as their covariances (n, 3, 3) tell."""
+    """Whether points (n, 3) lie on a line as far as their covariances (n, 3, 3) show."""
     away = np.linalg.norm(xyz - np.median(xyz, axis=0), axis=1)
     near = away <= 3 * np.median(away)  # points at infinity make a line of any block
     xyz, covariance = xyz[near], covariance[near]

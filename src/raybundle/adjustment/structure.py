@@ -48,7 +48,7 @@ def residual_structure(result: Adjustment) -> ResidualStructure | None:
     """How much the residuals of neighbouring image points agree; None where there are too few.
 
     Normalised residuals v / (sigma sqrt(r)) of points NEAR to FAR apart in the same image are multiplied.  A positive
-    mean says that the image points share errors: a term is missing in the model, the interior orientation was not the
+    mean states that the image points share errors: a term is missing in the model, the interior orientation was not the
     same in all images (stabilised lens, refocusing, zoom), the film or the shutter deformed the image, or what is
     measured is not the same in all images.  The sum over all neighbours is the factor by which n points carry less
     information than n independent ones.  Limits: errors that are common to a whole image, which its
@@ -114,7 +114,7 @@ def repeated_residuals(result: Adjustment, camera: int) -> RepeatedResiduals | N
 
     camera  position in `Block.cameras`
     Image points of different images and of different object points within a cell (CELL diagonals of the format wide)
-    are multiplied, all pairs of them.  A positive mean says that the distortion model lacks something that the camera
+    are multiplied, all pairs of them.  A positive mean states that the distortion model lacks something that the camera
     does to every image.  Limits: distortion that changes within a cell, and what exterior orientations
     and object coordinates absorb.
     """
@@ -188,7 +188,7 @@ BY_CHANCE = 0.01
 def shared_errors_notice(result: Adjustment, noise: Noise) -> Notice | None:
     """What errors that image points share make of standard deviations which rest on white noise; None: no more.
 
-    noise  what the residuals of the same adjustment tell (`raybundle.adjustment.under_noise`)
+    noise  what the residuals of the same adjustment show (`raybundle.adjustment.under_noise`)
     The mean square of the residuals in the directions of smooth fields is held against that of all (F test).
     """
     wider = {"interior": noise.ratio_interior, "points": noise.ratio_points}

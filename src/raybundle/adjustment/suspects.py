@@ -1,8 +1,8 @@
 """Observations outside the images that contradict the others: what was given, what all else shows, what may be meant.
 
-The residual of an observation that hardly anything else controls says little of its error: of an error e the share
-r e shows (r its redundancy number).  Told is the error itself as the others have it, adjusted minus given had it taken
-no part: w sigma_e with sigma_e = mdb / 4.13, which is v / r where observations are independent (Baarda 1968).
+The residual of an observation that hardly anything else controls states little of its error: of an error e the share
+r e shows (r its redundancy number).  Stated is the error itself as the others have it, adjusted minus given had it
+taken no part: w sigma_e with sigma_e = mdb / 4.13, which is v / r where observations are independent (Baarda 1968).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from raybundle.numerics.statistics import DELTA0
 from raybundle.observations import observation_kinds
 
 MOST = 40
-"""Suspects of a group that are told from each other: each costs a solution of the normal equations."""
+"""Suspects of a group that are distinguished from each other: each costs a solution of the normal equations."""
 MOST_DECIMALS = 9
 LINEAR = 0.1
 """Share of a length up to which its error is linear: of a larger one the estimate may be any number, a negative too."""
@@ -49,7 +49,7 @@ def suspect_notices(result: Adjustment, g: ObservationGroup, limit: float) -> li
     for k in rows.tolist():
         by = explained.get(k, ())
         if any(k not in explained.get(j, ()) for j in by):
-            continue  # told with the one whose blunder explains it, and which it does not explain
+            continue  # stated with the one whose blunder explains it, and which it does not explain
         beside = [g.ids[j] for j in rows.tolist() if k in explained.get(j, ()) and j not in by]
         off = factor * float(g.w[k] * g.mdb[k] / DELTA0)
         given, digits = factor * float(g.given[k]), decimals_for(abs(off), MOST_DECIMALS)

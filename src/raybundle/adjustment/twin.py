@@ -87,7 +87,7 @@ class Solver:
         """Nothing to do: every model is evaluated here."""
 
     def set_nodes(self, sizes: Array, extra: list[tuple[int, int]]) -> None:
-        """Sizes of the nodes; those that meet, by observations or as is said, have a block."""
+        """Sizes of the nodes; those that meet, by observations or as is stated, have a block."""
         self.sizes = np.asarray(sizes, np.int64)
         self.offsets = np.concatenate([[0], np.cumsum(self.sizes)])
         self.unknowns = N = int(self.offsets[-1])

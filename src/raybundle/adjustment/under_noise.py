@@ -31,9 +31,9 @@ from raybundle.numerics.statistics import correlation
 
 
 def under_noise(result: Adjustment) -> Adjustment:
-    """The result with covariances for smooth errors that differ from image to image, as its own residuals tell them.
+    """The result with covariances for smooth errors that differ from image to image, as its own residuals show them.
 
-    result.noise says what was found, or why white noise was kept.
+    result.noise states what was found, or why white noise was kept.
     """
     work: Work | None = result.handle.work
     white = result.precision
@@ -90,17 +90,17 @@ def _ratio(before: Array, after: Array) -> float:
     return float(np.sqrt(np.median(after[good] / before[good]))) if good.any() else np.nan
 
 
-def _interior(told: InteriorResult, work: Work, widened: Precision, redundancy: int) -> InteriorResult:
-    key = told.camera if told.image is None else f"{told.camera}/{told.image}"
+def _interior(stated: InteriorResult, work: Work, widened: Precision, redundancy: int) -> InteriorResult:
+    key = stated.camera if stated.image is None else f"{stated.camera}/{stated.image}"
     row = next(r for r in work.system.interior if r.key(work.system.block) == key)
     if row.node < 0:
-        return told
+        return stated
     C = widened.interior[key]
-    std = dict(zip(told.free, np.sqrt(np.diagonal(C)).tolist(), strict=True))
-    values = np.array([told.parameters[s].value if s in told.parameters else 0.0 for s in row.model.symbols])
-    parameters = {s: _parameter(p, std[s]) if s in std else p for s, p in told.parameters.items()}
+    std = dict(zip(stated.free, np.sqrt(np.diagonal(C)).tolist(), strict=True))
+    values = np.array([stated.parameters[s].value if s in stated.parameters else 0.0 for s in row.model.symbols])
+    parameters = {s: _parameter(p, std[s]) if s in std else p for s, p in stated.parameters.items()}
     return replace(
-        told, parameters=parameters, correlations=correlation(C), joint_tests=joint_tests(row, values, C, redundancy)
+        stated, parameters=parameters, correlations=correlation(C), joint_tests=joint_tests(row, values, C, redundancy)
     )
 
 

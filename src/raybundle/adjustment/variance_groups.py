@@ -1,6 +1,6 @@
-"""Groups of observations with variance factors of their own, as far as the residuals tell them.
+"""Groups of observations with variance factors of their own, as far as the residuals show them.
 
-One factor for all observations, sigma0^2, is told by the image points, of which there are most; carried to a scale bar
+One factor for all observations, sigma0^2, is given by the image points, of which there are most; carried to a scale bar
 it changes what a laboratory has certified.  Here each camera's image points and each kind of other observations has
 its own (Förstner 1979, iterated), and what the residuals cannot judge, or do not contradict, keeps the standard
 deviation that it was given.  Covariances are then cofactors times 1.
@@ -36,13 +36,13 @@ def by_groups(block: Block, options: AdjustmentOptions, adjusted: Adjust) -> Adj
 
     options   `variance_groups` is on
     adjusted  the adjustment itself
-    Image points of a camera have the factor that their residuals tell; control, distances and others one only where
+    Image points of a camera have the factor that their residuals show; control, distances and others one only where
     their residuals contradict what was stated (chi-square, 1 %, two-sided): upwards with a redundancy of FEW or more,
     as certificates that contradict each other are not to be believed however few they are, downwards with LEAST.  Where
     one value alone explains it, and the rest of its group agrees, it is named instead.  A factor above 1 is a caution,
     above POOR_FIT a fault: errors so much larger than stated are seldom random, and no factor makes those true that
     values have in common.
-    Where the factors do not settle, observations contradict each other: all have one factor, and a caution says so.
+    Where the factors do not settle, observations contradict each other: all have one factor, and a caution states it.
     raises    InputError without statistics
 
     Limits: a group without redundancy is taken at its word, and little redundancy seldom sees a factor
@@ -62,9 +62,9 @@ def by_groups(block: Block, options: AdjustmentOptions, adjusted: Adjust) -> Adj
     if found is None:
         return replace(first, notices=(*first.notices, _unsettled()))
     result, factors = found
-    told = _told(result, factors)
-    notices = (*result.notices, *_notice(told), *_contradictions(told))
-    return replace(result, given=weighted(block, factors), group_factors=told, notices=notices)
+    reported = _told(result, factors)
+    notices = (*result.notices, *_notice(reported), *_contradictions(reported))
+    return replace(result, given=weighted(block, factors), group_factors=reported, notices=notices)
 
 
 def chance_to_see(factor: float, redundancy: float) -> float:
@@ -115,7 +115,7 @@ def _settled(
         if k and all(abs(c - 1) < SETTLED for c in change.values()):
             return result, factors
         factors = {key: factors.get(key, 1.0) * c for key, c in change.items()}
-        images = _images(_steps(result))  # of others a factor as far away says that something else is wrong
+        images = _images(_steps(result))  # of others a factor as far away states that something else is wrong
         factors = {k: f for k, f in factors.items() if 1 / FARTHEST < f < FARTHEST or (k in images and f > 1)}
         result = adjusted(started(weighted(block, factors), result.adjusted), options)
         if len(block.observations) > LARGE and k:
@@ -174,7 +174,7 @@ def _told(result: Adjustment, factors: dict[Key, float]) -> tuple[GroupFactor, .
     )  # fmt: skip
 
 
-def _contradictions(told: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
+def _contradictions(factors: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
     """Of the groups outside the images that are less precise than stated."""
     return tuple(
         Notice(
@@ -183,16 +183,16 @@ def _contradictions(told: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
             values={"kind": g.kind.replace(" ", "_"), "ratio": g.factor, "count": g.count, "redundancy": g.redundancy},
             ids=(g.kind,),
         )
-        for g in told
+        for g in factors
         if g.estimated and g.factor > 1 and g.kind in NAMES.values()
     )
 
 
-def _notice(told: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
-    if not told:
+def _notice(factors: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
+    if not factors:
         return ()
-    each = tuple(map(_group, told))
-    return (Notice(code="variance_groups", values={"n": len(told)}, details=each, measured=Severity.NOTE),)
+    each = tuple(map(_group, factors))
+    return (Notice(code="variance_groups", values={"n": len(factors)}, details=each, measured=Severity.NOTE),)
 
 
 def _group(g: GroupFactor) -> Message:

@@ -1,4 +1,4 @@
-"""Control that contradicts the rest: which point, whether it can be told from the others, and what hangs on it."""
+"""Control that contradicts the rest: which point, whether one alone is found, and what hangs on it."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def judged(
 
 
 def left_out(block: Block, name: str, reasons: Rejections) -> tuple[Block, Rejections]:
-    """The block with a control point turned into a check point; a single ray of it tells nothing any more."""
+    """The block with a control point turned into a check point; a single ray of it shows nothing any more."""
     k = block.points.ids.index(name)
     role = block.points.role.copy()
     role[k] = Role.CHECK

@@ -1,6 +1,6 @@
 """Images that do not belong to their block as they are given: of another camera, mirrored, exchanged.
 
-One wrong image spreads over the residuals of all, and single observations that are tested one by one do not tell it.
+One wrong image spreads over the residuals of all, and single observations that are tested one by one do not show it.
 Here the observations of an image are tested together, against those of the other images of its camera.
 """
 
@@ -23,9 +23,9 @@ not as many chances as points, but a few coefficients.  Its orientation takes up
 the lowest smooth fields (two tilts, a radial one) are three.  The F test takes an image for no more than that.
 """
 LEAST_IMAGES = 3
-"""Of a camera, from which on one can be told from the others."""
+"""Of a camera, from which on one can be distinguished from the others."""
 LEAST_REDUNDANCY = 10
-"""Of an image: some two times what its exterior orientation takes; below, its residuals tell of it too little."""
+"""Of an image: some two times what its exterior orientation takes; below, its residuals reports it too little."""
 SPREAD = 0.25
 """Share of an image's points that bear its square sum: (sum q)^2 / (k sum q^2) of k points, q = v'Pv.
 
@@ -95,8 +95,8 @@ def outlying(images: Index, T: Array, left: Array, may: Mask) -> list[WrongImage
     """
     if len(images) < LEAST_IMAGES:
         return []
-    told = images[may[images] & (T[images] > left[images])]
-    order = told[np.argsort(-T[told] / left[told], kind="stable")]
+    testable = images[may[images] & (T[images] > left[images])]
+    order = testable[np.argsort(-T[testable] / left[testable], kind="stable")]
     for count in range(min(len(order), max(1, (len(images) - 1) // 3)), 0, -1):
         others = np.setdiff1d(images, order[:count])
         variance = float(T[others].sum() / left[others].sum())

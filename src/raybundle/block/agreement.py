@@ -10,14 +10,14 @@ from typing import Any, TypeVar, cast
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.records import Column, Records, said, taken
+from raybundle.numerics.records import Column, Records, stated, taken
 
 R = TypeVar("R", bound=Records)
 ROUNDING = 64 * np.finfo(float).eps
 """Difference of numbers, as a share of the largest of their column, that is no contradiction: a change of the frame or
 of the unit and back leaves some units of the last place."""
 Refuse = Callable[[str, int, int], None]
-"""Called with the name of a column and two rows that contradict each other in it; raises where no rule says which
+"""Called with the name of a column and two rows that contradict each other in it; raises where no rule states which
 stands."""
 
 
@@ -87,7 +87,7 @@ def _numbered(values: Array) -> Index:
 
 
 def united(whole: R, rows: Rows, refuse: Refuse, firm: Mask | None = None) -> R:
-    """One row for each thing: in each column what the first row says that says something.
+    """One row for each thing: in each column what the first row states that states something.
 
     refuse  called where rows say different things; where it returns, the leading table's word stands
     firm    (k,) rows whose approximate values are none, but given
@@ -99,7 +99,7 @@ def united(whole: R, rows: Rows, refuse: Refuse, firm: Mask | None = None) -> R:
         values = getattr(whole, name)
         if values is None:
             continue
-        speaks = said(c, values, count)
+        speaks = stated(c, values, count)
         if c.approximate:
             beside = [n for n, other in whole.columns() if other.approximate == c.approximate]
             speaks = np.all([np.isfinite(getattr(whole, n)).reshape(count, -1).all(axis=1) for n in beside], axis=0)

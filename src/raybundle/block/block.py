@@ -276,9 +276,9 @@ class Block:
     sigma0_apriori: float = 1.0
     residuals: Residuals = "measured"
     noise: Literal["", "white", "fields"] = ""
-    """How the errors of the image points were taken when the block was adjusted; "": nobody said."""
+    """How the errors of the image points were taken when the block was adjusted; "": nobody stated."""
     datum_over: Literal["", "all", "good"] = ""
-    """Points that carried inner constraints: all, or those that are well determined; "": nobody said, all."""
+    """Points that carried inner constraints: all, or those that are well determined; "": nobody stated, all."""
     rejected: tuple[tuple[str, str], ...] = ()
     """Image observations, as image and point, that were found wrong before: they stand here and take no part."""
     place: Place | None = None

@@ -89,7 +89,7 @@ def board_block(
     raises        InputError where a view shows too few points; NotSolvable where no lens explains the views
 
     A print is truer in its plane (some 0.05 mm) than it is flat (1 mm).  Free points need views that see the same
-    points in different parts of the format; the adjustment says whether they are determined.
+    points in different parts of the format; the adjustment states whether they are determined.
     """
     view, image = np.unique(views.view, return_inverse=True)
     place, point = np.unique(np.stack([views.row, views.column], axis=1), axis=0, return_inverse=True)

@@ -2,7 +2,7 @@
 
 The interior orientation belongs to the sensor.  A program that turns a picture by quarter turns, or makes it smaller,
 changes the pixels of the file and not the camera: image points are brought to the camera's pixel frame, and a
-`PixelFrame` says how the file lies in it.
+`PixelFrame` states how the file lies in it.
 """
 
 from __future__ import annotations

@@ -105,7 +105,7 @@ def join_blocks(
         remarks.append(Message(code="join.frame_of", severity=Severity.NOTE, values=values))
     taken = replace(base, name=names[first])
     for k in order[1:]:
-        block, joint, told = _brought(
+        block, joint, reported = _brought(
             blocks[k], taken, names[k], carriers[k] if carriers else None, same_camera=same_camera
         )
         taken = merge_blocks(
@@ -113,7 +113,7 @@ def join_blocks(
             prefer={"block": 0, "camera": 0, "instrument": 0, "point": 0, "observation": 0},
         )
         joints.append(joint)
-        remarks += told
+        remarks += reported
     name = " + ".join(names)
     return Joined(block=replace(taken, name=name), first=names[first], joints=tuple(joints), remarks=tuple(remarks))
 

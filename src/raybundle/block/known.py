@@ -1,4 +1,4 @@
-"""What is known of a camera before its photographs measure anything: observations of its own, beside what they tell.
+"""What is known of a camera before its photographs measure anything: observations of its own, beside what they show.
 
 A camera of which nothing is stated is none of which nothing is known.  Its principal point lies near the middle of the
 format, its camera constant near what the file states.  Where photographs determine these, the observations weigh

@@ -101,7 +101,7 @@ class _Merge:
         )  # fmt: skip
 
     def head(self) -> dict[str, Any]:
-        """All that a block says beside its tables."""
+        """All that a block states beside its tables."""
         found = dict[str, Any]()
         for f in fields(Block):
             if f.name in ROWS:
@@ -110,9 +110,9 @@ class _Merge:
             if f.name in WORDS and "block" not in self.prefer:
                 found[f.name] = WORDS[f.name].join(dict.fromkeys(v for v in values if v))
                 continue
-            told = [(k, v) for k, v in enumerate(values) if v is not None and v != ""] or [(0, values[0])]
-            stands = next((p for p in told if p[0] == self.prefer.get("block")), told[0])
-            for k, v in told:
+            given = [(k, v) for k, v in enumerate(values) if v is not None and v != ""] or [(0, values[0])]
+            stands = next((p for p in given if p[0] == self.prefer.get("block")), given[0])
+            for k, v in given:
                 if v != stands[1] and "block" not in self.prefer:
                     self.refuse("block", f.name, (stands[0], stands[1]), (k, v))
             found[f.name] = stands[1]
@@ -125,12 +125,12 @@ class _Merge:
             for thing in things:
                 of.setdefault(thing.id, []).append((k, thing))
         found = list[P]()
-        for name, told in of.items():
-            k, stands = next((t for t in told if t[0] == self.prefer.get(what)), told[0])
-            for j, other in told if what not in self.prefer else []:
+        for name, given in of.items():
+            k, stands = next((t for t in given if t[0] == self.prefer.get(what)), given[0])
+            for j, other in given if what not in self.prefer else []:
                 for label, one, two in _differences(stands, other):
                     self.refuse(what, f"{name}: {label}", (k, one), (j, two))
-            known = stands.known or next((t.known for _, t in told if t.known), {})
+            known = stands.known or next((t.known for _, t in given if t.known), {})
             found.append(replace(stands, known=known))
         return tuple(found)
 

@@ -20,7 +20,7 @@ class RejectionKind(StrEnum):
 
     BLUNDER = "blunder"
     BLUNDER_NOT_LOCATED = "blunder_not_located"
-    """One ray of the point is wrong, and which one cannot be told: all leave."""
+    """One ray of the point is wrong, and which one cannot be determined: all leave."""
     BEHIND_CAMERA = "behind_camera"
     RAYS_DIVERGE = "rays_diverge"
     """The best place for its point is beyond infinity."""

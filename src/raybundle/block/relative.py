@@ -1,4 +1,4 @@
-"""Relative aerial control: what GNSS and INS tell of a flight line by the differences between its exposures.
+"""Relative aerial control: what GNSS and INS reports a flight line by the differences between its exposures.
 
 Errors that stay the same along a line, as of a base in another datum, wrong ambiguities or a misalignment that changed
 when the aircraft turned, cancel in the differences from one exposure to the next.  Differences g2 - g1, g3 - g2, ... of
@@ -31,7 +31,7 @@ def relative_control(
     line    (n,) number of the flight line of each image; -1: its position and attitude are left out
     drift   whether a drift of each line's positions, linear in time, is free as well; without times the images of a
             line count as equally spaced, in their order
-    shift_sigma  standard deviations of the shift of a line where no control tells the place of the block; NaN: free
+    shift_sigma  standard deviations of the shift of a line where no control shows the place of the block; NaN: free
     raises  InputError where no line has two observed images, or with a drift three
     Lever arms stay what they are; where one is estimated, each line then has its own.
     """

@@ -69,10 +69,10 @@ def without_relations_of_calibration(camera: Camera) -> Camera:
     Each row has one parameter more than the one before; where they do not, they stay observations like others.
     """
     mine = [r for r in camera.relations if r.origin == "calibration"]
-    told = [set[str](), *(set(r.terms) for r in mine)]
-    if not mine or not all(a < b and len(b) == len(a) + 1 for a, b in pairwise(told)):
+    terms = [set[str](), *(set(r.terms) for r in mine)]
+    if not mine or not all(a < b and len(b) == len(a) + 1 for a, b in pairwise(terms)):
         return camera
-    free = tuple((b - a).pop() for a, b in pairwise(told))
+    free = tuple((b - a).pop() for a, b in pairwise(terms))
     inverse = np.linalg.inv(np.array([[r.terms.get(s, 0.0) / r.sigma for s in free] for r in mine]))
     given = inverse @ np.array([r.observed / r.sigma for r in mine])
     values = dict(camera.values) | dict(zip(free, given.tolist(), strict=True))

@@ -1,7 +1,7 @@
 """A zoom lens: interior orientation as a function of the EXIF focal length, with its covariance.
 
 The parameters are series of Legendre polynomials in the focal length, its logarithm or its reciprocal, scaled to
--1 .. 1 over the calibrated range.  Within it they are interpolated; beyond it nothing is said.
+-1 .. 1 over the calibrated range.  Within it they are interpolated; beyond it nothing is stated.
 """
 
 from __future__ import annotations
@@ -84,10 +84,10 @@ class ZoomCalibration:
     def predict(self, focal_mm: float, focus_m: float | None = None) -> ZoomPrediction:
         """The camera at an EXIF focal length, with the covariance of its parameters.
 
-        focus_m  object distance of the photograph where the metadata tell it
+        focus_m  object distance of the photograph where the metadata show it
         raises   InputError outside the calibrated range
 
-        The rounding of the focal length counts as an error, uniform over its step.  What the covariance does not tell:
+        The rounding of the focal length counts as an error, uniform over its step.  What the covariance does not show:
         that zoom and focus may have been moved while EXIF stayed the same, and play of the lens.
         """
         low, high = self.range_mm

@@ -266,7 +266,7 @@ def statistics(store: Store, o: Told) -> Product:
     return {"points": points, "hat": hat, "effect": effect, "H": points_h}
 
 
-def told(store: Store, o: Told) -> Product:
+def reported(store: Store, o: Told) -> Product:
     """The same of the points that a part eliminates, with what it adds to sums, and residuals."""
     part = part_at(store, o, o.held)
     if part is None:
@@ -294,7 +294,7 @@ class Stated:
 
     network: str
     node: int
-    told: str
+    reported: str
     generators: str
     middle: str
     """Product: M (d, d) and K (d, d) of all points; "": the datum is that of the factor"""
@@ -306,7 +306,7 @@ def stated(store: Store, o: Stated) -> Product:
     work = work_of(at, o.node)
     if work is None:
         return {"cofactors": np.zeros((0, 3, 3)), "index": np.zeros(0, np.int64)}
-    found = store.lent(o.told, ("points", "mine", "H") if o.middle else ("points", "mine"))
+    found = store.lent(o.reported, ("points", "mine", "H") if o.middle else ("points", "mine"))
     points, index = found["points"], work.part.points[found["mine"]]
     if o.middle:
         by, G = store.lent(o.middle), store.lent(o.generators, ("G",))["G"][found["mine"]]
@@ -325,7 +325,7 @@ class Tested:
     network: str
     node: int
     state: str
-    told: str
+    reported: str
     sigma0: float
 
 
@@ -336,8 +336,8 @@ def tested(store: Store, o: Tested) -> Product:
         none = np.zeros(0, np.int64)
         return {"rows": none, "t": np.zeros((0, 2)), "points": none, "xyz": np.zeros((0, 3))}
     work, now = part
-    told, system = store.lent(o.told), work.of.system
-    found = Cofactors(np.zeros(0), None, told["points"], told["points"], told["hat"], told["effect"])
-    t = image_statistics(system, told["residuals"], found, o.sigma0, ()).t
-    mine = told["mine"]
+    reported, system = store.lent(o.reported), work.of.system
+    found = Cofactors(np.zeros(0), None, reported["points"], reported["points"], reported["hat"], reported["effect"])
+    t = image_statistics(system, reported["residuals"], found, o.sigma0, ()).t
+    mine = reported["mine"]
     return {"rows": work.part.rows, "t": t, "points": work.part.points[mine], "xyz": now.xyz[mine] + system.shift}

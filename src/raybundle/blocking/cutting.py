@@ -1,4 +1,4 @@
-"""Where a network is cut, told by its incidences alone: image and object point of each image observation."""
+"""Where a network is cut, given by its incidences alone: image and object point of each image observation."""
 
 from __future__ import annotations
 

@@ -120,11 +120,11 @@ class _ByParts:
 
         def options(t: int) -> answers.Tested:
             return answers.Tested(
-                network=network.key, node=t, state=found.state.keys[t], told=found.told[t], sigma0=found.sigma0
+                network=network.key, node=t, state=found.state.keys[t], reported=found.reported[t], sigma0=found.sigma0
             )
 
         t, xyz = large.full((len(block.observations), 2), np.nan), block.points.xyz.copy()
-        for key in parts.do(parts.each("tested", options, lambda o: (o.state, o.told))):
+        for key in parts.do(parts.each("tested", options, lambda o: (o.state, o.reported))):
             f = found.store.lent(key)
             t[f["rows"]], xyz[f["points"]] = f["t"], f["xyz"]
         with_node = skeleton.system.point_node >= 0

@@ -164,7 +164,7 @@ def packed_at(lower: Array, at: Index) -> Array:
 
 
 def unpacked(triangle: Array) -> Array:
-    """The matrix (k, k) again; above the diagonal it says nothing."""
+    """The matrix (k, k) again; above the diagonal it states nothing."""
     k = (math.isqrt(8 * len(triangle) + 1) - 1) // 2
     return _blas()[1].dtpttr(k, triangle, uplo="L")[0] if k else np.zeros((0, 0))
 

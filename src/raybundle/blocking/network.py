@@ -115,7 +115,7 @@ class Network:
         return {"values": values, "right": normals.right[own], "diagonal": normals.diagonal[own]}
 
     def add_outside(self, t: int, e: Equations, values: Array, right: Array, diagonal: Array) -> None:
-        """Add what observations outside the images bring to a front, as `outside_of` says."""
+        """Add what observations outside the images bring to a front, as `outside_of` states."""
         front, (row, col, _) = self.fronts[t], self.outside_places(t)
         o, once = front.columns, np.flatnonzero(row >= col)
         e.add(Placement.in_front(front, row[once], col[once], once), values)

@@ -145,8 +145,8 @@ class PartsNormals:
     """Product with the coordinates that carry a minimal datum"""
     formed: tuple[str, ...] = ()
     """Products of the last sweep up"""
-    told: dict[str, Array] = field(default_factory=dict[str, Array])
-    """What it said: numbers, undamped diagonal, where it fails, which unknown has least left"""
+    reported: dict[str, Array] = field(default_factory=dict[str, Array])
+    """What it stated: numbers, undamped diagonal, where it fails, which unknown has least left"""
     at: PartsState | None = None
     """Its state"""
     inverses: tuple[str, ...] = ()
@@ -187,15 +187,15 @@ class PartsNormals:
             return (o.state, *o.children)
 
         before, self.formed = self.formed, self.parts.plan("up", options, inputs, upwards=True)
-        self.told = self.parts.noted("reduced", self.formed, self._told)
+        self.reported = self.parts.noted("reduced", self.formed, self._told)
         self.at = state
         self.parts.forget([k for k in (*before, *self.inverses) if k not in self.formed])
         self.inverses = ()
-        numbers, weak = self.told["numbers"], self.told["weak"]
+        numbers, weak = self.reported["numbers"], self.reported["weak"]
         return outer + float(numbers[:, 0].sum()), int(numbers[:, 1].sum()), [int(p) for p in weak]
 
     def _told(self) -> dict[str, Array]:
-        """What the sweep up says as a whole; the diagonal is that of all nodes before anything is eliminated."""
+        """What the sweep up states as a whole; the diagonal is that of all nodes before anything is eliminated."""
         found = self.parts.made(self.formed, "numbers", "weak", "touched", "failed")
         diagonal = np.zeros(int(self.network.skeleton.system.offsets[-1]))
         for front, f in zip(self.network.fronts, found, strict=True):
@@ -209,12 +209,12 @@ class PartsNormals:
 
     def failed(self) -> int:
         """The unknown that stops the elimination of the last `reduce`, -1: none."""
-        return int(self.told["failed"])
+        return int(self.reported["failed"])
 
     def excess(self, state: State, huber: float) -> float:
         """Huber's costs of long residuals over those of the weighted ones, of the last `reduce`."""
         del state
-        return float(self.told["numbers"][:, 2].sum()) if huber > 0 else 0.0
+        return float(self.reported["numbers"][:, 2].sum()) if huber > 0 else 0.0
 
     def trial(
         self, state: State, *, damping: float = 0.0, huber: float = 0.0, passing: bool = False
@@ -291,11 +291,11 @@ class PartsNormals:
 
     def diagonal(self) -> Array:
         """(N,) undamped diagonal of the normal matrix of all nodes, before anything is eliminated."""
-        return self.network.skeleton.normals.diagonal + self.told["touched"]
+        return self.network.skeleton.normals.diagonal + self.reported["touched"]
 
     def least_share(self) -> tuple[float, int]:
         """The least share of an unknown's information that elimination left over, and the unknown."""
-        return float(self.told["numbers"][:, 3].min()), int(self.told["least"])
+        return float(self.reported["numbers"][:, 3].min()), int(self.reported["least"])
 
     def solved(self, nodes: Array, points: Sequence[str] = ()) -> Array:
         """The nodes' part (N, k) of N^-1 applied to right sides, with the last factor.
@@ -360,7 +360,7 @@ class PartsNormals:
 
         return self.parts.noted("outside", keys, find)["outside"]
 
-    # -- points that go astray: whoever asks for the adjustment is told of them (`stored`)
+    # -- points that go astray: whoever asks for the adjustment is reported of them (`stored`)
 
     def before(self, state: State) -> State:
         """The state as it is: points behind their cameras are not moved."""

@@ -56,7 +56,7 @@ def part_of(block: Block, rows: Index) -> Part:
 
 
 def system_of_part(whole: Skeleton, part: Part, rejected: Mask) -> PartSystem:
-    """The least squares problem of a part, laid out as the skeleton says.
+    """The least squares problem of a part, laid out as the skeleton states.
 
     rejected  (m,) of its image observations: take no part
     """

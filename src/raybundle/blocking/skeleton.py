@@ -1,7 +1,7 @@
 """What all parts of a network share: the nodes of unknowns, and the observations outside the images.
 
 The skeleton is a block like any other, with all images, cameras, instruments and tables, the object points that these
-name or that are given, and no image observation.  Its layout says which unknowns there are; the parts (`part`) have
+name or that are given, and no image observation.  Its layout states which unknowns there are; the parts (`part`) have
 none of their own but the object points that they eliminate.  What kinds of observation there are it need not know.
 """
 

@@ -54,8 +54,8 @@ class StoredAdjustment:
     """Of images and interior orientations; object points are those of the skeleton"""
     groups: tuple[ObservationGroup, ...]
     """Observations outside the images"""
-    told: tuple[str, ...]
-    """By tree node: residuals, A Q A' and effects (`answers.told`)"""
+    reported: tuple[str, ...]
+    """By tree node: residuals, A Q A' and effects (`answers.stated`)"""
     stated: tuple[str, ...]
     """By tree node: cofactors of the object points that it eliminates (`answers.stated`)"""
 
@@ -81,7 +81,7 @@ class _Run:
     held: Mask = field(default_factory=lambda: np.zeros((0, 3), bool))
     """(p, 3) coordinates that carry a minimal datum"""
     described: list[dict[str, Array]] = field(default_factory=list[dict[str, Array]])
-    """What the parts said of themselves last"""
+    """What the parts stated of themselves last"""
 
     @property
     def parts(self) -> Parts:
@@ -203,7 +203,7 @@ def _stated(run: _Run, solution: Solution) -> StoredAdjustment:
     if share < defects.SHARE:
         raise RankDefect("rank.not_determined")
     inverse = normals.selected_inverse()
-    told, stated, change, redundancy_sum = _cofactors(run, state, datum)
+    reported, stated, change, redundancy_sum = _cofactors(run, state, datum)
     redundancy = normals.observations - normals.unknowns + datum.defect
     sigma0 = float(np.sqrt(2 * solution.cost / redundancy)) if redundancy > 0 else float("nan")
     variance = variance_factor(options, sigma0, redundancy)
@@ -221,7 +221,7 @@ def _stated(run: _Run, solution: Solution) -> StoredAdjustment:
         observations=normals.observations, unknowns=normals.unknowns, redundancy=redundancy,
         redundancy_sum=redundancy_sum + extra, iterations=solution.iterations, converged=solution.converged,
         datum=datum, state=state, precision=precision(skeleton.normals, state, found, variance), groups=groups,
-        told=told, stated=stated,
+        reported=reported, stated=stated,
     )  # fmt: skip
 
 
@@ -253,21 +253,23 @@ def _cofactors(
             generators=generators[t], change=by,
         )  # fmt: skip
 
-    told = run.parts.each("told", told_of, lambda o: (o.state, o.inverse, o.generators))
-    found = run.parts.made(told, "numbers")
+    reported = run.parts.each("told", told_of, lambda o: (o.state, o.inverse, o.generators))
+    found = run.parts.made(reported, "numbers")
     middle = ""
     if change is not None:
         inner = change.given.reshape(-1, datum.defect).T @ change.points_h.reshape(-1, datum.defect)
-        for f in run.parts.made(told, "inner"):
+        for f in run.parts.made(reported, "inner"):
             inner = inner + f["inner"] if f["inner"].size else inner
         change = replace(change, inner=(inner + inner.T) / 2)
         middle = run.parts.put("middle", {"M": change.middle, "K": change.inner})
 
     def stated_of(t: int) -> answers.Stated:
-        return answers.Stated(network=network.key, node=t, told=told[t], generators=generators[t], middle=middle)
+        return answers.Stated(
+            network=network.key, node=t, reported=reported[t], generators=generators[t], middle=middle
+        )
 
-    stated = run.parts.do(run.parts.each("stated", stated_of, lambda o: (o.told, o.generators)))
-    return told, stated, change, float(sum(f["numbers"][0] for f in found))
+    stated = run.parts.do(run.parts.each("stated", stated_of, lambda o: (o.reported, o.generators)))
+    return reported, stated, change, float(sum(f["numbers"][0] for f in found))
 
 
 def _change(run: _Run, state: PartsState, datum: Datum) -> tuple[tuple[str, ...], Transformation]:

@@ -51,7 +51,7 @@ def up(
 ) -> dict[str, Array]:  # fmt: skip
     """Reduce the part, eliminate the tree node's own unknowns.
 
-    What gives no factor says at which unknown of the network (`failed`, else -1).
+    What gives no factor states at which unknown of the network (`failed`, else -1).
 
     state     of the part; None: as given
     outside   what the skeleton's normal equations bring to the front (`Network.outside_of`)
@@ -68,10 +68,10 @@ def up(
         e.add(work.into, normals.values)
         e.right[work.place] += normals.right
         e.diagonal[work.place] += normals.diagonal
-    told = {"numbers": numbers, "weak": weak, "touched": e.diagonal.copy()}
+    reported = {"numbers": numbers, "weak": weak, "touched": e.diagonal.copy()}
     failed = max((int(c["failed"]) for c in children.values()), default=-1)
     if failed >= 0:
-        return {"failed": np.array(failed), **told}
+        return {"failed": np.array(failed), **reported}
     network.add_outside(t, e, outside["values"], outside["right"], outside["diagonal"])
     for c, below in children.items():
         at = front.unknowns(network.boundary[c])
@@ -81,7 +81,7 @@ def up(
     o = front.columns
     found = fronts.eliminate(e, how.added or how.damping)
     if found.failed >= 0:
-        return {"failed": np.array(_global(network, t, found.failed)), **told}
+        return {"failed": np.array(_global(network, t, found.failed)), **reported}
     share = np.diagonal(found.L) ** 2 / np.maximum(e.diagonal[:o], 1e-300)
     least = int(share.argmin()) if o else -1
     numbers[3] = share[least] if o else 1.0
@@ -89,7 +89,7 @@ def up(
         "L": fronts.packed(found.L), "V": found.V, "y": found.y, "reduced": fronts.packed(found.reduced),
         "right": found.right,
         "diagonal": e.diagonal[o:].copy(), "failed": np.array(-1),
-        "least": np.array(_global(network, t, least) if o else -1), **told,
+        "least": np.array(_global(network, t, least) if o else -1), **reported,
     }  # fmt: skip
 
 

@@ -86,7 +86,7 @@ def known(store: Store, key: str) -> Known:
 
 
 def work_of(at: Known, t: int) -> PartWork | None:
-    """The part of a tree node, ready for use; the ones used last stay so, as many as the network says."""
+    """The part of a tree node, ready for use; the ones used last stay so, as many as the network states."""
     with _lock:
         if t in at.works:
             at.works.move_to_end(t)

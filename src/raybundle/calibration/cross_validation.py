@@ -1,4 +1,4 @@
-"""Cross-validation of a calibration: photographs that took no part, oriented with it, tell how well it carries over."""
+"""Cross-validation of a calibration: photographs that took no part, oriented with it, show how well it carries over."""
 
 from __future__ import annotations
 

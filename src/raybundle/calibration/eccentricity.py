@@ -1,6 +1,6 @@
 """Circular targets: the centre of a circle's image is not the image of its centre.
 
-Perspective moves it, and so does distortion, which bends the ellipse besides: no closed form says where a measurement
+Perspective moves it, and so does distortion, which bends the ellipse besides: no closed form states where a measurement
 then places the centre.  Points of each circle are therefore projected through the whole sensor model, and the ellipse
 is fitted to them that a fit of grey values finds (`targets.centre`).
 """
@@ -150,7 +150,7 @@ class RadiusScale:
 
     @property
     def determinable(self) -> bool:
-        """Whether the images tell it better than a ruler."""
+        """Whether the images show it better than a ruler."""
         return self.std < DETERMINED
 
     @property

@@ -1,4 +1,4 @@
-"""What becomes of a calibration that was given, held or with its covariance: whether it still holds, and what it says.
+"""What becomes of a calibration that was given, held or with its covariance: whether it still holds.
 
 Observations are weighted by white noise alone.  Where their errors are smooth, photographs have more weight against a
 calibration than they deserve; standard deviations that contain such errors (noise of kind fields) show it: a parameter
@@ -159,14 +159,14 @@ def _freed(result: Adjustment, camera: Camera, *, fields: bool, whole: bool = Fa
     interior = next((i for i in free.interior if i.camera == camera.id and i.image is None), None)
     if interior is None or free.precision is None or free.redundancy < 1:
         return None
-    told = [s for s in interior.free if interior.parameters[s].status == "estimated"]
-    rows = [interior.free.index(s) for s in told]
+    estimated = [s for s in interior.free if interior.parameters[s].status == "estimated"]
+    rows = [interior.free.index(s) for s in estimated]
     C = free.precision.interior[camera.id][np.ix_(rows, rows)]
-    d = np.array([interior.parameters[s].value - camera.values[s] for s in told])
-    if not told or not np.isfinite(C).all():
+    d = np.array([interior.parameters[s].value - camera.values[s] for s in estimated])
+    if not estimated or not np.isfinite(C).all():
         return None
     model = camera.sensor
-    shift = image_shifts(model, camera, camera.parameters)[:, :, [model.symbols.index(s) for s in told]] * d
+    shift = image_shifts(model, camera, camera.parameters)[:, :, [model.symbols.index(s) for s in estimated]] * d
     each = np.nanmax(np.linalg.norm(shift, axis=1), axis=0)
     size = np.sqrt(np.diagonal(C))
     unit = d / size
@@ -174,11 +174,11 @@ def _freed(result: Adjustment, camera: Camera, *, fields: bool, whole: bool = Fa
     given, found = camera.values, interior.parameters
     moved = [
         _Moved(symbol=s, given=given[s], found=found[s].value, std=float(e), effect_px=float(px))
-        for s, e, px in zip(told, size, each, strict=True)
+        for s, e, px in zip(estimated, size, each, strict=True)
     ]
     return _Freed(
         moved=moved,
-        F=float(unit @ np.linalg.solve(C / np.outer(size, size), unit)) / len(told),
+        F=float(unit @ np.linalg.solve(C / np.outer(size, size), unit)) / len(estimated),
         residuals=free.noise.directions if free.noise.kind == "fields" else free.redundancy,
         effect_px=float(np.nanmax(np.linalg.norm(shift.sum(axis=2), axis=1))),
         sigma_px=free.sigma0 * float(np.median(np.sqrt(free.given.observations.cov_px2[used, :2]))),
@@ -261,7 +261,7 @@ def _wider(result: Adjustment) -> float:
 
     Afterwards they rest on a mean square of f residuals: of all, sigma0^2, or under noise of kind fields of those in
     the directions that fields move.  Where both are alike in truth, chi-square_f / f keeps its root below the limit
-    with 1 - LEVEL.  What is less than NEARLY says nothing for any use.
+    with 1 - LEVEL.  What is less than NEARLY states nothing for any use.
     """
     f = result.noise.directions if result.noise.kind == "fields" else result.redundancy
     return max(NEARLY, math.sqrt(float(chdtri(f, LEVEL)) / f)) if f > 0 else math.inf

@@ -18,7 +18,7 @@ from raybundle.sensors import sensor_models
 
 By = Literal["names", "order", "values"]
 FEWEST = 3
-"""Photographs of a camera that is told apart."""
+"""Photographs of a camera that is distinguished."""
 LEAST_POINTS = 10
 GAIN = 1.4
 """By how much the scatter within groups must be smaller than the scatter of all, as a ratio of variances."""
@@ -56,7 +56,7 @@ def own_interiors(result: Adjustment, camera: str) -> tuple[Index, Array, Array]
     kinds = [p.kind for p in model.parameters]
     wanted = [kinds.index("scale"), *[i for i, kind in enumerate(kinds) if kind == "principal point"][:2]]
     used = result.image_observations.used & (block.images.camera[o.image] == k)
-    if len(wanted) < 3:  # a model without a principal point says nothing of where it is
+    if len(wanted) < 3:  # a model without a principal point states nothing of where it is
         used = np.zeros_like(used)
     images: list[int] = []
     shift, spread = list[Array](), list[Array]()

@@ -51,7 +51,7 @@ SURE, LIKELY = 0.95, 0.5
 able to rely on it.  Below USABLE_PX it need only be more likely than not: it is a start, or for small things.
 
 Where a verdict that is one class too low costs 1 and a good that is none costs k, good has the least expected cost from
-a probability of k / (1 + k) on: SURE says that nineteen good calibrations called usable weigh as much as one wrong
+a probability of k / (1 + k) on: SURE states that nineteen good calibrations called usable weigh as much as one wrong
 good.  Nothing is to be gained from the residuals beyond sigma0: they do not depend on the errors of the estimates
 (benchmarks/verdict_ceiling.py holds the verdict against one that knows the true covariance)."""
 TILT_SPREAD = np.radians(20)
@@ -202,7 +202,7 @@ def _projection(
 
 
 def _doubt(validation: CrossValidation | None, structure: ResidualStructure | None) -> float:
-    """Factor by which the standard deviations are too small, as residuals tell."""
+    """Factor by which the standard deviations are too small, as residuals show."""
     excess = 1.0 if validation is None else max(validation.excess, 1.0)
     # what is within its own scatter is no structure
     return max(excess, structure.factor) if structure is not None and _structured(structure) else excess

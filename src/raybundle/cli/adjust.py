@@ -42,8 +42,8 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> int:
 
     settings = made(AdjustSettings, {"block": block, "out": out, **values_of(AdjustSettings, given)})
     try:
-        with reporting(progress) as tell:
-            adjustment = run_adjust(settings, tell)
+        with reporting(progress) as notify:
+            adjustment = run_adjust(settings, notify)
     except KeyboardInterrupt:
         kept = left_beside(out)
         if not kept:

@@ -55,8 +55,8 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
     settings = made(CalibrateSettings, {"photos": photos, "out": out, **values_of(CalibrateSettings, given)})
     try:
-        with reporting(progress) as tell:
-            done = run_calibrate(settings, tell)
+        with reporting(progress) as notify:
+            done = run_calibrate(settings, notify)
     except KeyboardInterrupt:
         click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
         return 130
@@ -126,7 +126,7 @@ def in_pixels(camera: Camera, interior: InteriorResult, *, sure: bool) -> str:
     width, height = camera.pixel_mm
     p = interior.parameters
     middle = (camera.width_px / 2, camera.height_px / 2)
-    told: list[str] = []
+    lines: list[str] = []
     for symbol, words, factor, zero in (
         ("c", "c", 1 / width, 0.0), ("x0", "principal point x", 1 / width, middle[0]),
         ("y0", "y", -1 / height, middle[1]),
@@ -134,5 +134,5 @@ def in_pixels(camera: Camera, interior: InteriorResult, *, sure: bool) -> str:
         if symbol in p:
             std = p[symbol].std
             spread = f" ± {abs(factor) * std:.2g}" if std and sure else ""
-            told.append(f"{words} {zero + factor * p[symbol].value:.2f}{spread}")
-    return ", ".join(told)
+            lines.append(f"{words} {zero + factor * p[symbol].value:.2f}{spread}")
+    return ", ".join(lines)

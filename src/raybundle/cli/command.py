@@ -20,13 +20,13 @@ from raybundle.errors import InputError
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 FACTS, JSON, QUIET, VERBOSE = (f"raybundle.{word}" for word in ("facts", "json", "quiet", "verbose"))
 GRAVE = {"fault": "faults", "warning": "warnings", "note": "notes", "left out": "left_out"}
-"""Words with which a line begins that says what is wrong, and their names in JSON"""
+"""Words with which a line begins that states what is wrong, and their names in JSON"""
 NOT_KEPT = 4
 """Exit status where something that was asked for, a tolerance or an accuracy, is not kept"""
 NEAR = 0.6
-"""Likeness from which on a mistyped word is told with what may be meant, as difflib counts it"""
+"""Likeness from which on a mistyped word is reported with what may be meant, as difflib counts it"""
 ALOUD = ("fault", "warning", "left out")
-"""Of these the lines that are told by a quiet command as well"""
+"""Of these the lines that are given by a quiet command as well"""
 WRITTEN = (
     "result.json", "moved.json", "plan.json", "next.json", "transformation.json", "model.json", "check.json",
 )  # fmt: skip
@@ -91,7 +91,7 @@ class SeveralNames(Command):
 
 
 class Group(click.Group):
-    """A group of commands that have what all have; a mistyped name is told with what may be meant."""
+    """A group of commands that have what all have; a mistyped name is reported with what may be meant."""
 
     command_class = Command
 
@@ -100,7 +100,7 @@ class Group(click.Group):
         super().__init__(*arguments, **more)
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
-        """The command of the first word; a usage error that says what may be meant where there is none."""
+        """The command of the first word; a usage error that states what may be meant where there is none."""
         try:
             return super().resolve_command(ctx, args)
         except click.UsageError:

@@ -46,6 +46,6 @@ def told_outcome(outcome: Outcome | None) -> int:
     """Print what became of a wanted accuracy, and the exit status."""
     if outcome is None:
         return 0
-    # what could not be judged is told as what is wrong: nobody is to take it for kept
+    # what could not be judged is reported as what is wrong: nobody is to take it for kept
     click.echo(f" {'warning: ' * (outcome.kept is None)}{outcome.label}: {outcome.sentence}")
     return NOT_KEPT if outcome.kept is False else 0

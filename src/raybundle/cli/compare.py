@@ -31,8 +31,8 @@ def command(first: Path, second: Path, progress: str, **given: Any) -> None:
 
     asked = {"first": first, "second": second, **values_of(CompareSettings, given)}
     settings = made(CompareSettings, asked)
-    with reporting(progress) as tell:
-        done = run_compare(settings, tell)
+    with reporting(progress) as notify:
+        done = run_compare(settings, notify)
     for label, result in zip(("first", "second"), done.results, strict=True):
         sigma0 = result.result["sigma0"]
         text = "none" if sigma0 is None else f"{sigma0:.6g}"

@@ -65,8 +65,8 @@ def command(source: Path, progress: str, **given: Any) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(ConvertSettings, {"source": source, **values_of(ConvertSettings, given)})
-    with reporting(progress) as tell:
-        done = run_convert(settings, tell)
+    with reporting(progress) as notify:
+        done = run_convert(settings, notify)
     b = done.block
     facts(images=int(b.images.oriented.sum()), points=len(b.points), observations=len(b.observations))
     facts(files=dict(done.written), cameras_px=done.deviation_px, not_read=dict(done.unread))

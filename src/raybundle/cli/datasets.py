@@ -60,8 +60,8 @@ def get_command(name: str, out: Path | None, listing: Path | None, progress: str
     click.echo(f" {wanted.name}: {wanted.about}")
     click.echo(f" source: {wanted.source}")
     click.echo(f" licence: {wanted.licence}" + (f"; cite: {wanted.cite}" if wanted.cite else ""))
-    with reporting(progress) as tell:
-        done = fetch(wanted, folder, progress=tell)
+    with reporting(progress) as notify:
+        done = fetch(wanted, folder, progress=notify)
     facts(folder=folder, fetched=done.fetched, there=done.there, source=wanted.source, licence=wanted.licence)
     before = f", {done.there} were there already" if done.there else ""
     click.echo(f" {counted(done.fetched, 'file')} fetched and checked{before}: {folder}")

@@ -50,9 +50,9 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
     from raybundle.cli.progress import reporting  # noqa: PLC0415
 
     if photographs in set_names():
-        with reporting(progress) as tell:
-            told = make_set(photographs, out, tell)
-        click.echo("\n".join([f" {line}" for line in told] + [f" all in {out}"]))
+        with reporting(progress) as notify:
+            files = make_set(photographs, out, notify)
+        click.echo("\n".join([f" {line}" for line in files] + [f" all in {out}"]))
         return
     if photographs is not None:
         from raybundle.cli.demo_set import run  # noqa: PLC0415
@@ -70,9 +70,9 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
     result = out / "result"
     check_target(result)
     _write_input(simulation, out)
-    with reporting(progress) as tell:
-        adjustment = adjust(simulation.observed, progress=tell)
-        write_result(adjustment, result, progress=tell)
+    with reporting(progress) as notify:
+        adjustment = adjust(simulation.observed, progress=notify)
+        write_result(adjustment, result, progress=notify)
     facts(block=out / "block", truth=out / "truth", result=result)
     given = simulation.observed
     sigma_px = math.sqrt(float(given.observations.cov_px2[0, 0]))

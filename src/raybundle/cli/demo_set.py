@@ -41,11 +41,11 @@ def run(folder: Path, out: Path, progress: str) -> None:
     check_target(result)
     given = given_of(folder, truth)
     bars = ", ".join(f"{b.length:.4f} m with sigma {b.sigma * 1000:g} mm" for b in given.scale_bars)
-    with reporting(progress) as tell:
-        done = orient([folder / "photos"], out, given=given, progress=tell)
+    with reporting(progress) as notify:
+        done = orient([folder / "photos"], out, given=given, progress=notify)
         with report_stage(out, done.stages):
             known = {PHOTOGRAPHS_IN: [str((folder / "photos").resolve())]}  # what is made of the result asks for them
-            write_orientation(done, result, report="html", progress=tell, additions=known)
+            write_orientation(done, result, report="html", progress=notify, additions=known)
     a = done.adjustment
     facts(oriented=done.oriented, photographs=len(done.photos), result=result)
     points = len(a.given.points)

@@ -48,8 +48,8 @@ def command(points: Path, **given: Any) -> int:
     _tell_fit(done.fit, done.statistics, done.used)
     if done.check_rms_px is not None:
         x, y = done.check_rms_px
-        told = counted(int(done.points.check.sum()), "check point")
-        click.echo(f" {told}: rms {significant(x)}, {significant(y)} px")
+        words = counted(int(done.points.check.sum()), "check point")
+        click.echo(f" {words}: rms {significant(x)}, {significant(y)} px")
     if settings.out is not None:
         click.echo(f" model and statistics: {settings.out}")
     return 0 if done.fit.adequate else 3
@@ -62,8 +62,8 @@ def _tell_advice(advice: EmpiricalAdvice) -> None:
             click.echo(f" {c.name:21}{'not fitted':>10}   {c.reason.headline()}")
             continue
         f = c.fit
-        told = "yes" if f.adequate and f.redundancy else "no" if f.redundancy else "no redundancy"
-        click.echo(f" {c.name:21}{len(f.free):10d}{f.redundancy:12d}{f.sigma0:9.3g}{c.left_out_rms_px:15.3g}   {told}")
+        words = "yes" if f.adequate and f.redundancy else "no" if f.redundancy else "no redundancy"
+        click.echo(f" {c.name:21}{len(f.free):10d}{f.redundancy:12d}{f.sigma0:9.3g}{c.left_out_rms_px:15.3g}   {words}")
     click.echo(f" advised: {advice.reason.text()}")
 
 
@@ -76,9 +76,9 @@ def _tell_fit(fit: EmpiricalFit, s: EmpiricalStatistics, ids: Sequence[str]) -> 
         click.echo(f" {p.symbol:8}{p.value:14.6g}{p.std:12.3g}  {p.unit:9}{t:>8}{note}")
     strong = s.correlated(CORRELATED)
     if strong:
-        told = ", ".join(f"{a} - {b} {r:+.3f}" for a, b, r in strong[:5])
+        words = ", ".join(f"{a} - {b} {r:+.3f}" for a, b, r in strong[:5])
         click.echo(
-            f" correlations beyond {CORRELATED}: {told}" + (f" and {len(strong) - 5} more" if len(strong) > 5 else "")
+            f" correlations beyond {CORRELATED}: {words}" + (f" and {len(strong) - 5} more" if len(strong) > 5 else "")
         )
     for row, axis in s.blunders[:5]:
         click.echo(

@@ -49,8 +49,8 @@ def command(photos: Path | None, progress: str, **given: Any) -> None:
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
-    with reporting(progress) as tell:
-        found = run_estimate_cost(made(EstimateCostSettings, values_of(EstimateCostSettings, given)), photos, tell)
+    with reporting(progress) as notify:
+        found = run_estimate_cost(made(EstimateCostSettings, values_of(EstimateCostSettings, given)), photos, notify)
     facts(
         asked=found.asked, stages=found.stages, limits=[_told(limit) for limit in found.limits],
         core_hours=found.core_hours, wall_hours=found.wall_hours, disk_gb=found.disk_gb, moved_gb=found.moved_gb,

@@ -1,4 +1,4 @@
-"""What is said of an error, and the exit status."""
+"""What is stated of an error, and the exit status."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from raybundle.errors import RaybundleError, printable
 
 
 def told_failure(error: Exception) -> tuple[str, int]:
-    """What is said of an error, and the exit status."""
+    """What is stated of an error, and the exit status."""
     if isinstance(error, RaybundleError):
         return _lines(error), error.exit_status
     if isinstance(error, MemoryError) or _lacks_memory(error):

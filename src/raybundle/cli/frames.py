@@ -30,8 +30,8 @@ def command(video: Path, progress: str, **given: Any) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(FramesSettings, {"video": video, **values_of(FramesSettings, given)})
-    with reporting(progress) as tell:
-        frames = run_frames(settings, tell)
+    with reporting(progress) as notify:
+        frames = run_frames(settings, notify)
     a = frames.analysis
     seconds = f"{a.time_s[-1]:.1f} s, {a.width_px} x {a.height_px} px"
     facts(frames=len(a.time_s), width_px=a.width_px, height_px=a.height_px, photographs=frames.files)

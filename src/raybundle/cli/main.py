@@ -137,7 +137,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         silence(sys.stdout)  # the reader of our output went away: what stands in the buffer has nowhere to go
         return 1
-    except Exception as error:  # noqa: BLE001  (the last resort; the message says how to see the rest)
+    except Exception as error:  # noqa: BLE001  (the last resort; the message states how to see the rest)
         return _failed(arguments, error)
     return status if isinstance(status, int) else 0
 

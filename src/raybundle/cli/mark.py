@@ -85,9 +85,13 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
     from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.commands.begin import begin  # noqa: PLC0415
 
-    with reporting(progress) as tell:
+    with reporting(progress) as notify:
         project = begin(
-            photos, out, told=lambda line: click.echo(f"   {line}"), progress=tell, **values_of(BeginSettings, given)
+            photos,
+            out,
+            notify=lambda line: click.echo(f"   {line}"),
+            progress=notify,
+            **values_of(BeginSettings, given),
         )
     facts(project=project)
     click.echo(f" project: {project}")
@@ -459,10 +463,10 @@ def adjust_(
     checked_language(language)
     if pdf:
         check_typesetter()
-    with reporting(progress) as tell:
-        adjustment, left_out = adjust_marks(folder, tell, **values_of(AdjustmentOptions, given))
+    with reporting(progress) as notify:
+        adjustment, left_out = adjust_marks(folder, notify, **values_of(AdjustmentOptions, given))
         write_result(
-            adjustment, target, report="none" if no_report else "html", pdf=pdf, language=language, progress=tell,
+            adjustment, target, report="none" if no_report else "html", pdf=pdf, language=language, progress=notify,
             additions={PHOTOGRAPHS_IN: known} if known else None,
         )  # fmt: skip
     facts(out=target)

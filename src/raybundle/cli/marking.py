@@ -50,11 +50,11 @@ def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
     from raybundle.commands.marks import mark  # noqa: PLC0415
 
     if standing_folder(folder) is None:
-        click.echo(f" project: {measuring_folder(folder, told=lambda line: click.echo(f'   {line}'))}")
+        click.echo(f" project: {measuring_folder(folder, notify=lambda line: click.echo(f'   {line}'))}")
     seq = mark(folder, verb, operator=author, **arguments)
     facts(action=seq, verb=verb)
-    told = _moved(folder, seq) if verb in {"undo", "redo"} else ""
-    click.echo(f" action {seq}: {verb}{told}")
+    reported = _moved(folder, seq) if verb in {"undo", "redo"} else ""
+    click.echo(f" action {seq}: {verb}{reported}")
 
 
 def _moved(folder: Path, seq: int) -> str:
@@ -72,12 +72,12 @@ def _moved(folder: Path, seq: int) -> str:
 
 def words(arguments: Mapping[str, Any]) -> str:
     """The arguments of an action, without what was not given."""
-    told = (f"{n} {_plain(v)}" for n, v in arguments.items() if v not in (None, "", [], [None, None, None]))
-    return ", ".join(told)
+    reported = (f"{n} {_plain(v)}" for n, v in arguments.items() if v not in (None, "", [], [None, None, None]))
+    return ", ".join(reported)
 
 
 SHOWN = 12
-"""Values of an argument that are told one by one."""
+"""Values of an argument that are reported one by one."""
 
 
 def _plain(value: Any) -> str:

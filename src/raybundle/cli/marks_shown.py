@@ -36,4 +36,4 @@ def shown(state: State) -> list[str]:
 
 
 def _axes(datum: Axes) -> str:
-    return "origin, axis, plane" if datum.plane else "origin, axis; levels and plumb lines tell the vertical"
+    return "origin, axis, plane" if datum.plane else "origin, axis; levels and plumb lines give the vertical"

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 SHOWN = 10
 UNFIT = frozenset({"nominal_names", "nominal_mirrored", "nominal_scale", "nominal_wrong"})
-"""What makes all deviations meaningless, or bends them: it is told before them"""
+"""What makes all deviations meaningless, or bends them: it is reported before them"""
 
 
 @click.command("measure", cls=SeveralNames)
@@ -56,8 +56,8 @@ def command(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(MeasureSettings, {"photos": photos, **values_of(MeasureSettings, given)})
-    with reporting(progress) as tell:
-        done = run_measure(settings, tell)
+    with reporting(progress) as notify:
+        done = run_measure(settings, notify)
     files = [LIST, *([NOMINAL] if done.fit else []), *([LENGTHS] if done.lengths else [])]
     files += [name for name, wanted in (("report.html", settings.report), ("report.pdf", settings.pdf)) if wanted]
     report(_summary(done, [settings.out / name for name in files]))

@@ -36,8 +36,8 @@ def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
     from raybundle.numerics.counting import counted  # noqa: PLC0415
 
     settings = made(MergeSettings, {"sources": sources, **values_of(MergeSettings, given)})
-    with reporting(progress) as tell:
-        done = run_merge(settings, tell)
+    with reporting(progress) as notify:
+        done = run_merge(settings, notify)
     block = done.block
     facts(images=len(block.images), points=len(block.points), observations=len(block.observations), frame_of=done.first)
     counts = (

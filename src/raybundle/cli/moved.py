@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from raybundle.metrology.congruence import Congruence
 
 LINES = 20
-"""Moved points that are told, the farthest first."""
+"""Moved points that are reported, the farthest first."""
 
 
 @click.command("moved", cls=SeveralNames)
@@ -42,8 +42,8 @@ def command(epochs: tuple[Path, ...], progress: str, **given: Any) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(MovedSettings, {"epochs": epochs, **values_of(MovedSettings, given)})
-    with reporting(progress) as tell:
-        done = run_moved(settings, tell)
+    with reporting(progress) as notify:
+        done = run_moved(settings, notify)
     names = [*(["report.html"] if settings.report else []), *(["report.pdf"] if settings.pdf else [])]
     report(_summary(done, settings, [settings.out / name for name in (*names, "points.csv", "moved.json")]))
 
@@ -70,7 +70,7 @@ def _summary(done: Congruence, settings: MovedSettings, files: list[Path]) -> Su
     if settings.axes is not None:
         more.append(note("displacement.axes", file_name=settings.axes.name, points=list(settings.by)))
     return Summary(
-        done=first, notices=[*_faults(settings.epochs), *_warnings(done), *done.told], files=files, details=more
+        done=first, notices=[*_faults(settings.epochs), *_warnings(done), *done.reported], files=files, details=more
     )
 
 

@@ -66,8 +66,8 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
     settings = made(OrientSettings, {"photos": photos, "out": out, **values_of(OrientSettings, given)})
     try:
-        with reporting(progress) as tell:
-            done = run_orient(settings, tell)
+        with reporting(progress) as notify:
+            done = run_orient(settings, notify)
     except KeyboardInterrupt:
         click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
         return 130

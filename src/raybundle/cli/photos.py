@@ -42,8 +42,8 @@ def command(photos: tuple[Path, ...], as_json: bool, progress: str, **given: Any
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(PhotosSettings, {"photos": photos, **values_of(PhotosSettings, given)})
-    with reporting(progress) as tell:
-        known = run_photos(settings, tell)
+    with reporting(progress) as notify:
+        known = run_photos(settings, notify)
     found, groups = known.found, known.cameras
     click.echo(json.dumps(report(found, groups), indent=1) if as_json else "\n".join(lines(found, groups)))
     return 0 if found.photos else 2
@@ -56,7 +56,7 @@ def report(found: Found, groups: Sequence[CameraGroup]) -> dict[str, Any]:
             {
                 "id": g.id, "name": g.name, "photos": len(g.photos), "width_px": g.width_px, "height_px": g.height_px,
                 "pixel_mm": list(g.pixel_mm), "c_mm": g.c_mm, "sigma_c_mm": g.sigma_c_mm, "c_px": g.c_px,
-                "sigma_c_px": g.sigma_c_px, "source": g.source, "remarks": list(g.said),
+                "sigma_c_px": g.sigma_c_px, "source": g.source, "remarks": list(g.stated),
             }
             for g in groups
         ],
@@ -94,7 +94,7 @@ def lines(found: Found, groups: Sequence[CameraGroup]) -> list[str]:
             f" camera {g.id}: {g.name}, {counted(len(g.photos), 'photograph')} of {g.width_px} x {g.height_px} px",
             f"   c = {g.c_px:.1f} +- {g.sigma_c_px:.1f} px = {g.c_mm:.4g} mm ({g.source})",
         ]
-        text += [f"   note: {r}" for r in g.said]
+        text += [f"   note: {r}" for r in g.stated]
     text += _table(found, groups)
     text += [f" note: {r}" for r in found.remarks]
     text += [f" left out: {path.name}: {reason}" for path, reason in found.refused]

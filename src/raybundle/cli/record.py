@@ -29,15 +29,15 @@ def command(project: Path, **given: Any) -> None:
       raybundle record facade-project
       raybundle record facade-project --object "Town hall, south side" --client "Monument office" --rights "CC BY 4.0"
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
-    told = run_record(made(RecordSettings, {"project": project, **values_of(RecordSettings, given)}))
-    facts(record={name: words for name, words, _ in rows(told)}, files=told.files)
-    for name, words, source in rows(told):
+    reported = run_record(made(RecordSettings, {"project": project, **values_of(RecordSettings, given)}))
+    facts(record={name: words for name, words, _ in rows(reported)}, files=reported.files)
+    for name, words, source in rows(reported):
         first, *more = words.split("\n")
         click.echo(f" {name:<12} {first}" + (f"  [{source}]" if source else ""))
         for line in more:
             click.echo(f" {'':<12} {line}")
-    if not told.record.as_mapping():
+    if not reported.record.as_mapping():
         click.echo(" nothing is written yet; see raybundle record --help")
-    if told.files:
+    if reported.files:
         run = "after the next run of orient" if (project / "result").is_dir() else "when orient has run there"
-        click.echo(f" written: {', '.join(map(str, told.files))}; the report has it {run}")
+        click.echo(f" written: {', '.join(map(str, reported.files))}; the report has it {run}")

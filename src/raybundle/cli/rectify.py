@@ -44,8 +44,8 @@ def command(source: Path, progress: str, **given: Any) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(RectifySettings, {"source": source, **values_of(RectifySettings, given)})
-    with reporting(progress) as tell:
-        done = run_rectify(settings, tell)
+    with reporting(progress) as notify:
+        done = run_rectify(settings, notify)
     facts(width=done.grid.width, height=done.grid.height, pixel=done.grid.pixel, unit=done.unit)
     facts(covered=float(done.picture.seen.mean()), photographs=len(done.picture.shares))
     click.echo("\n".join(f" {line}" for line in _lines(done, settings)))
@@ -57,10 +57,10 @@ def _lines(done: Rectification, settings: RectifySettings) -> list[str]:
     from raybundle.workflows.object_plane import Plane  # noqa: PLC0415
 
     source, grid = done.source, done.grid
-    told = _of_plane(source, done) if isinstance(source, Plane) else _of_photo(source, settings.mark_sigma)
+    lines = _of_plane(source, done) if isinstance(source, Plane) else _of_photo(source, settings.mark_sigma)
     covered = 100 * float(done.picture.seen.mean())
     return [
-        *told,
+        *lines,
         f"{settings.out}: {grid.width} x {grid.height} px of {grid.pixel:g} {done.unit}".rstrip()
         + f", {covered:.0f} % covered from {counted(len(done.picture.shares), 'photograph')}",
         *([state_line(done.state)] if done.state else []),
@@ -77,22 +77,24 @@ def _of_plane(plane: Plane, done: Rectification) -> list[str]:
     exact = plane.kind == "vertical" and plane.of == 2
     level = plane.kind == "horizontal"
     by = f"level plane through the middle height of {plane.points}{of} points" if level else None
-    told = [(by or f"plane of {plane.points}{of} points") + (", plumb" if exact else f", which lie {off} off it (rms)")]
+    lines = [
+        (by or f"plane of {plane.points}{of} points") + (", plumb" if exact else f", which lie {off} off it (rms)")
+    ]
     if plane.points < FEW * plane.of:
-        told.append(notice_line(warning("picture.few_points_in_plane", share=plane.points / plane.of)))
-    told += [f"warning: {words}" for words in plane.cautions]
+        lines.append(notice_line(warning("picture.few_points_in_plane", share=plane.points / plane.of)))
+    lines += [f"warning: {words}" for words in plane.cautions]
     if plane.lean is not None and plane.plumb is not None and not plane.cautions:
-        told.append(f"its points lean {plane.lean.words} (vertical: {plane.plumb.words})")
+        lines.append(f"its points lean {plane.lean.words} (vertical: {plane.plumb.words})")
     slope, largest = done.picture.slope
     shown = f"{slope:.2f} of its distance from it (rms; {largest:.1f} at most)"
-    told.append(f"what lies in front of or behind it is displaced by {shown}")
+    lines.append(f"what lies in front of or behind it is displaced by {shown}")
     if isinstance(plane, MapLevel):
-        told.append(f"the level is at height {plane.height:.2f}")
+        lines.append(f"the level is at height {plane.height:.2f}")
     if exact or not slope * plane.rms > done.grid.pixel:
-        return told
+        return lines
     off, pixels = slope * plane.rms, slope * plane.rms / done.grid.pixel
-    told.append(notice_line(warning("picture.points_displaced", off=off, unit=done.unit, pixels=pixels)))
-    return told
+    lines.append(notice_line(warning("picture.points_displaced", off=off, unit=done.unit, pixels=pixels)))
+    return lines
 
 
 def _of_photo(single: SinglePhoto, sigma_px: float) -> list[str]:

@@ -36,8 +36,8 @@ def batch(scenes: tuple[Path, ...], progress: str, **given: Any) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(RpcBatchSettings, {"scenes": scenes, **values_of(RpcBatchSettings, given)})
-    with reporting(progress) as tell:
-        done = run_batch(settings, tell)
+    with reporting(progress) as notify:
+        done = run_batch(settings, notify)
     facts(scenes=[_fact(s) for s in done.scenes], table=done.table)
     click.echo(f" {'scene':32}{'bias':>8}{'points':>8}{'rms x, y [px]':>18}{'ERR_BIAS [m]':>14}")
     for scene in done.corrected:

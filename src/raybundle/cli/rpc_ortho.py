@@ -36,8 +36,8 @@ def ortho(scene: Path, progress: str, **given: Any) -> None:
     settings = made(RpcOrthoSettings, {"scene": scene, **values_of(RpcOrthoSettings, given)})
     if settings.out is None:
         raise InputError("option.missing", setting="out", value="FILE.tif")
-    with reporting(progress) as tell:
-        done = run_ortho(settings, progress=tell)
+    with reporting(progress) as notify:
+        done = run_ortho(settings, progress=notify)
     facts(width=done.width, height=done.height, pixel=done.pixel, left=done.left, top=done.top, crs=done.crs)
     facts(seen_share=done.share, nodata=done.nodata, bands=done.bands)
     for remark in done.remarks:

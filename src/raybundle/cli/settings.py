@@ -36,13 +36,13 @@ def _option(s: Setting, own: click.ParamType | None) -> Callable[[Callable[..., 
     with reading(COMMAND_LINE):
         words = s.help
     if s.kind is bool:
-        # a flag says the opposite of the default
+        # a flag states the opposite of the default
         return click.option(*names, is_flag=True, flag_value=not s.default, default=s.default, help=words)
     more: dict[str, Any] = {"metavar": s.about.metavar} if s.about.metavar else {}
     if s.default is MISSING:
         more["required"] = True
     else:
-        shown = not s.about.unsaid and s.default not in {None, "", ()}
+        shown = not s.about.unstated and s.default not in {None, "", ()}
         typed = "" if s.many else s.about.typed
         more |= {"default": (typed or s.default) if shown else None, "show_default": (s.about.typed or shown)}
     return click.option(*names, type=own or _type(s), multiple=s.many, help=words or None, **more)
@@ -50,7 +50,7 @@ def _option(s: Setting, own: click.ParamType | None) -> Callable[[Callable[..., 
 
 def _type(s: Setting) -> Any:
     if s.choices:
-        return click.Choice([c for c in s.choices if c and not (s.about.unsaid and c == s.default)])
+        return click.Choice([c for c in s.choices if c and not (s.about.unstated and c == s.default)])
     if s.each is Path:
         return FOLDER
     if get_origin(s.each) is tuple:

@@ -19,7 +19,7 @@ from raybundle.io.reading.trees import Json, Toml, read_toml
 
 EVERY = "all"
 TYPED = ("settings", "json", "quiet", "overwrite", "traceback", "help", "version")
-"""Options that are typed alone: what a run prints and replaces is said where it is begun"""
+"""Options that are typed alone: what a run prints and replaces is stated where it is begun"""
 
 
 def defaults_of(path: Path, command: click.Command, name: str) -> dict[str, Any]:

@@ -36,8 +36,8 @@ def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(DrawingSheetSettings, {"sources": sources, **values_of(DrawingSheetSettings, given)})
-    with reporting(progress) as tell:
-        done = run_drawing_sheet(settings, tell)
+    with reporting(progress) as notify:
+        done = run_drawing_sheet(settings, notify)
     facts(scale=done.scale, paper=done.paper, sheets=done.sheets, pictures=done.pictures, points=done.points)
     facts(lines=done.lines)
     click.echo("\n".join(f" {line}" for line in _lines(done)))

@@ -31,8 +31,8 @@ def command(source: Path, progress: str, **given: Any) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415
 
     settings = made(SpreadsheetSettings, {"source": source, **values_of(SpreadsheetSettings, given)})
-    with reporting(progress) as tell:
-        done = run_spreadsheet(settings, tell)
+    with reporting(progress) as notify:
+        done = run_spreadsheet(settings, notify)
     facts(sheets=list(done.sheets))
     click.echo("\n".join(f" {line}" for line in (
         f"{done.file}: {', '.join(done.sheets)}", *(f"note: {r}" for r in done.left_out)

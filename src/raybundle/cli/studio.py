@@ -45,9 +45,9 @@ def command(
 
     project = measuring_folder(source, out, lambda line: click.echo(f"   {line}"))
 
-    def told(address: str) -> None:
+    def notify(address: str) -> None:
         words = f" studio of {project}: {address}\n Ctrl-C ends it; what was measured is kept"
         click.echo(json.dumps({"project": str(project), "address": address}) if as_json else words)
 
     with contextlib.suppress(KeyboardInterrupt):  # the way in which it ends
-        serve(project, photos, port=port, browser=not no_browser, told=told)
+        serve(project, photos, port=port, browser=not no_browser, notify=notify)

@@ -45,8 +45,8 @@ def command(source: Path, progress: str, **given: Any) -> int:
 
     settings = made(SurfaceSettings, {"source": source, **values_of(SurfaceSettings, given)})
     try:
-        with reporting(progress) as tell:
-            done = run_surface(settings, tell)
+        with reporting(progress) as notify:
+            done = run_surface(settings, notify)
     except KeyboardInterrupt:
         kept = (settings.out or source / "surface") / WORK
         click.echo(f"interrupted; what is finished is kept in {kept}, the same command continues there", err=True)
@@ -68,7 +68,7 @@ def _summary(done: MeasuredSurface, work: Path) -> Summary:
     points = note("surface.points", n=written or len(s), maps=sum(1 for n in s.counts if n))
     wrong = [lost_message(s.lost, int(s.block.images.oriented.sum()))] if s.lost else []
     wrong += [message_of_text(s.others)] if s.others else []
-    products = [f"{w.files[0]}: {line}" for name, w in done.written if name for line in w.told]
+    products = [f"{w.files[0]}: {line}" for name, w in done.written if name for line in w.reported]
     return Summary(
         done=[points, *_precision(done)[:1]],
         notices=[*(replace(m, severity=Severity.WARNING) for m in wrong), *done.pages.warnings],
@@ -108,16 +108,16 @@ def whole_shares(shares: Sequence[float]) -> list[int]:
 def _without_part(done: MeasuredSurface) -> list[str]:
     """Photographs and pairs that give nothing, those of one reason together."""
     s = done.surface
-    told = [f"no point of {name}: {why}" for name, why in s.pointless]
+    lines = [f"no point of {name}: {why}" for name, why in s.pointless]
     whys = dict[str, list[str]]()
     for what, why in s.left_out[len(s.lost) :]:  # a reason that names its photograph is that of others, too
         whys.setdefault(why.removeprefix(what).strip(), []).append(what)
     for why, names in list(whys.items())[:MOST_LEFT_OUT]:
         if len(names) > 1:
-            told.append(f"left out: {len(names)} for one reason ({', '.join(names[:MOST_LEFT_OUT])}"
+            lines.append(f"left out: {len(names)} for one reason ({', '.join(names[:MOST_LEFT_OUT])}"
                         f"{', ...' if len(names) > MOST_LEFT_OUT else ''}): {why}")  # fmt: skip
         else:
-            told.append(f"left out: {names[0]}: {why}")
+            lines.append(f"left out: {names[0]}: {why}")
     if len(whys) > MOST_LEFT_OUT:
-        told.append(f"left out: {sum(len(n) for n in list(whys.values())[MOST_LEFT_OUT:])} more")
-    return told
+        lines.append(f"left out: {sum(len(n) for n in list(whys.values())[MOST_LEFT_OUT:])} more")
+    return lines

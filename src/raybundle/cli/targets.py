@@ -101,8 +101,8 @@ def detect(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
     from raybundle.commands.targets import run_detect  # noqa: PLC0415
 
     settings = made(DetectSettings, {"photos": photos, **values_of(DetectSettings, given)})
-    with reporting(progress) as tell:
-        done = run_detect(settings, tell)
+    with reporting(progress) as notify:
+        done = run_detect(settings, notify)
     facts(photographs=[
         {"photograph": name, "points": len(m), "names": [n for n in m.name if n]} for name, m in done.found
     ])  # fmt: skip

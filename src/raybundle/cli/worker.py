@@ -45,8 +45,8 @@ def command(project: str | None, progress: str, **given: Any) -> int:
     with contextlib.ExitStack() as stack:
         if settings.cluster:
             stack.enter_context(contextlib.suppress(KeyboardInterrupt))  # the way in which it ends
-        tell = stack.enter_context(reporting(progress))
-        done = run_worker(settings, project, lambda line: click.echo(f" {line}"), tell)
+        notify = stack.enter_context(reporting(progress))
+        done = run_worker(settings, project, lambda line: click.echo(f" {line}"), notify)
     if done is None:
         return 0
     click.echo(f" {counted(done.made, 'task')} done")

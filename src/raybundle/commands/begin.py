@@ -25,14 +25,14 @@ Told = Callable[[str], object]
 
 
 def begin(
-    photos: str | Path | Sequence[str | Path], out: str | Path | None = None, *, told: Told = str,
+    photos: str | Path | Sequence[str | Path], out: str | Path | None = None, *, notify: Told = str,
     progress: Progress = silent, **settings: Any,
 ) -> Path:  # fmt: skip
     """Begin a project of photographs that are to be measured by hand; returns its folder.
 
     photos    folders and files
     out       project folder; None: PHOTOS-project beside the folder of photographs
-    told      gets a line of each file that is no usable photograph
+    stated      gets a line of each file that is no usable photograph
     settings  calibration, own_camera, library: as of `orient`; film, pixel_mm, film_transformation: scans of film
     raises    InputError where there is no photograph, or something else stands at `out`
 
@@ -44,7 +44,7 @@ def begin(
     s = asked(BeginSettings, photos, out or default_project(first), settings)
     if holds_block(s.out / "result"):
         return s.out
-    block = _block(s, told, progress)
+    block = _block(s, notify, progress)
     keep_settings(
         OrientSettings(
             photos=tuple(p.resolve() for p in s.photos),
@@ -59,7 +59,7 @@ def begin(
     return s.out
 
 
-def measuring_folder(source: str | Path, out: str | Path | None = None, told: Told = str) -> Path:
+def measuring_folder(source: str | Path, out: str | Path | None = None, notify: Told = str) -> Path:
     """The folder in which what is measured is kept: as it is given, or a project of the photographs in it.
 
     source  a project, result or block folder; a project of `orient` that has no result; a folder of photographs
@@ -71,11 +71,11 @@ def measuring_folder(source: str | Path, out: str | Path | None = None, told: To
     if found is not None:
         return found
     if (source / "project.db").is_file():
-        _write(_block(_as_asked(source), told, silent), source)
+        _write(_block(_as_asked(source), notify, silent), source)
         return source
     if not has_photographs(source):
-        block_folder(source)  # which says what is wrong
-    return begin(source, out, told=told)
+        block_folder(source)  # which states what is wrong
+    return begin(source, out, notify=notify)
 
 
 def standing_folder(source: str | Path, out: str | Path | None = None) -> Path | None:
@@ -90,7 +90,7 @@ def standing_folder(source: str | Path, out: str | Path | None = None) -> Path |
 
 
 def default_project(photos: Path) -> Path:
-    """Where a project of a folder of photographs stands if nothing else is said: beside it."""
+    """Where a project of a folder of photographs stands if nothing else is stated: beside it."""
     whole = photos.resolve()
     folder = named_folder(whole if whole.is_dir() else whole.parent)
     return folder.with_name(f"{folder.name}-project")
@@ -114,7 +114,7 @@ def _as_asked(project: Path) -> BeginSettings:
     )  # fmt: skip
 
 
-def _block(s: BeginSettings, told: Told, progress: Progress) -> Block:
+def _block(s: BeginSettings, notify: Told, progress: Progress) -> Block:
     """The photographs alone; raises InputError where some are gone that a project holds."""
     from raybundle.io.block.folder import read_block  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
@@ -132,12 +132,12 @@ def _block(s: BeginSettings, told: Told, progress: Progress) -> Block:
             calibration=known,
             separate=s.own_camera,
             library=library,
-            told=told,
+            notify=notify,
             progress=progress,
         )
     else:
         known = known or (before.cameras if before is not None else ())
-        block = of_film(bare_block(s.photos, s.out.name, told=told, progress=progress), known, scans)
+        block = of_film(bare_block(s.photos, s.out.name, notify=notify, progress=progress), known, scans)
     lost = sorted(set() if before is None else set(before.images.ids) - set(block.images.ids))
     if lost:
         raise InputError(

@@ -146,8 +146,8 @@ def wanted_targets(
 
 
 def additions(done: Calibration) -> dict[str, object]:
-    """What result.json says beside the adjustment."""
-    from raybundle.io.digits import told  # noqa: PLC0415
+    """What result.json states beside the adjustment."""
+    from raybundle.io.digits import reported  # noqa: PLC0415
 
     lost = [{"file": f, "reason": r, **text_json(r)} for f, r in (*done.refused, *done.not_used)]
     return {
@@ -160,12 +160,12 @@ def additions(done: Calibration) -> dict[str, object]:
             "largest_eccentricity_px": done.largest_eccentricity_px,
             "radius_scale": None if done.radius is None else {"value": done.radius.value, "std": done.radius.std},
         },
-        "calibration": {q.camera: {**told(quality_table(q)), "exif": _exif(done, q.camera)} for q in done.quality},
+        "calibration": {q.camera: {**reported(quality_table(q)), "exif": _exif(done, q.camera)} for q in done.quality},
     }
 
 
 def _exif(done: Calibration, camera: str) -> dict[str, Any]:
-    """What a camera's first photograph says of it: by this its calibration is found again."""
+    """What a camera's first photograph states of it: by this its calibration is found again."""
     from raybundle.io.cameras.library import key_of  # noqa: PLC0415
 
     key = key_of(done.photos[_first_image(done, camera)])
@@ -182,7 +182,7 @@ def _first_image(done: Calibration, camera: str) -> int:
 
 
 def quality_table(q: CalibrationQuality) -> dict[str, Any]:
-    """A verdict as result.json says it."""
+    """A verdict as result.json states it."""
     v = q.validation
     return {
         "grade": q.grade, "headline": q.headline, "reasons": list(q.reasons),

@@ -132,7 +132,7 @@ class ConvertedCalibrations:
     """Calibrations in another format, and the files that hold them."""
 
     conversions: tuple[Conversion, ...]
-    """one a camera; each says how far it deviates"""
+    """one a camera; each states how far it deviates"""
     files: tuple[Path, ...]
     cautions: tuple[str, ...]
     """stored ways of photographs that no camera could be made for"""
@@ -339,7 +339,7 @@ def run_add(settings: CalibrationAddSettings) -> KeptCalibration:
 
 
 def _key(s: CalibrationAddSettings, calibration: Calibration) -> CameraKey:
-    """By what a calibration is found again: what the photograph says, and what is said in its place."""
+    """By what a calibration is found again: what the photograph states, and what is stated in its place."""
     from raybundle.io.cameras.library import CameraKey, key_of  # noqa: PLC0415
     from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
 
@@ -357,11 +357,11 @@ def _key(s: CalibrationAddSettings, calibration: Calibration) -> CameraKey:
                 camera_height_px=c.height_px,
                 file=s.photo,
             )
-    told = {
+    reported = {
         "make": s.camera_make, "model": s.camera_model, "serial": s.serial, "lens": s.lens, "focal_mm": s.focal,
         "focus_m": s.focus,
     }  # fmt: skip
-    return replace(key, **{k: v for k, v in told.items() if v is not None})
+    return replace(key, **{k: v for k, v in reported.items() if v is not None})
 
 
 def run_list(settings: CalibrationListSettings) -> Library:
@@ -434,11 +434,11 @@ def _zoom_settings(results: tuple[Path, ...], focal: tuple[float, ...]) -> tuple
     settings: list[ZoomSetting] = []
     keys: list[CameraKey] = []
     for folder in results:
-        told = read_result(folder).result.get("calibration", {})
+        reported = read_result(folder).result.get("calibration", {})
         for calibration, _ in of_result(folder):
             if calibration.covariance is None:
                 raise InputError("camera.no_covariance", camera=calibration.id, file=folder)
-            exif: dict[str, Any] = told.get(calibration.id, {}).get("exif", {})
+            exif: dict[str, Any] = reported.get(calibration.id, {}).get("exif", {})
             key = CameraKey(**exif)
             at = focal[len(settings)] if len(focal) > len(settings) else key.focal_mm
             if at is None:

@@ -1,4 +1,4 @@
-"""What is told of cameras, alike where photographs are oriented and where they are measured from nothing."""
+"""What is reported of cameras, alike where photographs are oriented and where they are measured from nothing."""
 
 from __future__ import annotations
 

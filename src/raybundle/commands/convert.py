@@ -76,7 +76,7 @@ class Converted:
     deviation_px: float
     """largest deviation of a camera from the given one, over the whole format"""
     state: str = ""
-    """why the result is not to be used yet; empty: nothing says so"""
+    """why the result is not to be used yet; empty: nothing states it"""
     unread: Mapping[str, int] = field(default_factory=dict[str, int])
     """number of elements of INPUT that its reader passed over, by kind"""
 

@@ -1,4 +1,4 @@
-"""What `raybundle sheet` draws: pictures, points and lines of one plane or map, with what its title block says."""
+"""What `raybundle sheet` draws: pictures, points and lines of one plane or map, with what its title block states."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ METRES = {"m": 1000.0, "mm": 1.0}
 VISIBLE_PX, BESIDE = 2.0, 5
 """Pixels from which on a point is seen to lie beside its image; points that are named then"""
 PROJECT_FILE, SECTIONS = "project.toml", ("orient", "calibrate")
-"""Where a project says in which language its reports are"""
+"""Where a project states in which language its reports are"""
 AIR = 0.05
 """Round points, as a share of their extent"""
 SAME = 1e-6
@@ -79,8 +79,8 @@ def drawn(s: DrawingSheetSettings, progress: Progress) -> tuple[Drawing, tuple[s
     remarks += more
     points, lines, known = _measured(s, export, where, planes)
     if s.lengths and export is not None:
-        told = length_words(folder, export.block)
-        lines = tuple(replace(n, words=told.get(n.name, "")) if n.kind == "distance" else n for n in lines)
+        words = length_words(folder, export.block)
+        lines = tuple(replace(n, words=words.get(n.name, "")) if n.kind == "distance" else n for n in lines)
     states = [p.state for p in planes] + ([] if export is None else [export.record.get(STATE, "")])
     doubts = tuple(w for w in dict.fromkeys(states) if w)
     low, high = _extent(s, pictures, points, lines, where)
@@ -164,7 +164,7 @@ def _of_picture(plane: PlaneFile, export: Export | None) -> tuple[_Where, tuple[
     if plane.system:
         return replace(_in_map(plane.system, plane.height), notes=_plane_notes(plane)), remarks
     if plane.unit not in METRES:
-        remarks = (*remarks, "the unit of the picture is not told; it is taken for metres")
+        remarks = (*remarks, "the unit of the picture is unknown; metres are assumed")
     where = _Where(
         axes=plane.axes, system="", unit=plane.unit or "m", millimetres=METRES.get(plane.unit, 1000.0),
         words=_plane_words(plane.axes_by), notes=_plane_notes(plane),
@@ -350,7 +350,7 @@ def _extent(
 
 
 def _record(s: DrawingSheetSettings, folder: Path | None) -> Record:
-    """What is said of the delivery: with the sheet, else with the result."""
+    """What is stated of the delivery: with the sheet, else with the result."""
     from raybundle.commands.record import known_record  # noqa: PLC0415  (needed only here)
     from raybundle.commands.sheet import record_of_sheet  # noqa: PLC0415  (which imports this)
 
@@ -361,7 +361,7 @@ def _fields(record: Record, where: _Where) -> tuple[Field, ...]:
     """The entries of the title block before scale, paper and number."""
     # of the photographs, where nobody wrote it: its numbers are in the language of the sheet
     instruments = record.instruments if " px, c = " in record.instruments else Said(record.instruments)
-    told: list[tuple[str, str, int]] = [
+    words: list[tuple[str, str, int]] = [
         ("object", Said("" if record.object == record.title else record.object), 1),
         ("place", Said(record.place), 1), ("reference", Said(record.reference), 1),
         ("client", Said(record.client), 1), ("operator", Said(record.operator), 1), ("date", record.date, 1),
@@ -369,5 +369,5 @@ def _fields(record: Record, where: _Where) -> tuple[Field, ...]:
         ("coordinates", where.words, 2),
     ]  # fmt: skip
     return tuple(
-        Field(label=phrase("drawing_sheet.field", name=label), text=text, span=span) for label, text, span in told
+        Field(label=phrase("drawing_sheet.field", name=label), text=text, span=span) for label, text, span in words
     )

@@ -31,8 +31,8 @@ def length_words(folder: Path | None, block: Block) -> dict[str, str]:
             f"{a} - {b}": _words(metres * length, metres * sigma)
             for (a, b), length, sigma in zip(ends, d.length.tolist(), d.sigma.tolist(), strict=True)
         }
-    told = read_json(folder / "result.json").value
-    sigma0 = told.get("sigma0") if isinstance(told, dict) else None
+    result = read_json(folder / "result.json").value
+    sigma0 = result.get("sigma0") if isinstance(result, dict) else None
     table = read_table(file, columns_of_table("distances"), least_rows=0, own=True)
     adjusted, sigma, r = table.numbers("adjusted", "sigma", "r").T
     known = sigma0 if isinstance(sigma0, int | float) else float("nan")
@@ -45,7 +45,7 @@ def length_words(folder: Path | None, block: Block) -> dict[str, str]:
 
 
 def _words(length: float, sigma: float) -> str:
-    """Of metres: as many digits as the standard deviation bears, which is told in millimetres."""
+    """Of metres: as many digits as the standard deviation bears, which is reported in millimetres."""
     if not sigma > 0 or not math.isfinite(sigma):
         return f"{length:.4f} m"
     digits = decimals_for(sigma, 6)

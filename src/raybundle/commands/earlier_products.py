@@ -21,9 +21,9 @@ POINTS = "points"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Earlier:
-    """What is to be told of products of earlier runs."""
+    """What is to be reported of products of earlier runs."""
 
-    told: tuple[str, ...]
+    reported: tuple[str, ...]
     """a line for each product"""
     others: Mapping[str, float | None]
     """files with more points, or fewer, than this run writes, by which length they are thinned; None: not at all"""
@@ -32,7 +32,7 @@ class Earlier:
 def settle_earlier(
     surface: Surface, out: Path, work: Path, wanted: Collection[str], thin: float | None, pages: Mapping[str, str]
 ) -> Earlier:  # fmt: skip
-    """Remove products of other points than these; those of the same points stay.  What is to be told of both.
+    """Remove products of other points than these; those of the same points stay.  What is to be reported of both.
 
     thin   by which length points are thinned now; None: all are written
     pages  files of all points that are no products, by the setting with which each is asked for
@@ -44,7 +44,7 @@ def settle_earlier(
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
 
     before, key, now = _written(work), _key(surface), _thinned(thin)
-    told, others = list[str](), dict[str, float | None]()
+    reported, others = list[str](), dict[str, float | None]()
     files = {name: (p.files, p.of_cloud) for name, p in PRODUCTS.items()} | {n: ((f,), True) for n, f in pages.items()}
     for name, (products, of_cloud) in sorted(files.items()):
         there = [out / f for f in products if (out / f).exists()]
@@ -55,7 +55,7 @@ def settle_earlier(
         if made_of == key:
             if of_cloud and length != now:
                 was = float(length) if length else None
-                told.append(
+                reported.append(
                     phrase(
                         "surface_remark.otherwise_thinned",
                         names=names,
@@ -66,13 +66,13 @@ def settle_earlier(
                 )
                 others |= dict.fromkeys(names, was)
             else:
-                told.append(phrase("surface_remark.earlier", names=names))
+                reported.append(phrase("surface_remark.earlier", names=names))
             continue
         for path in there:
             shutil.rmtree(path) if path.is_dir() else path.unlink()
-        told.append(phrase("surface_remark.removed", names=names, setting=name))
+        reported.append(phrase("surface_remark.removed", names=names, setting=name))
     _note(work, {name: k for name, k in before.items() if name not in {w or POINTS for w in wanted}})
-    return Earlier(told=tuple(told), others=others)
+    return Earlier(reported=tuple(reported), others=others)
 
 
 def note_written(surface: Surface, work: Path, written: Collection[str], thin: float | None, fingerprint: str) -> None:

@@ -66,7 +66,7 @@ LATENCY_MS = 0.5
 LEAST_OVERLAP = 2.0
 """Photographs that have to show a place"""
 MEGAPIXELS = 20.0
-"""Of a photograph where nothing says otherwise"""
+"""Of a photograph where nothing states otherwise"""
 
 
 def estimate_cost(photos: str | Path | None = None, *, progress: Progress = silent, **settings: Any) -> Estimate:

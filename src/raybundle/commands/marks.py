@@ -126,12 +126,12 @@ def transform_to_points(result: Adjustment | str | Path, out: str | Path, **give
             **{f"s{c}": STD for c in "XYZ"},
             **dict(zip(("cXY", "cXZ", "cYZ"), of_covariances(C), strict=True)),
         })  # fmt: skip
-        told = {
+        entry = {
             "origin": s.origin, "axis": s.axis, **({"level": s.level} if s.level else {"plane": s.plane}),
             "length_unit": adjustment.adjusted.length_unit,
             "rotation": moved.rotation.tolist(), "translation": moved.translation.tolist(),
         }  # fmt: skip
-        text = json.dumps(told, indent=1, ensure_ascii=False, allow_nan=False)
+        text = json.dumps(entry, indent=1, ensure_ascii=False, allow_nan=False)
         (folder / "transformation.json").write_text(text + "\n", encoding="utf-8")
     return out
 
@@ -260,7 +260,7 @@ def export_masks(folder: str | Path, out: str | Path) -> Exported:
     """Write the masks of a project as pictures that `orient` reads: those drawn, together with those it was given.
 
     out     a folder that is not there, or empty
-    raises  InputError where there is no mask, a photograph is not where the project says, or something stands at `out`
+    raises  InputError where there is no mask, a photograph is missing, or something stands at `out`
     """
     folder, out = _standing(folder), Path(out)
     check_free(out)
@@ -268,12 +268,12 @@ def export_masks(folder: str | Path, out: str | Path) -> Exported:
     photos = photographs_in(block, photographs_of(folder))
     written = write_masks(out, photos, drawn_by_file(block, marks(folder)), masks_given(folder))
     lost = len(block.images) - len(photos)
-    remark = f"{counted(lost, 'photograph')} not found where the project says: without masks"
+    remark = f"{counted(lost, 'photograph')} not found in the place that the project records: without masks"
     return Exported(files=(out,), remarks=(f"{counted(written, 'mask')} written", *((remark,) if lost else ())))
 
 
 def as_plain(state: State) -> dict[str, Any]:
-    """A state as JSON says it: lists of objects in place of pairs of names as keys."""
+    """A state as JSON states it: lists of objects in place of pairs of names as keys."""
     from dataclasses import asdict  # noqa: PLC0415
 
     return {

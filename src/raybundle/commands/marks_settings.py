@@ -61,7 +61,7 @@ class DatumSettings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RejectSettings:
-    """Which image observations are left out together, by what the last adjustment says of them; one of these."""
+    """Which image observations are left out together, by what the last adjustment states of them; one of these."""
 
     w: float | None = setting(
         None, "Reject observations with larger |w|, the normalised residual.", metavar="LIMIT", limits=NOT_NEGATIVE

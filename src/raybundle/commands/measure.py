@@ -114,7 +114,7 @@ class Measured:
     fit: BestFit | None
     lengths: LengthTest | None
     remarks: tuple[str, ...]
-    """What is told of bars, control, lengths, nominal points and photographs, beside what the adjustment tells"""
+    """What is reported of bars, control, lengths, nominal points and photographs, beside what the adjustment shows"""
     given: int
     """Photographs and files that were given"""
     left_out: tuple[tuple[str, str], ...] = ()
@@ -241,7 +241,7 @@ def _source(s: MeasureSettings, progress: Progress) -> _Source:
 
 
 def _adjusted(s: MeasureSettings, block: Block, progress: Progress) -> tuple[Adjustment, tuple[Notice, ...]]:
-    """The adjustment, and what is to be told beside it."""
+    """The adjustment, and what is to be reported beside it."""
     import numpy as np  # noqa: PLC0415
 
     from raybundle.adjustment.decide import decide  # noqa: PLC0415

@@ -47,7 +47,7 @@ def known_lengths(path: Path, unit: float) -> list[KnownLength]:
 def without_doubles(
     known: Sequence[KnownLength], kind: Literal["length", "scale_bar"]
 ) -> tuple[list[KnownLength], tuple[Notice, ...]]:
-    """Lengths of which each counts once, though one was given twice, its ends exchanged or not; and what is told."""
+    """Lengths, each once though it was given twice, its ends exchanged or not; and notices."""
     from raybundle.metrology.notices import given_twice  # noqa: PLC0415
 
     found: dict[tuple[frozenset[str], float], KnownLength] = {}

@@ -144,7 +144,7 @@ def bars_of(block: Block) -> frozenset[frozenset[str]]:
 
 
 def controlled(block: Block, path: Path, unit: float) -> tuple[Block, tuple[Notice, ...]]:
-    """A block with control and check points of a file, brought to their axes, and what is to be told.
+    """A block with control and check points of a file, brought to their axes, and what is to be reported.
 
     unit    metres of one unit of the file
     raises  InputError for fewer than three control points that were measured, or points in a line
@@ -194,18 +194,18 @@ def controlled(block: Block, path: Path, unit: float) -> tuple[Block, tuple[Noti
     off = float(np.sqrt((fit.residuals**2).sum() / max(3 * int(fits.sum()) - 7, 1)))
     assumed = np.ones(len(given.ids), bool) if given.stated is None else ~given.stated
     own, remarks = unit * given.sigma, list(given.remarks)
-    told: list[Notice] = [*control_wrong(found, path.name, names)]
+    reported: list[Notice] = [*control_wrong(found, path.name, names)]
     tolerances = [r for r in remarks if code_of(r) == "control_file.tolerance_unused"]
-    told += [tolerances_ignored(path.name)] if tolerances else []
+    reported += [tolerances_ignored(path.name)] if tolerances else []
     remarks = [r for r in remarks if r not in tolerances]
     if assumed[full].any() and off > CONTROL_M:
         own = np.where(assumed[:, None], off, own)
         remarks = [r for r in remarks if code_of(r) != "control_file.sigma_assumed"]
-        told.append(control_assumed(path.name, 1000 * off))
-    told += control_remarks(remarks)
+        reported.append(control_assumed(path.name, 1000 * off))
+    reported += control_remarks(remarks)
     out = {n for n, f in zip(names, fits.tolist(), strict=True) if not f}
-    told += control_lost([n for n in given.ids if n not in place])
-    return _with_control(block, given, unit, own, out), tuple(told)
+    reported += control_lost([n for n in given.ids if n not in place])
+    return _with_control(block, given, unit, own, out), tuple(reported)
 
 
 def _with_control(block: Block, given: ControlFile, unit: float, own: Array, out: Collection[str]) -> Block:

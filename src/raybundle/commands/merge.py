@@ -71,7 +71,7 @@ def run_merge(s: MergeSettings, progress: Progress = silent) -> Joined:
         read.append((replace(block, name=names[k]), raw))
     base = read[frame_of([b for b, _ in read])][0]
     placed = [in_frame_of(b, base) for b, _ in read]
-    blocks, called, told = _with_dots_alike([p.block for p in placed], names)
+    blocks, called, reported = _with_dots_alike([p.block for p in placed], names)
     members = [
         Member(name=name, block=block, source=b if raw else source, brought=p.by, called=c)
         for name, block, (b, raw), source, p, c in zip(names, blocks, read, s.sources, placed, called, strict=True)
@@ -81,9 +81,9 @@ def run_merge(s: MergeSettings, progress: Progress = silent) -> Joined:
     cautions = measured_once(blocks, names)
     write_block(done.block, s.out)
     progress("writing", 1.0)
-    brought = [p.told for p in placed if p.told is not None]
+    brought = [p.reported for p in placed if p.reported is not None]
     return replace(
-        done, remarks=(*done.remarks, *brought, *told, *remarks), cautions=(*done.cautions, *cautions, *more)
+        done, remarks=(*done.remarks, *brought, *reported, *remarks), cautions=(*done.cautions, *cautions, *more)
     )
 
 

@@ -39,7 +39,7 @@ class Member:
 
     @cached_property
     def as_free(self) -> Adjustment:
-        """Without what control says; raises InputError and NotSolvable."""
+        """Without what control states; raises InputError and NotSolvable."""
         from raybundle.measuring.session import adjusted_as_free  # noqa: PLC0415
 
         return adjusted_as_free(self.source)
@@ -176,7 +176,7 @@ def _other_unit(base: Member, member: Member, found: Between) -> Message:
 
 
 def check_cameras(base: Member, member: Member) -> list[Message]:
-    """Cautions where cameras that are said to be the same differ by more than chance.
+    """Cautions where cameras that are stated to be the same differ by more than chance.
 
     raises  InputError where a parameter differs by more than CONTRADICTS standard deviations, or held ones differ
     """

@@ -121,8 +121,8 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
         if s.points and not dots and not set(s.points) & set(found.given.points.ids):
             raise InputError("measurement.unknown_points", name=name, points=list(s.points))
         sets.append(point_set(found, name, () if dots else s.points))
-        if told := _faults(epoch):
-            faults[name] = told
+        if reported := _faults(epoch):
+            faults[name] = reported
     if s.free_scale:
         sets = [replace(e, free_scale=True) for e in sets]
     progress("testing", 0.9)
@@ -130,10 +130,10 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
     if s.points:
         sets = [e.rows([k for k, i in enumerate(e.ids) if i in set(s.points)]) for e in sets]
         _check_there(s.points, sets)
-    sets, told = comparable(sets, bars)
+    sets, reported = comparable(sets, bars)
     done = congruence(sets, significance=s.significance, datum=s.datum_points)
-    told = (*told, *most_moved(done), *others_as_well(done))
-    done = replace(done, told=told, by_place=tuple(i for i in by_place if i in set(done.ids)))
+    reported = (*reported, *most_moved(done), *others_as_well(done))
+    done = replace(done, reported=reported, by_place=tuple(i for i in by_place if i in set(done.ids)))
     fit = None
     if nominal is not None:
         if not s.by:
@@ -144,7 +144,7 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
         fit = fitted_to(sets[0], nominal, path, by=s.by)
         _check_axes(fit, path)
         done = done.in_axes(fit.transform, fit.turn)
-        done = replace(done, told=(*done.told, *axes_notices(fit, path.name, done.largest)))
+        done = replace(done, reported=(*done.reported, *axes_notices(fit, path.name, done.largest)))
     _write(s, done, fit, faults)
     return done
 
@@ -182,8 +182,8 @@ def faults_in(epochs: Sequence[Path]) -> dict[str, tuple[str, ...]]:
     from raybundle.io.folders import short_names  # noqa: PLC0415
     from raybundle.results.state import faults_of  # noqa: PLC0415
 
-    told = {name: faults_of(epoch) for name, epoch in zip(short_names(epochs), epochs, strict=True)}
-    return {name: messages for name, messages in told.items() if messages}
+    found = {name: faults_of(epoch) for name, epoch in zip(short_names(epochs), epochs, strict=True)}
+    return {name: messages for name, messages in found.items() if messages}
 
 
 def _faults(epoch: Adjustment | str | Path) -> tuple[str, ...]:
@@ -215,7 +215,7 @@ def _write(
     import numpy as np  # noqa: PLC0415
 
     from raybundle.io.digits import SHORT  # noqa: PLC0415
-    from raybundle.io.digits import told as in_digits  # noqa: PLC0415
+    from raybundle.io.digits import reported as in_digits  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
     from raybundle.results.contents import clean  # noqa: PLC0415
@@ -232,7 +232,7 @@ def _write(
         columns |= {f"sd{a}{tag}_mm": 1000 * std[j, :, k] for k, a in enumerate("XYZ")}
         columns[f"length{tag}_mm"] = 1000 * np.linalg.norm(done.displacement[j], axis=1)
     columns |= {"F": done.statistic, "p": done.p_value, "detectable_mm": 1000 * done.detectable}
-    told = {
+    found = {
         "epochs": done.epochs, "points": len(done.ids), "moved": [done.ids[k] for k in np.flatnonzero(done.moved)],
         "significance": done.significance, "limit_of_one_point": done.limit, "degrees_of_freedom": done.freedom,
         "scale_free": done.scale, "dots_by_place": list(done.by_place),
@@ -242,7 +242,7 @@ def _write(
             "scale": fit.misfit.factor, "did_not_fit": [fit.asked[k] for k in fit.misfit.wrong],
         },
         "may_have_moved_instead": [{"point": a.point, "other": a.other, "F": a.F, "p": a.p} for a in done.alternatives],
-        "warnings": [{"code": n.code, "severity": n.severity.value, "message": n.text} for n in done.told],
+        "warnings": [{"code": n.code, "severity": n.severity.value, "message": n.text} for n in done.reported],
         "record": record_of(s).as_mapping(),
         "not_to_be_used_yet": {name: list(messages) for name, messages in faults.items()},
         "all_points": {"F": done.before[0], "p": done.before[1]},
@@ -255,7 +255,9 @@ def _write(
     with new_folder(s.out) as folder:
         ordered = {n: v if isinstance(v, list) else v[order] for n, v in columns.items()}
         write_table(folder / "points.csv", ordered, _digits(ordered))
-        (folder / "moved.json").write_text(json.dumps(clean(in_digits(told, SHORT)), indent=1) + "\n", encoding="utf-8")
+        (folder / "moved.json").write_text(
+            json.dumps(clean(in_digits(found, SHORT)), indent=1) + "\n", encoding="utf-8"
+        )
         pages = [folder / name for name, asked in (("report.html", s.report), ("report.pdf", s.pdf)) if asked]
         if pages:
             from raybundle.report.moved import MovedFacts, axes_told, write_moved_report  # noqa: PLC0415  (Jinja2 only where it is used)

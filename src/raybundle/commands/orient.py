@@ -268,7 +268,7 @@ def accuracy_outcome(settings: OrientSettings, done: Orientation) -> Outcome | N
 
 
 def settings_asked(project: Path) -> OrientSettings:
-    """What the last run in a project folder was asked for, as its project.toml says; all stages from the first one.
+    """What the last run in a project folder was asked for, as its project.toml states; all stages from the first one.
 
     raises  InputError where the file is missing, damaged or holds what no setting can be
     """
@@ -290,7 +290,7 @@ def keep_settings(settings: OrientSettings) -> None:
 
     lines = ["# what the last run was asked for; `raybundle status` shows what it did", *toml_lines("orient", settings)]
     text = "\n".join(lines).encode("utf-8", "replace").decode()
-    project = Project.open(settings.out, store=settings.store or HERE)  # not as the last run was told
+    project = Project.open(settings.out, store=settings.store or HERE)  # not as the last run was reported
     try:
         project.write_settings(with_table(settings.out / "project.toml", "orient", text))
     finally:
@@ -343,7 +343,7 @@ def write_orientation(
 
 
 def facts_of(done: Orientation) -> PhotographFacts:
-    """What the report says of photographs and scenes; a scene is a photograph with a camera of its own."""
+    """What the report states of photographs and scenes; a scene is a photograph with a camera of its own."""
     from raybundle.commands.photograph_facts import photograph_facts  # noqa: PLC0415
     from raybundle.report.facts import PairFact, PhotoFact  # noqa: PLC0415
 

@@ -1,4 +1,4 @@
-"""What the report says of oriented photographs, taken from their orientation."""
+"""What the report states of oriented photographs, taken from their orientation."""
 
 from __future__ import annotations
 
@@ -73,5 +73,5 @@ def _camera(group: CameraGroup) -> CameraFact:
         source=group.source,
         c_px=group.c_mm / pixel,
         sigma_c_px=group.sigma_c_mm / pixel,
-        remarks=group.said,
+        remarks=group.stated,
     )

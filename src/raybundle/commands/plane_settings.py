@@ -65,14 +65,14 @@ def plane_in(
 ) -> tuple[Plane, tuple[str, ...]]:  # fmt: skip
     """The plane of a result that settings ask for, in its map where that is meant, and remarks.
 
-    source  the result folder: what its result.json says of the vertical, and its adjustment for the errors of points
+    source  the result folder: what its result.json states of the vertical, and its adjustment for the errors of points
     adjusted  gives the adjustment; None: the result's block is adjusted once more where that is needed
     """
     from raybundle.io.reading.trees import read_json  # noqa: PLC0415
     from raybundle.workflows.object_plane import plane_of  # noqa: PLC0415
 
-    told = source / "result.json"
-    about = read_json(told).value if told.is_file() else {}
+    reason = source / "result.json"
+    about = read_json(reason).value if reason.is_file() else {}
     asked = plane_asked(settings)
     plane = plane_of(
         export.block, asked, sigma=export.sigma, about=about if isinstance(about, dict) else {},
@@ -111,7 +111,7 @@ def _in_its_map(plane: Plane, export: Export, asked: PlaneAsked) -> tuple[Plane,
     if asked.has_axes:
         return plane, ("the picture has the axes that were asked for, and not those of the map",)
     if plan_system(frame.crs) is None:
-        told = "is no projected system; the picture is in the local plane of the block, east to the right"
-        return plane, (f"{system_name(frame.crs)} {told}",)
-    told = f"the picture lies in {system_name(frame.crs)}"
-    return in_map(plane, frame, 0.001 if export.block.length_unit == "mm" else 1.0), (told, *frame.remarks)
+        reason = "is no projected system; the picture is in the local plane of the block, east to the right"
+        return plane, (f"{system_name(frame.crs)} {reason}",)
+    reason = f"the picture lies in {system_name(frame.crs)}"
+    return in_map(plane, frame, 0.001 if export.block.length_unit == "mm" else 1.0), (reason, *frame.remarks)

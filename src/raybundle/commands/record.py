@@ -75,24 +75,24 @@ def record(project: str | Path, **entries: Any) -> Recorded:
 
 
 def run_record(settings: RecordSettings) -> Recorded:
-    """Write the entries that are given, and tell all."""
+    """Write the entries that are given, and show all."""
     from raybundle.results.recorded import read_recorded, recorded_text  # noqa: PLC0415
 
     folder = settings.project
     given = {n: checked(n, v) for n in NAMES if (v := getattr(settings, n)) is not None}
     _check_project(folder, begins=settings.new and any(given.values()))
-    told = record_in(folder)
+    reported = record_in(folder)
     result = folder / "result"
     _, known = read_recorded(result)
     if not given:
-        return Recorded(record=told, known=known)
-    told = Record(**{**told.as_mapping(), **given})
-    files = [_write(folder, told)]
+        return Recorded(record=reported, known=known)
+    reported = Record(**{**reported.as_mapping(), **given})
+    files = [_write(folder, reported)]
     if result.is_dir():
-        text = recorded_text(told.over(_of_run(folder)), known)
+        text = recorded_text(reported.over(_of_run(folder)), known)
         _replace(result / RECORD_FILE, text)
         files.append(result / RECORD_FILE)
-    return Recorded(record=told, known=known, files=tuple(files))
+    return Recorded(record=reported, known=known, files=tuple(files))
 
 
 def _check_project(folder: Path, *, begins: bool) -> None:
@@ -118,14 +118,14 @@ def _projects_like(folder: Path) -> list[Path]:
     return [folder.with_name(name) for name in get_close_matches(folder.name, names)]
 
 
-def _write(folder: Path, told: Record) -> Path:
+def _write(folder: Path, reported: Record) -> Path:
     from raybundle.pipeline.project import Project  # noqa: PLC0415
     from raybundle.pipeline.settings_file import with_entries  # noqa: PLC0415
 
     file = folder / "project.toml"
     project = Project.open(folder)
     try:
-        project.write_settings(with_entries(file, RECORD, told.as_mapping()))
+        project.write_settings(with_entries(file, RECORD, reported.as_mapping()))
     finally:
         project.close()
     return file
@@ -156,7 +156,7 @@ def _of_run(folder: Path) -> Record:
 
 
 def known_record(folder: Path) -> Record:
-    """What is said of a delivery: in its project, else with its result; dates and cameras from the photographs.
+    """What is stated of a delivery: in its project, else with its result; dates and cameras from the photographs.
 
     folder  a result folder, of a project or alone
     """
@@ -172,11 +172,11 @@ def known_record(folder: Path) -> Record:
     return own.over(Record(date=known.dates, instruments=cameras))
 
 
-def rows(told: Recorded) -> list[tuple[str, str, str]]:
-    """Entry, what it says, and "from the photographs" where nobody wrote it."""
+def rows(reported: Recorded) -> list[tuple[str, str, str]]:
+    """Entry, what it states, and "from the photographs" where nobody wrote it."""
     from raybundle.results.recorded import rows_of  # noqa: PLC0415
 
-    given = told.record.as_mapping()
+    given = reported.record.as_mapping()
     found = [(f.name, given[f.name], "") for f in fields(RecordSettings) if f.name in given]
-    by = [] if told.known is None else [(n, v, "from the photographs") for n, v in rows_of(told.known)]
+    by = [] if reported.known is None else [(n, v, "from the photographs") for n, v in rows_of(reported.known)]
     return [*found, *by]

@@ -73,7 +73,7 @@ class Rectification:
     unit: str = ""
     """empty: not known, or none"""
     state: str = ""
-    """why the result that it was made of is not to be used yet; empty: nothing says so"""
+    """why the result that it was made of is not to be used yet; empty: nothing states it"""
     remarks: tuple[str, ...] = ()
 
 
@@ -117,9 +117,9 @@ def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Recti
     head = {
         "left": grid.left, "top": grid.top, "pixel": grid.pixel, "width_px": grid.width, "height_px": grid.height,
     }  # fmt: skip
-    told = {**head, **about, "photographs": picture.shares}
+    reported = {**head, **about, "photographs": picture.shares}
     wkt = done.source.system.to_wkt() if isinstance(done.source, MapLevel) else ""
-    more = picture.write(s.out, left=grid.left, top=grid.top, pixel=grid.pixel, about=told, wkt=wkt, record=record)
+    more = picture.write(s.out, left=grid.left, top=grid.top, pixel=grid.pixel, about=reported, wkt=wkt, record=record)
     return replace(done, remarks=(*done.remarks, *more))
 
 
@@ -130,7 +130,7 @@ def _check_without(s: RectifySettings, names: tuple[str, ...], *, of_result: boo
 
 
 def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, Mapping[str, Any]]:
-    """The picture from all photographs of a result, and what NAME.toml says of its plane."""
+    """The picture from all photographs of a result, and what NAME.toml states of its plane."""
     import numpy as np  # noqa: PLC0415
 
     from raybundle.block.frames import in_file_frames  # noqa: PLC0415
@@ -158,7 +158,7 @@ def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, M
     folders = s.photos or photographs_of(result)
     if not folders:
         raise InputError("photograph.folder_unknown", file=s.source)
-    plane, told = plane_in(result, replace(export, block=block), s, progress)
+    plane, reported = plane_in(result, replace(export, block=block), s, progress)
     pixel = s.pixel or usual_pixel(block, plane)
     area = plane.extent if s.extent is None else np.array(s.extent)
     if isinstance(plane, MapLevel):
@@ -176,12 +176,14 @@ def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, M
     if export.frame is not None:
         about["frame"] = export.frame.as_mapping()
     about["stations"] = stations_of(export, tuple(picture.shares))
-    done = Rectification(picture=picture, grid=grid, source=plane, unit=unit, state=state, remarks=(*told, *remarks))
+    done = Rectification(
+        picture=picture, grid=grid, source=plane, unit=unit, state=state, remarks=(*reported, *remarks)
+    )
     return done, about
 
 
 def _about(plane: Plane, picture: Rectified) -> dict[str, Any]:
-    """What NAME.toml says of the plane."""
+    """What NAME.toml states of the plane."""
     slope, largest = picture.slope
     return {
         **plane.as_mapping(), "slope_rms": slope, "slope_largest": largest, "displacement_rms": slope * plane.rms,
@@ -189,7 +191,7 @@ def _about(plane: Plane, picture: Rectified) -> dict[str, Any]:
 
 
 def _of_photo(s: RectifySettings, control: Path) -> tuple[Rectification, Mapping[str, Any]]:
-    """The picture from one photograph, and what NAME.toml says of its transformation."""
+    """The picture from one photograph, and what NAME.toml states of its transformation."""
     import numpy as np  # noqa: PLC0415
 
     from raybundle.io.photos.photo import read_photo  # noqa: PLC0415

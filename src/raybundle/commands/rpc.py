@@ -55,7 +55,7 @@ class Projected:
     ground: Array
     """(n, 3) longitude, latitude [deg], ellipsoidal height [m]; NaN where the model has none"""
     notes: tuple[str, ...]
-    """what is to be said of a point, or nothing"""
+    """what is to be stated of a point, or nothing"""
     beyond: tuple[int, ...]
     """points outside the range for which the RPC was made"""
     lost: tuple[int, ...]
@@ -122,7 +122,9 @@ def _projected(
     from raybundle.scenes.rpc import NO_PLACE  # noqa: PLC0415
 
     if scene.rpc is not None and not s.to_ground and not (scene.rpc.ranges_away(rows) < NO_PLACE).any():
-        check_near(scene, scene.rpc, rows, ids)  # none of them: its message says more than a table without coordinates
+        check_near(
+            scene, scene.rpc, rows, ids
+        )  # none of them: its message states more than a table without coordinates
     found, why = _each(lambda part: _placed(scene, model, part, to_ground=s.to_ground), ids, rows, s.scene)
     ground, image = (found, rows[:, :2]) if s.to_ground else (rows, found)
     notes = ["" if e is None else str(e) for e in why]

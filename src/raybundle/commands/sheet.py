@@ -90,7 +90,7 @@ class DrawingSheet:
     lines: int
     remarks: tuple[str, ...] = ()
     state: str = ""
-    """why what is drawn is not to be used yet; empty: nothing says so"""
+    """why what is drawn is not to be used yet; empty: nothing states it"""
 
 
 def drawing_sheet(
@@ -173,7 +173,7 @@ def _lacking(drawing: Drawing) -> tuple[str, ...]:
 
 
 def _check(s: DrawingSheetSettings) -> None:
-    """Raise InputError for what can be told before anything is read."""
+    """Raise InputError for what can be determined before anything is read."""
     if not s.sources:
         raise InputError("drawing.no_source")
     if s.language:
@@ -198,6 +198,6 @@ def _check(s: DrawingSheetSettings) -> None:
 def record_of_sheet(s: DrawingSheetSettings, known: Record) -> Record:
     """The entries of the title block: those given, else those known."""
     names = {f.name for f in fields(Record)}
-    told = known.as_mapping()
+    entries = known.as_mapping()
     given = {f.name: getattr(s, f.name) for f in fields(s) if f.name in names and getattr(s, f.name)}
-    return Record(**{**told, **given})
+    return Record(**{**entries, **given})

@@ -113,14 +113,14 @@ def _begun(folder: Path, photos: Sequence[str | Path]) -> subprocess.Popen[str]:
 
 
 def _address(process: subprocess.Popen[str], folder: Path) -> str:
-    """The address that a studio prints; raises InputError with what it said where it ends before."""
+    """The address that a studio prints; raises InputError with what it stated where it ends before."""
     assert process.stdout is not None
-    said: list[str] = []
+    stated: list[str] = []
     for line in process.stdout:
-        said.append(line)
+        stated.append(line)
         if "http://" in line:
             return line[line.index("http://") :].strip()
     process.wait()
     process.stdout.close()
-    output = "".join(said).strip()
+    output = "".join(stated).strip()
     raise InputError("studio.not_started", folder=str(folder), status=process.returncode, n=len(output), detail=output)

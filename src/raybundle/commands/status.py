@@ -45,7 +45,7 @@ class Status:
     written: bool = False
     """whether all that the last run of a surface was asked for stands beside that folder"""
     outgrown: str = ""
-    """that the result was adjusted again since a surface was measured of it, in words; empty: nothing says so"""
+    """that the result was adjusted again since a surface was measured of it, in words; empty: nothing states it"""
     surface: Status | None = None
     """of the dense points that were measured of it"""
 
@@ -73,7 +73,7 @@ def status_of(folder: Path) -> Status:
     if (left or beside) and not (project / "project.db").is_file():
         return Status(stages={}, left=left, surface=beside)
     store = store_given(project)
-    opened = Project.open(project, create=False, store=HERE)  # where products lie is told, not looked at
+    opened = Project.open(project, create=False, store=HERE)  # where products lie is reported, not looked at
     try:
         records = {r.name: r for r in opened.stages()}
     finally:

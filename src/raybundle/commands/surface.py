@@ -104,7 +104,7 @@ class MeasuredSurface:
     unit: str
     """of coordinates and standard deviations; empty: the scale is free"""
     pages: SurfacePages
-    """what was written for people, and what it says of the points and of the adjustment that they rest on"""
+    """what was written for people, and what it states of the points and of the adjustment that they rest on"""
 
     @property
     def median_sigma(self) -> float:
@@ -180,7 +180,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     wanted = frozenset(name for name in PRODUCTS if not name or getattr(s, name) not in (None, False))
     _check_out(out)
     _check_needed(wanted, pdf=s.pdf)
-    language_of(s.language, [])  # one that there is not is told before anything is measured
+    language_of(s.language, [])  # one that there is not is reported before anything is measured
     check_cluster(s.cluster)
     adjusted = cache(lambda: adjusted_again(result, progress))  # once for all that needs it
     grids, region = _grid_of(s, result, export, adjusted, progress)
@@ -237,7 +237,7 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
     from raybundle.workflows.surface_thinning import thinned  # noqa: PLC0415
 
     s, out, wanted = a.settings, a.out, a.wanted
-    # of what was adjusted, not of what a folder says
+    # of what was adjusted, not of what a folder states
     export = replace(a.export, block=replace(a.export.block, free_scale=done.free_scale))
     unit = "" if done.free_scale else export.block.length_unit
     try:
@@ -251,11 +251,11 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
         written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
         note_written(done, out / WORK, wanted, s.thin, a.fingerprint)
         remarks = (
-            *outside_told(done, a.grids), *heights_told(a.grids.told, export), *done.remarks,
-            *mended_words(mended | done.store.mended), *earlier.told,
+            *outside_told(done, a.grids), *heights_told(a.grids.reported, export), *done.remarks,
+            *mended_words(mended | done.store.mended), *earlier.reported,
         )  # fmt: skip
-        told = (done.others, *remarks) if done.others else remarks
-        pages = write_pages(done, a.result, out, context, told, s, earlier.others, a.progress)
+        reported = (done.others, *remarks) if done.others else remarks
+        pages = write_pages(done, a.result, out, context, reported, s, earlier.others, a.progress)
         if s.pdf:
             note_written(done, out / WORK, {"pdf"}, s.thin, a.fingerprint)
     finally:
@@ -305,15 +305,15 @@ def _grid_of(
         return Grids(), None
     in_map = export.frame is not None and plan_system(export.frame.crs) is not None
     level = in_map and not (set(OF_PLANE) & set(other_than_usual(s)))
-    plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress, adjusted)
+    plane, remarks = plane_in(result, export, replace(s, horizontal=True) if level else s, progress, adjusted)
     region = _region_in(s, export.block, plane) if part else None
     if isinstance(plane, MapLevel) and region is not None:
         check_area(plane, region.extent, setting="region" if s.region else "extent")
     if not gridded:
-        return Grids(told=told), region
+        return Grids(reported=remarks), region
     grids = grids_over(
         export.block, plane, None if region is None else region.extent, density=int(s.density), heights=s.dsm,
-        orthophoto=s.ortho, mesh=s.mesh, told=told,
+        orthophoto=s.ortho, mesh=s.mesh, reported=remarks,
     )  # fmt: skip
     return grids, region
 
@@ -337,7 +337,7 @@ def _keep_settings(settings: SurfaceSettings, work: Path) -> None:
 
     lines = ["# what the last run was asked for", *toml_lines("surface", settings)]
     text = "\n".join(lines).encode("utf-8", "replace").decode()
-    project = Project.open(work, store=settings.store or HERE)  # not as the last run was told
+    project = Project.open(work, store=settings.store or HERE)  # not as the last run was reported
     try:
         project.write_settings(with_table(work / "project.toml", "surface", text))
     finally:

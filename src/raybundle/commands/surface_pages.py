@@ -27,12 +27,12 @@ OF_ALL = (
     "coordinate_system", "datum_lost", "relative_control", "calibration_contradicted", "systematic_residuals",
     "residual_structure", "noise_in_parts", "errors_independent",
 )  # fmt: skip
-"""Cautions about all points alike, which are told before those about single marks and photographs"""
+"""Cautions about all points alike, which are reported before those about single marks and photographs"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SurfacePages:
-    """What was written for people, and what it says."""
+    """What was written for people, and what it states."""
 
     files: tuple[Path, ...]
     summary: SurfaceSummary
@@ -49,7 +49,7 @@ def write_pages(
     """Write them.
 
     result   folder of the result that was measured: its notices, its record and its system are those of the points
-    remarks  what was said while the surface was measured
+    remarks  what was stated while the surface was measured
     others   files of earlier runs with more points, or fewer, by which length they are thinned; None: not at all
     """
     from raybundle.adjustment.result import as_told  # noqa: PLC0415
@@ -79,11 +79,11 @@ def write_pages(
     title = given or language_of(settings.language, [name]).text(phrase("report_surface.title", name=name))
     cloud = sample_of(done) if len(done) else None
     write_network_page(done.adjustment, out / IN_3D, title=title, language=settings.language, cloud=cloud)
-    told = as_told(n for n in rests.view.adjustment.notices if n.severity is not Severity.NOTE)
+    faults = as_told(n for n in rests.view.adjustment.notices if n.severity is not Severity.NOTE)
     rank = {code: k for k, code in enumerate(OF_ALL)}
-    told.sort(key=lambda n: (n.severity is not Severity.FAULT, rank.get(n.code, len(OF_ALL))))
+    faults.sort(key=lambda n: (n.severity is not Severity.FAULT, rank.get(n.code, len(OF_ALL))))
     return SurfacePages(
-        files=(*pages, out / IN_3D), summary=summary, verdict=verdict_sentence(rests), warnings=tuple(told)
+        files=(*pages, out / IN_3D), summary=summary, verdict=verdict_sentence(rests), warnings=tuple(faults)
     )
 
 
@@ -108,19 +108,19 @@ def _occasion(done: Surface, result: Path, context: Context, settings: SurfaceSe
     delivery = delivery_of(adjustment, frame=context.export.frame, record=record, outcomes=lost)
     view = view_of(adjustment, delivery.accuracy)
     language = language_of(settings.language, names_of(adjustment, None, delivery))
-    return Occasion(view=view, told=verdict(view), delivery=delivery, language=language)
+    return Occasion(view=view, reported=verdict(view), delivery=delivery, language=language)
 
 
-def heights_told(told: tuple[str, ...], export: Export) -> tuple[str, ...]:
-    """What is told of a plane, without what heights count from where they count from nothing that was measured."""
+def heights_told(faults: tuple[str, ...], export: Export) -> tuple[str, ...]:
+    """What is reported of a plane, without what heights count from where they count from nothing that was measured."""
     from raybundle.io.geo.parsed_systems import system_name  # noqa: PLC0415
     from raybundle.results.record import STATE  # noqa: PLC0415
     from raybundle.results.state import relative_heights  # noqa: PLC0415
 
     if export.frame is None or not relative_heights(export.record.get(STATE, "")):
-        return told
+        return faults
     relative = phrase("surface_remark.heights_relative", system=system_name(export.frame.crs))
-    return (*(t for t in told if t not in export.frame.remarks), relative)
+    return (*(t for t in faults if t not in export.frame.remarks), relative)
 
 
 def outside_told(done: Surface, grids: Grids) -> tuple[str, ...]:

@@ -92,10 +92,10 @@ def detect_all(
     options: MarkOptions,
     pictures: Path | None,
     threads: int,
-    tell: Progress,
+    notify: Progress,
 ) -> tuple[list[tuple[str, Marks]], list[tuple[Path, str]]]:
     """Names and points of the photographs, and files left out with the reason."""
-    photos = find_photos(inputs, progress=tell)
+    photos = find_photos(inputs, progress=notify)
     refused = list(photos.refused)
     if pictures is not None:
         check_free(pictures)
@@ -117,7 +117,7 @@ def detect_all(
     results: list[tuple[str, Marks]] = []
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
         for k, (photo, found) in enumerate(zip(photos.photos, pool.map(one, photos.photos), strict=True), start=1):
-            tell("targets", k / len(photos.photos))
+            notify("targets", k / len(photos.photos))
             if isinstance(found, str):
                 refused.append((photo.path, found))
             else:

@@ -59,7 +59,7 @@ class SchedulerSettings:
 
 
 def run_worker(
-    settings: WorkerSettings, project: str | None, told: Callable[[str], None], progress: Progress = silent
+    settings: WorkerSettings, project: str | None, notify: Callable[[str], None], progress: Progress = silent
 ) -> ShardDone | None:
     """Work for a cluster until interrupted (None), or do a share of the tasks in a project."""
     if bool(settings.cluster) == bool(settings.shard):
@@ -69,7 +69,7 @@ def run_worker(
 
         if project is not None:
             raise InputError("worker.project_of_cluster", project=project)
-        on_dask("dask_machines").work(settings.cluster, settings.jobs, told)
+        on_dask("dask_machines").work(settings.cluster, settings.jobs, notify)
         return None
     from raybundle.pipeline.shards import do_shard  # noqa: PLC0415
 
@@ -84,7 +84,7 @@ def run_worker(
 
 
 def store_of(project: Path, given: str, apart: Sequence[Path]) -> str:
-    """Where the products of a run lie: as is said, or as the last run in its project was told.
+    """Where the products of a run lie: as is stated, or as the last run in its project was reported.
 
     apart   what the run reads
     raises  InputError where they cannot lie there
@@ -124,8 +124,8 @@ def _share(text: str) -> tuple[int, int]:
     raise InputError("worker.shard_form", share=text)
 
 
-def run_scheduler(settings: SchedulerSettings, folder: Path, told: Callable[[str], None]) -> None:
+def run_scheduler(settings: SchedulerSettings, folder: Path, notify: Callable[[str], None]) -> None:
     """Be the scheduler of a cluster until interrupted; its folder gets certificates where it has none."""
     from raybundle.pipeline.choosing import on_dask  # noqa: PLC0415
 
-    on_dask("dask_machines").schedule(folder, settings.host, settings.port, told)
+    on_dask("dask_machines").schedule(folder, settings.host, settings.port, notify)

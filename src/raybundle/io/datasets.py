@@ -164,16 +164,16 @@ def _digest(path: Path) -> str:
         return hashlib.file_digest(opened, "sha256").hexdigest()
 
 
-def _fetch_file(wanted: Dataset, file: SetFile, target: Path, tell: Any) -> None:
+def _fetch_file(wanted: Dataset, file: SetFile, target: Path, notify: Any) -> None:
     """One file, continued where an earlier run stopped, and once more from its beginning where that does not fit."""
     part = target.with_name(f"{target.name}.part")
     address = wanted.base + quote(file.path)
     continued = part.exists() and 0 < part.stat().st_size <= file.size
     if continued:
-        _receive(address, part, file.size, tell)
+        _receive(address, part, file.size, notify)
     if not continued or not _is_right(part, file):
         part.unlink(missing_ok=True)
-        _receive(address, part, file.size, tell)
+        _receive(address, part, file.size, notify)
     if not _is_right(part, file):
         found, size = _digest(part), part.stat().st_size
         part.unlink()
@@ -184,7 +184,7 @@ def _fetch_file(wanted: Dataset, file: SetFile, target: Path, tell: Any) -> None
     part.replace(target)
 
 
-def _receive(address: str, part: Path, size: int, tell: Any) -> None:
+def _receive(address: str, part: Path, size: int, notify: Any) -> None:
     """Append to `part` what of the address is missing, never more than `size` bytes and one."""
     have = part.stat().st_size if part.exists() else 0
     if have == size:
@@ -206,7 +206,7 @@ def _receive(address: str, part: Path, size: int, tell: Any) -> None:
                     break
                 file.write(data)
                 have += len(data)
-                tell(have)
+                notify(have)
     if have < size:
         raise InputError("dataset.connection_ended", received_bytes=have, size_bytes=size, file=address)
 

@@ -203,12 +203,12 @@ def one(value: float, digits: Digits) -> float:
     return float(digits.of(np.array([value], float))[0])
 
 
-def told(value: Any, digits: Digits = SHARE) -> Any:
-    """A nested value as files of figures tell it: all its numbers that are not whole rounded."""
+def reported(value: Any, digits: Digits = SHARE) -> Any:
+    """A nested value as files of figures show it: all its numbers that are not whole rounded."""
     if isinstance(value, Mapping):
-        return {k: told(v, digits) for k, v in cast("Mapping[Any, Any]", value).items()}
+        return {k: reported(v, digits) for k, v in cast("Mapping[Any, Any]", value).items()}
     if isinstance(value, list | tuple):
-        return [told(v, digits) for v in cast("Sequence[Any]", value)]
+        return [reported(v, digits) for v in cast("Sequence[Any]", value)]
     return one(float(cast("float", value)), digits) if isinstance(value, float | np.floating) else value
 
 

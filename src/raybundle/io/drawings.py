@@ -27,7 +27,7 @@ COLOURS = (7, 8, 5, 1, 3)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Drawn:
-    """A line or an area with what is told of it."""
+    """A line or an area with what is reported of it."""
 
     kind: Literal["line", "area"]
     rings: tuple[Array, ...]
@@ -80,7 +80,7 @@ def write_dxf(path: Path, drawn: Sequence[Drawn], labels: Sequence[Label], unit:
 
 
 def write_geojson(path: Path, drawn: Sequence[Drawn], wkt: str) -> None:
-    """RFC 7946: longitude and latitude of a map; coordinates of a plane of the object as they are, which it says."""
+    """RFC 7946: longitude and latitude of a map; coordinates of a plane of the object as they are, which it states."""
     features = [
         {
             "type": "Feature", "properties": dict(d.fields),
@@ -93,10 +93,10 @@ def write_geojson(path: Path, drawn: Sequence[Drawn], wkt: str) -> None:
         }
         for d in drawn
     ]  # fmt: skip
-    told: dict[str, Any] = {"type": "FeatureCollection", "features": features}
+    collection: dict[str, Any] = {"type": "FeatureCollection", "features": features}
     if not wkt:
-        told["coordinates"] = "of a plane of the object: right, up, height above it; no longitude and latitude"
-    path.write_text(json.dumps(told) + "\n", encoding="utf-8")
+        collection["coordinates"] = "of a plane of the object: right, up, height above it; no longitude and latitude"
+    path.write_text(json.dumps(collection) + "\n", encoding="utf-8")
 
 
 def _in_degrees(ring: Array, wkt: str) -> list[list[float]]:

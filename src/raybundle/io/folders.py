@@ -241,7 +241,7 @@ def _left(parent: Path, ours: re.Pattern[str]) -> Iterator[Path]:
 def names_in(folder: Path) -> set[str]:
     """What stands in a folder, by name, without what writers of this program, that were killed or work now, have begun.
 
-    Who looks for what is not of this program takes the folder as this says.
+    Who looks for what is not of this program takes the folder as this states.
     """
     return {e.name for e in folder.iterdir() if not (_ANY_SIBLING.fullmatch(e.name) and e.is_dir())}
 

@@ -137,7 +137,7 @@ def groups(path: Path, present_in: Callable[[Sequence[str]], list[Column]]) -> I
 
 
 def rows_in(path: Path) -> int:
-    """How many rows the file says that it holds; raises InputError for what is no such file."""
+    """How many rows the file states that it holds; raises InputError for what is no such file."""
     with _opened(path) as (_, _, file):
         return int(file.metadata.num_rows)
 
@@ -206,7 +206,7 @@ def _footer(raw: BinaryIO) -> bytes:
 
 
 def _check_group(path: Path, raw: BinaryIO, rows: int, chunks: Sequence[Chunk]) -> None:
-    """Raise where a group of rows would unfold to more than a table's does, or to more than it says."""
+    """Raise where a group of rows would unfold to more than a table's does, or to more than it states."""
     unpacked = 0
     for chunk in chunks:
         for page in pages(raw, chunk.begin, chunk.length):

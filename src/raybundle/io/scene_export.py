@@ -33,8 +33,8 @@ def scene_images(block: Block) -> Mask:
 def write_rpcs(export: Export, folder: Path) -> tuple[tuple[Path, ...], tuple[str, ...]]:
     """NAME_RPC.TXT of every scene with its estimated bias built in; the files, and how well new RPCs fit.
 
-    A shift goes into the offsets, exactly; drift, affine and rigorous models need a new fit, whose misfit is told.
-    ERR_BIAS and ERR_RAND are those of the adjusted bias, where a result tells its covariance.
+    A shift goes into the offsets, exactly; drift, affine and rigorous models need a new fit, whose misfit is reported.
+    ERR_BIAS and ERR_RAND are those of the adjusted bias, where a result shows its covariance.
     raises  InputError where the block has no scene
     """
     block = export.block

@@ -23,7 +23,7 @@ SUFFIXES = (".csv", ".parquet")
 def table_file(folder: Path, name: str) -> Path:
     """The file in which a table stands; NAME.csv where it stands in none.
 
-    raises  InputError where both are there: nothing says which of them is meant
+    raises  InputError where both are there: nothing states which of them is meant
     """
     csv, parquet = (folder / f"{name}{suffix}" for suffix in SUFFIXES)
     if not stands(parquet):

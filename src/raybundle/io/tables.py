@@ -69,7 +69,7 @@ def read_table(
 ) -> Table:
     """The table in a Parquet file, or in a CSV file as raybundle or a spreadsheet of any country writes it.
 
-    The header tells what separates the cells: commas, semicolons or tabs.  With the latter two the decimal sign may be
+    The header shows what separates the cells: commas, semicolons or tabs.  With the latter two the decimal sign may be
     a comma (`raybundle.io.reading.dialects`), and a file that is not UTF-8 is Windows-1252.
 
     own     as raybundle writes it and no other way: cells separated by commas, decimal points, UTF-8
@@ -101,7 +101,7 @@ def _read_plain(path: Path, columns: Sequence[Column], unique: tuple[str, ...]) 
     try:
         present = _check_header(path, header.decode().removesuffix("\r"), columns)
     except (InputError, UnicodeDecodeError):
-        return None  # which the other way tells, with all that there is to it
+        return None  # which the other way shows, with all that there is to it
     pair = [k for k, c in enumerate(present) if c.name in unique]
     reader = module.Columns([c.kind == "number" for c in present])
     for piece in chain((rest,), (data for data, _ in pieces)):
@@ -191,7 +191,7 @@ def _read_parquet(path: Path, columns: Sequence[Column], unique: tuple[str, ...]
 
 
 def table_pieces(path: Path, columns: Sequence[Column]) -> Iterator[Table]:
-    """The table in a Parquet file, a group of rows at a time; `first_line` says where in the table each begins.
+    """The table in a Parquet file, a group of rows at a time; `first_line` states where in the table each begins.
 
     Limits: whether a pair of references stands twice.
     """
@@ -442,7 +442,7 @@ def write_table(
         raise ValueError(f"columns of {sorted(rows)} rows in {path.name}")
     rules = digits if isinstance(digits, Mapping) else dict.fromkeys(columns, digits)
     if without := [name for name, c in columns.items() if isinstance(c, np.ndarray) and name not in rules]:
-        raise ValueError(f"nothing says with how many digits {', '.join(without)} of {path.name} are written")
+        raise ValueError(f"the number of digits is unknown with which {', '.join(without)} of {path.name} are written")
     if path.suffix == PARQUET:
         write_parquet(path, columns, rules)
         return

@@ -12,7 +12,7 @@ PLACES = {
     "cache": ("Caches", "XDG_CACHE_HOME", ".cache"),
     "config": ("Application Support", "XDG_CONFIG_HOME", ".config"),
 }
-"""On macOS, below Library; elsewhere a variable, and the folder below the user's where it says nothing"""
+"""On macOS, below Library; elsewhere a variable, and the folder below the user's where it states nothing"""
 
 
 def user_folder(what: Literal["data", "cache", "config"]) -> Path:

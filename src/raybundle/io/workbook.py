@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 ROWS = 1_048_576
 """Of a sheet, its header included."""
 WIDEST, SAMPLE = 40, 200
-"""Width of a column at most, in characters, and rows by which it is told."""
+"""Width of a column at most, in characters, and rows by which it is reported."""
 NAMES = re.compile(r"^(point|image|camera|name|from|to|target|id|start|end|group|model|file|kind|what)$")
 """Columns of names, in which 007 is no number."""
 

@@ -23,7 +23,7 @@ PARTS = 3
 NOISE_SIGMA_PX = 0.6
 """White noise after the smoothing of `smoothed` and `halved` correlates as exp(-d^2 / (4 sigma^2)) at a distance d."""
 LEAST_SHARE = 0.2
-"""Share of the gradients' information below which it is not told from noise: the variance is 25 times the naive one."""
+"""Share of the gradients' information below which it may be noise: the variance is 25 times the naive one."""
 
 
 class Outcome(IntEnum):
@@ -84,7 +84,7 @@ def match_windows(
     xy_reference, xy_start (n, 2) pixel frame
     affine_start           (n, 2, 2) target_from_reference
 
-    What the covariance does not tell: gradients of the reference hold noise, too (`with_noisy_gradients`); grey values
+    What the covariance does not show: gradients of the reference hold noise, too (`with_noisy_gradients`); grey values
     of neighbouring pixels are correlated, and a surface that is not plane within the window moves the result; variance
     components of the block decide how much is to be added.
     """

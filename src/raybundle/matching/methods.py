@@ -15,7 +15,7 @@ BUILT_IN = ("rootsift", "xfeat", "disk")
 def feature_method(name: str) -> FeatureMethod:
     """The method of this name, also one that works on reduced copies.
 
-    raises  InputError that lists the known ones, or says what to install for this one
+    raises  InputError that lists the known ones, or states what to install for this one
     """
     if name.endswith(SUFFIX):
         return Reduced(feature_method(name.removesuffix(SUFFIX)))

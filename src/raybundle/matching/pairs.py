@@ -1,7 +1,7 @@
 """Which image pairs are worth matching: all of a small set, the likely ones of a large set, in rounds.
 
 Pairs are rows (i, j), i < j, of one array.  Likely ones come from signatures, places and the sequence, and are ordered
-by how many features of wide surroundings two images share.  What has been matched tells where to go on: images with
+by how many features of wide surroundings two images share.  What has been matched shows where to go on: images with
 verified neighbours in common, and parts that do not yet hang together.
 """
 

@@ -1,4 +1,4 @@
-"""Features of photographs that tell nothing at the size of their pixels: soft, noisy or heavily compressed ones."""
+"""Features of photographs that show nothing at the size of their pixels: soft, noisy or heavily compressed ones."""
 
 from __future__ import annotations
 

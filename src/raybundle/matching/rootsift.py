@@ -21,7 +21,7 @@ values, and the multiple of it from which a feature is more than noise (one fals
 HALF = 128.0
 """Grey levels; the limit of contrast is meant for photographs that use more of their 255."""
 NOISE_SAMPLE = 300_000
-"""Pixels, in whole rows, that tell the noise of a photograph"""
+"""Pixels, in whole rows, that show the noise of a photograph"""
 QUANTISED = 0.29
 """Standard deviation of the rounding to grey levels, below which no photograph has noise."""
 EDGE = 10.0

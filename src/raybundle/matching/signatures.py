@@ -78,7 +78,7 @@ def signature(vectors: Array, words: Array) -> Array:
     The sums of each word have unit length, and of every component the root is taken, so that what repeats in one
     photograph does not outweigh the rest (VLAD, Jégou et al. 2010; Arandjelović and Zisserman 2013).
 
-    What the product of two signatures does not tell: whether the same things stand in the same order.
+    What the product of two signatures does not show: whether the same things stand in the same order.
     """
     total = np.zeros(words.shape, np.float64)
     if len(vectors):

@@ -93,7 +93,7 @@ def verify(
     if _is_watermark(p, q, size1, size2, general):
         return result(general, "watermark", share)
     if share > 0.85:
-        # a plane or a turn of the camera: the homography says more than an epipolar geometry it does not determine
+        # a plane or a turn of the camera: the homography states more than an epipolar geometry it does not determine
         apart = np.linalg.norm((p - half1) - (q - half2), axis=1)[planar]
         off = _homography_distance(np.asarray(H), p - half1, q - half2)
         wrong = _homography_distance(np.asarray(H), *_at_random(xy1 - half1, xy2 - half2))
@@ -138,7 +138,7 @@ def beyond_chance(pairs: Sequence[VerifiedPair]) -> list[VerifiedPair]:
 
 
 RANDOM = 4000
-"""Random pairs of features that tell what share of wrong matches a geometry explains: where features crowd more."""
+"""Random pairs of features that show what share of wrong matches a geometry explains: where features crowd more."""
 
 
 def _at_random(xy1: Array, xy2: Array) -> tuple[Array, Array]:

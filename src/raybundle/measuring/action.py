@@ -23,7 +23,7 @@ class Action(ABC):
 
     @property
     def arguments(self) -> dict[str, Any]:
-        """As JSON says them."""
+        """As JSON states them."""
         return asdict(self)
 
     def settled(self, state: State, known: Known) -> Action:

@@ -44,7 +44,7 @@ from raybundle.measuring.state import (
 )
 
 LEAST: Mapping[LineKind, int] = {"straight": 3, "plumb": 2, "level": 2, "plane": 4}
-"""Points from which on a figure says something."""
+"""Points from which on a figure states something."""
 
 LEAST_RATIO = 3
 """Of a measured length to its standard deviation: below, a length of nothing is within three of them."""
@@ -134,7 +134,7 @@ class Point(Action):
         return self
 
     def apply(self, draft: Draft) -> None:
-        draft.points[self.point] = MeasuredPoint(role=self.role, xyz=self.xyz, sigma=self.sigma, told=True)
+        draft.points[self.point] = MeasuredPoint(role=self.role, xyz=self.xyz, sigma=self.sigma, reported=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -277,7 +277,7 @@ class SetLine(Action):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SetDatum(Action):
-    """The coordinate system by three points, or by two where levels or plumb lines tell the vertical.
+    """The coordinate system by three points, or by two where levels or plumb lines show the vertical.
 
     All empty: as the block has it.
     """

@@ -1,4 +1,4 @@
-"""Axes by points: an origin, a direction, and a plane or what tells the vertical."""
+"""Axes by points: an origin, a direction, and a plane or what shows the vertical."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ IN_LINE = 1e-3
 BY_POINTS = ((0, 1, 2), (1, 2), (2,))
 """Coordinates that are 0 by definition: of the origin, the axis point and the plane point."""
 BY_VERTICAL = ((0, 1, 2), (1,))
-"""The same of origin and axis point where something else tells the vertical."""
+"""The same of origin and axis point where something else shows the vertical."""
 
 Turn = Callable[[Array], Array]
 """Rotation (3, 3) into the axes of points (k, 3)."""
@@ -46,7 +46,7 @@ def by_level(xyz: Array, up: Array) -> Array:
 
 
 def vertical(levels: Sequence[Array], plumb_lines: Sequence[Array], up: Array) -> Array:
-    """Unit vector that points (k, 3) at levels and on plumb lines tell, of what is left open nearest to `up`."""
+    """Unit vector that points (k, 3) at levels and on plumb lines show, of what is left open nearest to `up`."""
     M = np.zeros((3, 3))
     for xyz in levels:
         r = xyz - xyz.mean(axis=0)

@@ -56,7 +56,7 @@ class GiveControl(Action):
 
     def apply(self, draft: Draft) -> None:
         for p in self.points:
-            draft.points[p.point] = MeasuredPoint(role=p.role, xyz=p.xyz, sigma=p.sigma, told=True)
+            draft.points[p.point] = MeasuredPoint(role=p.role, xyz=p.xyz, sigma=p.sigma, reported=True)
 
 
 def control_of(path: str | Path) -> tuple[GiveControl, tuple[str, ...]]:
@@ -65,7 +65,7 @@ def control_of(path: str | Path) -> tuple[GiveControl, tuple[str, ...]]:
 
 
 def control_of_text(text: str, file: str) -> tuple[GiveControl, tuple[str, ...]]:
-    """The same of a table's text; points are control unless their row says otherwise.
+    """The same of a table's text; points are control unless their row states otherwise.
 
     file    what the table is called
     raises  InputError that names line and column

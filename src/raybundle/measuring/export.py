@@ -29,7 +29,7 @@ READ_AS_PX = 0.5
 def write_csv(state: State, path: str | Path, known: Known) -> tuple[Path, Path]:
     """Points as a CSV, and beside it NAME-measurements.csv, as `control` of orient reads both.
 
-    What it does not hold is told by `lost_in_csv`; a block holds all.
+    What it does not hold is given by `lost_in_csv`; a block holds all.
     """
     path = Path(path)
     if path.suffix.lower() != ".csv":
@@ -66,7 +66,7 @@ def write_gcp_list(state: State, path: str | Path, known: Known, crs: str) -> Pa
 
     crs     the coordinate system that their coordinates are in: EPSG:32611, WGS84 UTM 11N, a PROJ string
     raises  InputError for names that the format cannot hold, and where there is nothing to write
-    What it does not hold is told by `lost_in_gcp_list`; a block holds all.
+    What it does not hold is given by `lost_in_gcp_list`; a block holds all.
     """
     path = Path(path)
     parse_crs(crs)
@@ -127,10 +127,10 @@ def _beside_points(state: State) -> list[tuple[int, str]]:
 
 
 def _lost(things: Sequence[tuple[int, str]], where: str) -> tuple[str, ...]:
-    told = [
+    rows = [
         what if what.startswith(("standard", "role", "coordinate")) else counted(n, what) for n, what in things if n
     ]
-    return (f"{where} does not hold: {', '.join(told)}; a block folder holds all",) if told else ()
+    return (f"{where} does not hold: {', '.join(rows)}; a block folder holds all",) if rows else ()
 
 
 def _files(known: Known) -> dict[str, str]:

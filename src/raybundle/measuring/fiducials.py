@@ -18,7 +18,7 @@ from raybundle.numerics.arrays import Array
 Part = Callable[[float, float], tuple[Array, tuple[int, int]]]
 """The grey picture around a place, and the place of its first pixel"""
 FEWEST = 3
-"""Fiducial marks that tell where the others are: two leave open from which side the film was scanned."""
+"""Fiducial marks that show where the others are: two leave open from which side the film was scanned."""
 ROOM = 5.0
 """Pixels from the border of a scan within which nothing is looked for."""
 
@@ -34,7 +34,7 @@ class Found:
 def expected(state: State, image: str, scans: Scans) -> dict[str, tuple[float, float]]:
     """Where the fiducial marks of a scan must be that are not measured yet [px].
 
-    raises  InputError for fewer than three that are measured, or such as make no film: two do not tell from which side
+    raises  InputError for fewer than three that are measured, or such as make no film: two do not show from which side
             the film was scanned
     """
     marks = state.fiducials_in(image)

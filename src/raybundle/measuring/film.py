@@ -49,10 +49,10 @@ class Placed:
 
     @property
     def words(self) -> tuple[str, ...]:
-        """What is to be said of the films: marks that do not fit the others."""
-        told = {name: suspects(f) for name, f in self.films.items()}
+        """What is to be stated of the films: marks that do not fit the others."""
+        suspected = {name: suspects(f) for name, f in self.films.items()}
         return tuple(
-            f"scan {n}: suspect fiducial marks: {', '.join(s)}; measure them again" for n, s in told.items() if s
+            f"scan {n}: suspect fiducial marks: {', '.join(s)}; measure them again" for n, s in suspected.items() if s
         )
 
 
@@ -107,7 +107,7 @@ def placed(block: Block, state: State, scans: Scans | None) -> Placed:
         try:
             film = film_of(name, [*marks], xy, sigma, scans.calibrated, pixel_mm=scans.pixel_mm, model=scans.model)
         except InputError as error:
-            lacking.append(Lack(image=name, kind="film", have=len(marks), need=least, said=str(error)))
+            lacking.append(Lack(image=name, kind="film", have=len(marks), need=least, stated=str(error)))
             continue
         films[name] = film
         M, shift = _file_from_camera(film, block.cameras[int(block.images.camera[k])])

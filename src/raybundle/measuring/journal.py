@@ -352,7 +352,7 @@ def can_be_written(path: Path) -> bool:
 
 @contextmanager
 def _telling(path: Path) -> Generator[None]:
-    """Turn what SQLite complains of into a message that says what to do."""
+    """Turn what SQLite complains of into a message that states what to do."""
     try:
         yield
     except (sqlite3.Error, OSError) as error:

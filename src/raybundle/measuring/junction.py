@@ -32,7 +32,7 @@ NARROWEST, WIDEST = 0.3, 5.0
 USUAL_BLUR, USUAL_BLUR_SIGMA = 0.9, 0.5
 """Of crosses, as known beforehand [px]."""
 LEAST_ANGLE = np.deg2rad(25.0)
-"""Between the edges, below which where they meet is not told."""
+"""Between the edges, below which where they meet is not stated."""
 Model = Literal["corner", "cross"]
 STEPS = 40
 START_STEP_DEG = 10.0
@@ -251,7 +251,7 @@ def _iterate(p: Array, g: Array, x: Array, y: Array, model: Model, half: int) ->
 
 
 def _blur_weight(e: Array, freedom: int, model: Model) -> float:
-    """Blur and width of thin bars are told apart by their sum alone, so that the blur is loosely known beforehand."""
+    """Blur and width of thin bars show in their sum alone, so that the blur is loosely known beforehand."""
     if model == "corner":
         return 0.0
     return max(float(e @ e) / max(freedom, 1), ROUNDING) / USUAL_BLUR_SIGMA**2

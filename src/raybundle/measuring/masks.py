@@ -167,9 +167,9 @@ def write_masks(folder: Path, photos: Sequence[Photo], drawn: Mapping[str, list[
             file.parent.mkdir(parents=True, exist_ok=True)
             if free is None:
                 if photo.name in refused and given is not None and (there := mask_file(given, photo)) is not None:
-                    shutil.copyfile(there, file)  # whoever reads it says again why it cannot be used
+                    shutil.copyfile(there, file)  # whoever reads it states again why it cannot be used
                 continue
-            # an orientation of its own tells that it lies on the pixels as stored
+            # an orientation of its own shows that it lies on the pixels as stored
             exif = Image.Exif()
             exif[274] = photo.orientation
             Image.fromarray(np.asarray(free, np.uint8) * 255).save(file, exif=exif)

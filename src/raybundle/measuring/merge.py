@@ -59,7 +59,7 @@ class Merged:
     untold: tuple[str, ...] = ()
     """cameras whose constant comes from the marks alone"""
     film: tuple[str, ...] = ()
-    """what is to be said of fiducial marks, in sentences"""
+    """what is to be stated of fiducial marks, in sentences"""
     marked: frozenset[str] = frozenset()
     """points that are marked by hand"""
 
@@ -108,9 +108,9 @@ def _fixed(block: Block) -> bool:
 
 
 def _fixing(block: Block, *, upright: bool = True) -> list[str]:
-    """What of a block tells where its axes are, in words: control, and observations in axes that exist already.
+    """What of a block shows where its axes are, in words: control, and observations in axes that exist already.
 
-    upright  whether what tells no more than the vertical counts
+    upright  whether what shows no more than the vertical counts
     """
     found = ["control points"] if block.points.is_control.any() else []
     kinds = (k for k in in_order() if k.table is not None and k.carries_datum and not k.fixes_scale)
@@ -189,7 +189,7 @@ def _met(block: Block, which: Sequence[int]) -> Array:
 
 
 def _placed(block: Block, state: State, places: Array, *, free: bool) -> tuple[Block, Array]:
-    """Brought to where control says, or to the scale of bars, where nothing fixed the block before."""
+    """Brought to where control states, or to the scale of bars, where nothing fixed the block before."""
     if not free:
         return block, places
     change = _to_control(block, state, places) or _to_bars(block, state, places)
@@ -238,7 +238,7 @@ def _with_points(block: Block, state: State, places: Array) -> Block:
     index = {name: k for k, name in enumerate(p.ids)}
     for name, value in state.points.items():
         k = index[name]
-        if value.told:
+        if value.reported:
             role[k] = ROLES[value.role]
             given, s = _numbers(value.xyz), _numbers(value.sigma)
             if value.role == "tie":
@@ -313,16 +313,16 @@ def _with_tables(block: Block, state: State, out: dict[str, str]) -> Block:
 
 
 def _upright(block: Block, state: State, index: Mapping[str, int]) -> Block:
-    """Turned so that the vertical that is measured by hand is Z, where nothing has told the vertical before."""
+    """Turned so that the vertical that is measured by hand is Z, where nothing has stated the vertical before."""
     figures = [line for line in state.lines.values() if line.upright and all(p in index for p in line.points)]
     if not figures or _fixing(block):
         return block
-    told: dict[str, list[Array]] = {"level": [], "plumb": []}
+    reported: dict[str, list[Array]] = {"level": [], "plumb": []}
     for line in figures:
-        told[line.kind].append(block.points.xyz[[index[p] for p in line.points]])
-    if not all(np.isfinite(xyz).all() for part in told.values() for xyz in part):
+        reported[line.kind].append(block.points.xyz[[index[p] for p in line.points]])
+    if not all(np.isfinite(xyz).all() for part in reported.values() for xyz in part):
         return block
-    R = turn_between(vertical(told["level"], told["plumb"], UP), UP)
+    R = turn_between(vertical(reported["level"], reported["plumb"], UP), UP)
     return transform_block(block, SimilarityTransform(rotation=R, translation=np.zeros(3)), observed="stay")
 
 

@@ -1,7 +1,7 @@
 """Marks by hand that contradict the others: found by data snooping, and named whether they took part or not.
 
 A mistaken mark bends a block of few marks, the camera first, so that the residuals of the adjustment in which it took
-part need not tell which it is, and blame the camera instead.  One in which contradicting observations leave one by one
+part need not show which it is, and blame the camera instead.  One in which contradicting observations leave one by one
 does.
 """
 
@@ -37,7 +37,7 @@ class Wrong:
 
     point: str
     images: tuple[str, ...]
-    """where it stands; several where it cannot be told which of them is wrong"""
+    """where it stands; several where it cannot be determined which of them is wrong"""
     tau: float
     """its test value; NaN where there is none"""
     size_px: float = float("nan")
@@ -63,12 +63,12 @@ class MarkNotice(Notice):
 
 
 def wrong_marks(result: Adjustment, marked: frozenset[str]) -> tuple[Wrong, ...]:
-    """Marks that contradict the others: those that left a result, and those that took part and are told of.
+    """Marks that contradict the others: those that left a result, and those that took part and are reported of.
 
     marked  the points that are marked by hand: of others nobody can look a mark at again
     """
-    told = tuple(n.wrong for n in result.notices if isinstance(n, MarkNotice))
-    return (*told, *(w for w in _left(result, marked) if w not in told))
+    wrong = tuple(n.wrong for n in result.notices if isinstance(n, MarkNotice))
+    return (*wrong, *(w for w in _left(result, marked) if w not in wrong))
 
 
 def with_wrong_marks(result: Adjustment, marked: frozenset[str], *, alone: bool) -> Adjustment:
@@ -116,8 +116,8 @@ def _told(result: Adjustment, tested: Adjustment, found: Sequence[Wrong]) -> Adj
         return result
     took_part = tested is not result
     notices = tuple(_notice(w, took_part=took_part) for w in found)
-    said = {n.code for n in tested.notices}
-    others = tuple(n for n in result.notices if n.code not in BENT or n.code in said)
+    stated = {n.code for n in tested.notices}
+    others = tuple(n for n in result.notices if n.code not in BENT or n.code in stated)
     return replace(result, notices=(*notices, *others))
 
 
@@ -129,7 +129,7 @@ def _notice(wrong: Wrong, *, took_part: bool) -> MarkNotice:
 
 
 def _left(result: Adjustment, marked: frozenset[str]) -> tuple[Wrong, ...]:
-    """Marks that left a result as blunders, those of a point together where it cannot be told which."""
+    """Marks that left a result as blunders, those of a point together where it cannot be determined which."""
     o, b = result.given.observations, result.given
     rejected = result.image_observations.rejected
     hand = np.array([name in marked for name in b.points.ids], bool)[o.point]

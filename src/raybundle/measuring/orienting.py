@@ -78,7 +78,7 @@ def _with_given(block: Block, state: State) -> Block:
     role, xyz, sigma = np.array(p.role), np.array(p.xyz), np.array(p.sigma)
     index = {name: k for k, name in enumerate(p.ids)}
     for name, value in state.points.items():
-        if value.told and value.role == "control":
+        if value.reported and value.role == "control":
             k = index[name]
             role[k] = ROLES[value.role]
             xyz[k], sigma[k] = _numbers(value.xyz), _numbers(value.sigma)

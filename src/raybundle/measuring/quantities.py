@@ -20,7 +20,7 @@ ALONG = 1e-6
 MOST = 2000
 """Points of a question: their covariance matrix is formed as a whole, 300 MB for so many."""
 DRAWS = 4000
-"""Drawn sets of errors from which the mean extent of a perfect form is told: its error is 1 %."""
+"""Drawn sets of errors from which the mean extent of a perfect form is reported: its error is 1 %."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +53,7 @@ class Question:
     words: str
     """what it is"""
     remark: str = ""
-    """what its standard deviation does not tell"""
+    """what its standard deviation does not show"""
 
     @property
     def count(self) -> str:
@@ -75,7 +75,7 @@ class Form:
 
     @classmethod
     def of(cls, xyz: Array, *, plane: bool) -> Form:
-        """Of points (n, 3); raises InputError where they tell none."""
+        """Of points (n, 3); raises InputError where they show none."""
         centre = xyz.mean(axis=0)
         _, s, axes = np.linalg.svd(xyz - centre, full_matrices=True)
         s = np.append(s, np.zeros(3 - len(s)))

@@ -48,7 +48,7 @@ class Answer:
     unit: str
     """of the values: m, mm, deg, m^2, mm^2; "" where nothing fixes the scale"""
     remark: str = ""
-    """what the standard deviations do not tell"""
+    """what the standard deviations do not show"""
 
 
 def ask(result: Adjustment, quantity: Quantity, points: Sequence[str]) -> Answer:

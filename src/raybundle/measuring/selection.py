@@ -1,4 +1,4 @@
-"""Gradual selection: image observations beyond a limit, by what an adjustment says of them."""
+"""Gradual selection: image observations beyond a limit, by what an adjustment states of them."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ CRITERIA: Mapping[Quantity, Criterion] = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figures:
-    """What an adjustment says of its image observations, one row each."""
+    """What an adjustment states of its image observations, one row each."""
 
     images: tuple[str, ...]
     points: tuple[str, ...]

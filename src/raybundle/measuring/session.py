@@ -106,7 +106,7 @@ class Session:
 
     @property
     def variance(self) -> float:
-        """Factor between a-priori covariances of image points and those that the residuals tell."""
+        """Factor between a-priori covariances of image points and those that the residuals show."""
         a = self.adjustment
         return 1.0 if a is None else a.variance_factor
 

@@ -1,6 +1,6 @@
 """A click brought to the picture: the centre of a round target, a corner, a cross, or what looks as in another picture.
 
-Never far from the click: what is found farther away than `reach_px` is refused, and said.  Covariances come from the
+Never far from the click: what is found farther away than `reach_px` is refused, and stated.  Covariances come from the
 residuals of the grey values, with a floor for what the models leave out; what a lens or a compression adds is for the
 adjustment to find.
 """
@@ -35,7 +35,7 @@ HALF = 8
 WINDOWS_PATCH = ((8, 4.8), (12, 7.2), (5, 3.0))
 """Half width and weighting of the windows in which a patch is matched [px], the one that places it first."""
 SURFACE_PX = 0.18
-"""Standard deviation that a patch has beside what its grey values and its windows tell: surfaces are not plane, and
+"""Standard deviation that a patch has beside what its grey values and its windows show: surfaces are not plane, and
 their noise is not white.  With it the mean square of the errors over their stated covariance is near 1 on the
 demonstration's photographs, whose truth is known (tests/studio/test_patches.py)."""
 FLOOR_PX = {"corner": 0.005}
@@ -48,7 +48,7 @@ APART_PX = 1.0
 """Distance from which on two matched places are two."""
 ALIKE = 0.6
 """Share of what the best match leaves of its contrast (1 - correlation) that the next one leaves: above, which of two
-places is the same cannot be told."""
+places is the same cannot be determined."""
 RESIDUAL_DOT = 0.08
 """Largest standard deviation of a grey value, in units of the contrast, of what is still a dot, as of targets."""
 WINDOWS = (1.25, 1.3, 1.4, 1.5)
@@ -253,7 +253,7 @@ def _junction(grey: Array, click: Array, kind: Model, reach: float) -> Point | s
         at = fit.xy
     assert fit is not None
     if not fit.ended or not np.isfinite(fit.covariance).all():
-        return f"the grey values do not tell where {noun} is"
+        return f"the grey values do not show where {noun} is"
     if fit.contrast < CONTRAST * scale:
         return f"the contrast is {fit.contrast / scale:.0f} grey values (limit {CONTRAST:g})"
     if fit.angle < LEAST_ANGLE:
@@ -328,7 +328,7 @@ def _patch(grey: Array, click: Array, reference: Reference, reach: float) -> Poi
 
 
 def _matched(source: Array, target: Array, own: Array, start: Array, A: Array) -> Point | str:
-    """By least-squares matching in two windows: what they differ by tells how far the surface is from plane.
+    """By least-squares matching in two windows: what they differ by shows how far the surface is from plane.
 
     The smaller window's place, or the larger's where that alone has texture enough.
     """

@@ -42,12 +42,12 @@ class Standing:
     @property
     def line(self) -> str:
         """In one line: how many are oriented, and the next step."""
-        told = f"{self.oriented} of {counted(self.images, 'photograph')} oriented"
+        reported = f"{self.oriented} of {counted(self.images, 'photograph')} oriented"
         if not self.lacking:
-            return told
+            return reported
         # the one that needs least comes next
         nearest = min(self.lacking, key=lambda k: (k.kind == "marks", k.need - k.have))
-        return f"{told}; {nearest.short}"
+        return f"{reported}; {nearest.short}"
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -142,7 +142,7 @@ def adjusted(made: Merged, adjust: Callable[[Block], Adjustment]) -> Adjustment:
 
     Marks that contradict the others are named, see `with_wrong_marks`.
 
-    raises  NoOrientation that says what the photographs lack where none is oriented; what `adjust` raises
+    raises  NoOrientation that states what the photographs lack where none is oriented; what `adjust` raises
     """
     if made.lacking and not made.block.images.oriented.any() and not len(made.block.observations):
         raise NoOrientation(
@@ -171,7 +171,7 @@ def _untold(cameras: Sequence[str], result: Adjustment | None) -> tuple[str, ...
     """What became of camera constants that nothing states."""
     if result is None:
         return ()
-    said: list[str] = []
+    stated: list[str] = []
     for found in result.interior:
         if found.camera not in cameras:
             continue
@@ -179,8 +179,8 @@ def _untold(cameras: Sequence[str], result: Adjustment | None) -> tuple[str, ...
         parameter = found.parameters[camera.sensor.scale_symbol]
         c = parameter.value / camera.pixel_mm[0]
         if parameter.std is None or parameter.status in {"held", "not determinable"}:
-            said.append(f"camera {camera.id}: the points do not determine its constant; {c:.0f} px is a guess")
+            stated.append(f"camera {camera.id}: the points do not determine its constant; {c:.0f} px is a guess")
         else:
             s = parameter.std / camera.pixel_mm[0]
-            said.append(f"camera {camera.id}: its constant is {c:.0f} px, sigma {s:.0f} px, from the points alone")
-    return tuple(said)
+            stated.append(f"camera {camera.id}: its constant is {c:.0f} px, sigma {s:.0f} px, from the points alone")
+    return tuple(stated)

@@ -45,7 +45,7 @@ class MeasuredPoint:
     """given coordinates [length unit of the block]; None: not known"""
     sigma: Numbers3 = (None, None, None)
     """0: held"""
-    told: bool = False
+    reported: bool = False
     """whether role and coordinates were given, not only the point marked"""
 
 
@@ -81,7 +81,7 @@ class Line:
 
     @property
     def upright(self) -> bool:
-        """Whether it tells the vertical."""
+        """Whether it shows the vertical."""
         return self.kind in {"plumb", "level"}
 
 
@@ -92,7 +92,7 @@ class Axes:
     origin: str
     axis: str
     plane: str = ""
-    """"": levels and plumb lines tell the vertical, and the axis point lies on X in plan"""
+    """"": levels and plumb lines show the vertical, and the axis point lies on X in plan"""
 
     @property
     def points(self) -> tuple[str, ...]:

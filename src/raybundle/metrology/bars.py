@@ -53,7 +53,7 @@ class BarTest:
     whole: tuple[float, float]
     """F of all together and its probability"""
     wrong: int | None
-    """The bar without which the others agree, where there are three or more; None: there is none, or nobody can tell"""
+    """The bar without which the others agree, where there are three or more; None: there is none, or nobody can show"""
     sigma: Array
     """(k,) standard deviations with which they bend no network [m]: as stated where they agree; the one that is wrong
     gets what it differs by; where nobody knows which it is, all are enlarged alike until their scatter is what they

@@ -109,7 +109,7 @@ class BestFit:
 
     @property
     def verdict(self) -> tuple[Verdict, ...]:
-        """(n,) whether tolerances are kept, as far as the uncertainty lets it be said; "" where none is asked for."""
+        """(n,) whether tolerances are kept, as far as the uncertainty lets it be stated; "" where none is asked for."""
         uncertain = COVERAGE * self.length_sigma
         rows = zip(self.length.tolist(), uncertain.tolist(), self.tolerance.tolist(), strict=True)
         return tuple(_verdict(*row) for row in rows)
@@ -121,7 +121,7 @@ class BestFit:
 
 
 def _called(measured: PointSet, nominal: Nominal) -> dict[str, str]:
-    """Measured names of nominal dots; one that lies at no measured one says that it is of the file."""
+    """Measured names of nominal dots; one that lies at no measured one states that it is of the file."""
     if not any(dot_number(i) >= 0 for i in nominal.ids):
         return {}
     names = Dots.of(measured.ids, measured.xyz).names(nominal.ids, nominal.xyz)

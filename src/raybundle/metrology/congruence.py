@@ -34,7 +34,7 @@ ROUNDS = 4
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Alternative:
-    """A point that may have moved in place of one that is said to have: without it the rest agrees as well."""
+    """A point that may have moved in place of one that is stated to have: without it the rest agrees as well."""
 
     point: str
     other: str
@@ -80,10 +80,10 @@ class Congruence:
     """Of each epoch after the first into the axes of the first, by the points that stayed"""
     alternatives: tuple[Alternative, ...] = ()
     """Points that may have moved in place of others"""
-    told: tuple[Notice, ...] = ()
+    reported: tuple[Notice, ...] = ()
     """What is wrong with the epochs, or weak, as notices"""
     by_place: tuple[str, ...] = ()
-    """Dots without a code that were told to be one by their place, not by a name (`metrology.dots`)"""
+    """Dots without a code that are taken as one by their place, not by a name (`metrology.dots`)"""
 
     @property
     def stayed(self) -> Mask:

@@ -1,4 +1,4 @@
-"""Dots without a code in several measurements: numbered anew in each, they are told to be one by their place."""
+"""Dots without a code in several measurements: numbered anew in each, they are taken as one by their place."""
 
 from __future__ import annotations
 

@@ -83,7 +83,7 @@ def _check_apart(sets: Sequence[PointSet]) -> None:
 
 
 def most_moved(done: Congruence) -> tuple[Notice, ...]:
-    """A fault where more points moved than stayed: which half it was cannot be told, as a rule names are wrong."""
+    """A fault where more points moved than stayed: which half is open; as a rule names are wrong."""
     moved, n = int(done.moved.sum()), len(done.ids)
     if 2 * moved <= n:
         return ()

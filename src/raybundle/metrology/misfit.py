@@ -23,7 +23,7 @@ LEVEL = 0.001
 STARTS = 120
 """Triples that are drawn: of points of which 4 in 10 are wrong all are right with 22 %, one of 120 for certain"""
 FEWEST = 5
-"""Points by which a mirror image is told: of four one with its depth on the wrong side looks like one"""
+"""Points by which a mirror image is reported: of four one with its depth on the wrong side looks like one"""
 STEPS = 10
 AT_ONCE = 100_000
 """Points that are moved onto the others at once, of all triples together"""

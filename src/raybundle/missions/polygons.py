@@ -201,7 +201,7 @@ def along(ring: Array, low: float, high: float) -> tuple[Interval, ...]:
     """Intervals of x that a polygon (n, 2) covers at any y from low to high.
 
     Between the heights of its corners the ends of an interval move linearly with y: the corners and the two borders
-    tell all.
+    show all.
     """
     reach = (high - low) * 1e-9
     heights = [low, high]

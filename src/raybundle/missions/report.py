@@ -76,7 +76,7 @@ class MissionFacts:
 def mission_facts(mission: Mission, ground: Ground) -> MissionFacts:
     """The figures.
 
-    What they do not tell: overlaps hold for a vehicle that keeps its way and its attitude; wind and a late release
+    What they do not show: overlaps hold for a vehicle that keeps its way and its attitude; wind and a late release
     change them.
     """
     e = exposures(mission)
@@ -213,22 +213,22 @@ class Doubt:
 def warnings(
     mission: Mission, facts: MissionFacts, *, limit_m: float = HEIGHT_LIMIT_M, sight_m: float = SIGHT_M,
 ) -> tuple[Doubt, ...]:  # fmt: skip
-    """What is wrong or doubtful; words that tell the figure, its limit, and what to do."""
+    """What is wrong or doubtful; words that show the figure, its limit, and what to do."""
     found: list[Doubt] = []
 
-    def tell(kind: str, words: str, *, fault: bool = False) -> None:
+    def notify(kind: str, words: str, *, fault: bool = False) -> None:
         found.append(Doubt(kind=kind, fault=fault, words=words))
 
     if facts.above.high > limit_m:
         source = " of the open category (EU 2019/947, UAS.OPEN.010)" if limit_m == HEIGHT_LIMIT_M else ""
-        tell(
+        notify(
             "height",
             f"photographs lie up to {facts.above.high:.0f} m above the ground, {limit_m:g} m are the limit{source}; "
             f"plan a finer GSD, follow the terrain, or raise {option('height_limit')} where you may fly higher",
             fault=True,
         )
     if facts.farthest_m > sight_m:
-        tell(
+        notify(
             "sight",
             f"the flight goes {facts.farthest_m:.0f} m away from the take-off, {sight_m:g} m are taken for the reach "
             f"of sight ({option('sight')}); take off nearer to the middle, or divide the area",
@@ -236,23 +236,23 @@ def warnings(
     usable = mission.vehicle.usable_s / 60
     longest = max(facts.minutes)
     if longest > usable * 1.02:
-        tell("battery", f"a flight takes {longest:.1f} min, {usable:.1f} min of a battery may be used", fault=True)
+        notify("battery", f"a flight takes {longest:.1f} min, {usable:.1f} min of a battery may be used", fault=True)
     if facts.interval_s is not None and facts.interval_s < mission.camera.interval_s * (1 - 1e-9):
-        tell(
+        notify(
             "interval",
             f"photographs follow each other in {facts.interval_s:.2f} s, {mission.camera.name} needs "
             f"{mission.camera.interval_s:g} s",
             fault=True,
         )
-    _tell_overlap(tell, mission, facts)
+    _tell_overlap(notify, mission, facts)
     if facts.rolling_px is not None and facts.rolling_px > 1:
-        tell(
+        notify(
             "shutter",
             f"the rolling shutter moves by {facts.rolling_px:.1f} px on the ground while a frame is read; stop for the "
             "photographs, fly more slowly, or adjust with the rolling platform",
         )
     if facts.seen_rarely > 0:
-        tell(
+        notify(
             "rare",
             f"{100 * facts.seen_rarely:.1f} % of the area is seen by fewer than {SEEN} photographs; "
             f"{_more_photographs(mission, facts)}",
@@ -270,7 +270,7 @@ def _more_photographs(mission: Mission, facts: MissionFacts) -> str:
     return f"that is at its edges: widen it ({option('margin')})"
 
 
-def _tell_overlap(tell: Callable[[str, str], None], mission: Mission, facts: MissionFacts) -> None:
+def _tell_overlap(notify: Callable[[str, str], None], mission: Mission, facts: MissionFacts) -> None:
     pattern = patterns[mission.pattern]
     advice, where = pattern.more(), ""
     if mission.terrain and pattern.ground:
@@ -283,5 +283,5 @@ def _tell_overlap(tell: Callable[[str, str], None], mission: Mission, facts: Mis
         ("along the lines", facts.along, mission.overlap[0]), ("across the lines", facts.across, mission.overlap[1]),
     ):  # fmt: skip
         if found is not None and found.low < asked - OVERLAP_LOST:
-            told = f"the overlap {what} falls to {100 * found.low:.0f} %{where}, {100 * asked:.0f} % were asked for"
-            tell("overlap", f"{told}; {advice}")
+            line = f"the overlap {what} falls to {100 * found.low:.0f} %{where}, {100 * asked:.0f} % were asked for"
+            notify("overlap", f"{line}; {advice}")

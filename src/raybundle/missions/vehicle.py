@@ -109,5 +109,5 @@ KNOWN: Mapping[str, tuple[Vehicle, MissionCamera]] = {
     )
 }  # fmt: skip
 """Vehicles with their own cameras.  Minutes are those of the data sheets; the read-out times are those of
-`io.photos.read_out_times`.  A photograph of one's own camera, or its calibration, says more than the nominal focal
+`io.photos.read_out_times`.  A photograph of one's own camera, or its calibration, states more than the nominal focal
 length that stands here."""

@@ -1,7 +1,7 @@
 """The array types of the numeric layers.
 
-The names tell what is inside; NumPy's own types lose the element type in ordinary arithmetic, so a
-checker is told only that it is an array.  Shapes stand in the docstrings.
+The names show what is inside; NumPy's own types lose the element type in ordinary arithmetic, so a
+checker is reported only that it is an array.  Shapes stand in the docstrings.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 from numpy.typing import NDArray
 
 Array: TypeAlias = NDArray[Any]
-"""float64 unless said otherwise."""
+"""float64 unless stated otherwise."""
 
 Index: TypeAlias = NDArray[Any]
 """Integers: positions in another table; -1 where there is none."""

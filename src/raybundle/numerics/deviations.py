@@ -55,7 +55,7 @@ def deviations_after(by: Array, sigma: Array) -> Array:
     """Standard deviations (k, 3) of x' = by x, those of the uncorrelated x being sigma (k, 3), NaN where not known.
 
     by  (3, 3), or (k, 3, 3) of each row
-    NaN where x' needs what is not known.  Correlations of x' are lost: `kept_after` tells where there are none.
+    NaN where x' needs what is not known.  Correlations of x' are lost: `kept_after` shows where there are none.
     """
     new = np.sqrt(np.einsum("...ij,...j->...i", without_remains(by) ** 2, np.nan_to_num(sigma) ** 2))
     return np.where(known_after(by, ~np.isnan(sigma)), new, np.nan)
@@ -85,7 +85,7 @@ def correlated_after(by: Array, sigma: Array, coefficients: Array | None) -> tup
 def kept_after(by: Array, sigma: Array, *, alone: bool = False) -> Mask:
     """(k,) whether standard deviations of x' = by x say all that is known of the uncorrelated x, sigma as above.
 
-    alone  sigma tells by its NaN alone what is known; x' may be correlated
+    alone  sigma shows by its NaN alone what is known; x' may be correlated
     """
     known, A = ~np.isnan(sigma), without_remains(by)
     lost = known & ((A != 0) & ~known_after(by, known)[..., :, None]).any(axis=-2)

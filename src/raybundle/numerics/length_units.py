@@ -7,8 +7,8 @@ from math import isfinite, log
 UNITS = {"mm": 1e-3, "cm": 1e-2, "inches": 0.0254, "feet": 0.3048, "m": 1.0, "km": 1e3}
 """Metres of one"""
 BEYOND = 2.0
-"""Ratio of two lengths of one thing, or its inverse, from which on they are told in two units: these differ by more (an
-inch is 2.5 cm)"""
+"""Ratio of two lengths of one thing, or its inverse, from which on they are reported in two units: these differ by more
+(an inch is 2.5 cm)"""
 LIKELY = 1.1
 """Ratio of what is left in a unit up to which that unit is named."""
 

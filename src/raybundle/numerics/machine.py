@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 
 CGROUP = Path("/sys/fs/cgroup")
-"""Where Linux tells what a container may take"""
+"""Where Linux shows what a container may take"""
 
 
 def available_memory() -> float:

@@ -1,6 +1,6 @@
 """Frames of object coordinates whose place on the earth is known: local, geocentric, projected.
 
-A satellite scene is told in longitude, latitude and height; a block stands in one of these frames.
+A satellite scene is reported in longitude, latitude and height; a block stands in one of these frames.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class Local:
     """Longitude, latitude [deg], height [m]."""
     ellipsoid: Ellipsoid = WGS84
     crs: str = ""
-    """The coordinate system in which the block is told, "EPSG:25832+7837"; empty: none was named."""
+    """The coordinate system in which the block is reported, "EPSG:25832+7837"; empty: none was named."""
     crs_origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """The origin in that system: east, north, height."""
     undulation_m: float | None = None

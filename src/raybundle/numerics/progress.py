@@ -15,7 +15,7 @@ def silent(stage: str, share: float) -> None:
 
 
 class Remark(float):
-    """No share: what is said instead of a stage's name is how the work stands, as that nobody is there to do it."""
+    """No share: what is stated instead of a stage's name is how the work stands, as that nobody is there to do it."""
 
     __slots__ = ()
 
@@ -27,14 +27,14 @@ def in_rounds(progress: Progress) -> Progress:
     """
     last, rounds = dict[str, float](), dict[str, int]()
 
-    def tell(stage: str, share: float) -> None:
+    def notify(stage: str, share: float) -> None:
         if not isinstance(share, Remark):
             rounds[stage] = rounds.get(stage, 1) + (share < last.get(stage, 0.0))
             last[stage] = float(share)
         number = rounds.get(stage, 1)
         progress(stage if number == 1 else f"{stage}, round {number}", share)
 
-    return tell
+    return notify
 
 
 class Counted(float):

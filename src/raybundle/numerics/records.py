@@ -1,4 +1,4 @@
-"""Tables of rows: each column says what it holds, and selecting, appending, renumbering and transforming follow.
+"""Tables of rows: each column states what it holds, and selecting, appending, renumbering and transforming follow.
 
 A table is a frozen dataclass whose fields are its columns, made by `column`: arrays and tuples with an entry for each
 row, or mappings by row for what few rows have.  A field that is no column cannot be: nothing is lost on a way that
@@ -54,7 +54,7 @@ class Column:
 def column(of: Holds, **how: Any) -> Any:
     """A field of a table, see `Column`; numbers say how they follow a transformation."""
     if of == "number" and "follows" not in how:
-        raise TypeError("a column of numbers says how it follows a transformation (follows=)")
+        raise TypeError("a column of numbers states how it follows a transformation (follows=)")
     return as_field(Column(of=of, **how))
 
 
@@ -80,7 +80,7 @@ class Records:
     """Rows of one kind, a column each field."""
 
     named_by: ClassVar[tuple[str, ...]] = ()
-    """Columns that together name what a row tells of, where one thing has one row; (): there may be several"""
+    """Columns that together name what a row reports, where one thing has one row; (): there may be several"""
 
     def __len__(self) -> int:
         return len(getattr(self, fields(self)[0].name))
@@ -178,7 +178,7 @@ class Records:
 
 
 def stuck_together(by: Array, sigma: Array, coefficients: Array | None, *, noun: str = "coordinate") -> list[Stuck]:
-    """Rows of which x' = by x cannot be said by standard deviations and correlation coefficients of its three.
+    """Rows of which x' = by x cannot be stated by standard deviations and correlation coefficients of its three.
 
     by            (3, 3), or (k, 3, 3) of each row
     sigma         (k, 3) standard deviations of x, NaN where it was not observed
@@ -277,7 +277,7 @@ def following(c: Column, values: Array, by: SimilarityTransform) -> Array:
     return way[c.follows](values)
 
 
-def said(c: Column, values: Any, count: int) -> Mask:
+def stated(c: Column, values: Any, count: int) -> Mask:
     """(k,) rows that say something in a column."""
     if values is None:
         return np.zeros(count, bool)

@@ -7,7 +7,7 @@ import numpy as np
 from raybundle.numerics.arrays import Array, Index
 
 FINEST = 20
-"""Halvings of the extent in which cells are looked for: three of them are told apart in one 64-bit number"""
+"""Halvings of the extent in which cells are looked for: three of them are distinguished in one 64-bit number"""
 
 
 def one_of_each_cell(xyz: Array, room: int) -> tuple[Index, float]:

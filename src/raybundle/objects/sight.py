@@ -25,7 +25,7 @@ class Sight:
     """Rays against one surface."""
 
     def __init__(self, surface: Surface, *, embree: bool | None = None) -> None:
-        """Build the tree; embree says by what rays are cast, None: by Embree where it is installed."""
+        """Build the tree; embree states by what rays are cast, None: by Embree where it is installed."""
         logging.getLogger("trimesh").setLevel(logging.ERROR)
         import trimesh  # noqa: PLC0415  (0.2 s, for who casts rays)
         from trimesh import ray  # noqa: PLC0415
@@ -89,7 +89,7 @@ class Sight:
     def inside(self, xyz: Array) -> Mask:
         """(n,) whether points (n, 3) lie within a closed surface: a ray upwards leaves it an odd number of times.
 
-        Of a surface that is not closed it says nothing sensible.
+        Of a surface that is not closed it states nothing sensible.
         """
         up = np.tile([0.001234, 0.000917, 1.0], (len(xyz), 1))
         _, ray, _ = _hits(self.rays, xyz - self.middle, up / np.linalg.norm(up[0]))

@@ -10,7 +10,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.objects.surface import Surface, farthest_first
 
 NEIGHBOURS, LEAST_NEIGHBOURS, OF_ALL = 12, 5, 10
-"""Points about one that tell the plane through it, that one with them: of few points less, a tenth of them, for their
+"""Points about one that show the plane through it, that one with them: of few points less, a tenth of them, for their
 neighbours lie round the next edge"""
 CORNERS = 6
 """Of a disc"""

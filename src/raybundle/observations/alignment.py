@@ -243,7 +243,7 @@ class PointsOnLine(_Alignment):
 
 
 class PointsOnPlumbLine(_Alignment):
-    """v = X - X_0 and Y - Y_0, both of the line unknown; tells what is vertical."""
+    """v = X - X_0 and Y - Y_0, both of the line unknown; shows what is vertical."""
 
     name = "plumb_line"
     group = "plumb lines"
@@ -276,7 +276,7 @@ class PointsOnPlumbLine(_Alignment):
 
 
 class PointsAtLevel(_Alignment):
-    """v = Z - Z_0, the height of the level unknown; tells what is vertical."""
+    """v = Z - Z_0, the height of the level unknown; shows what is vertical."""
 
     name = "level"
     group = "levels"

@@ -17,7 +17,7 @@ from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations.correlation import correlated
 from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
 from raybundle.observations.table import Table, Wrong, again, cells
-from raybundle.platforms.imu import told
+from raybundle.platforms.imu import reported
 
 STEEP = 0.01
 """Cosine of phi below which omega and kappa cannot be observed one by one."""
@@ -33,7 +33,7 @@ class Attitudes(Table):
 
     image: Index = cells("image", "image")
     angles: Array = cells("number", "omega_deg", "phi_deg", "kappa_deg", unit="deg", follows="stays")
-    """(k, 3) omega, phi, kappa [rad] as the IMU tells them."""
+    """(k, 3) omega, phi, kappa [rad] as the IMU shows them."""
     sigma: Array = cells(
         "number", "somega_deg", "sphi_deg", "skappa_deg", unit="deg", follows="stays", empty=True, limit="> 0"
     )
@@ -129,7 +129,7 @@ class Attitude(ObservationKind):
         residual, found = np.zeros(len(rows)), []
         for r in np.unique(at):
             k = np.flatnonzero(at == r)
-            seen, turn, by = told(values.rotation[image[k]], np.zeros(3) if r < 0 else values.interior[r, :3])
+            seen, turn, by = reported(values.rotation[image[k]], np.zeros(3) if r < 0 else values.interior[r, :3])
             D = angle_derivatives(seen)[np.arange(len(k)), axis[k]]
             difference = angles_from_rotation(seen)[np.arange(len(k)), axis[k]] - rows.value[k]
             residual[k] = np.arctan2(np.sin(difference), np.cos(difference))

@@ -1,7 +1,7 @@
 """Coordinates of object points with the covariance matrix that they have together.
 
 The result of a GNSS network, of a traverse, of an earlier adjustment.  What their errors have in common (the datum of
-the network, a chain of baselines) is in the matrix; taken as independent they would tell the place, rotation and scale
+the network, a chain of baselines) is in the matrix; taken as independent they would show the place, rotation and scale
 of the object better than they know it.
 """
 

@@ -199,7 +199,7 @@ class ObservationKind(ABC):
     table: ClassVar[type[Table] | None] = None
     """Of its own in a block, with a field `sigma`; None: it observes what other tables of the block hold"""
     carries_datum: ClassVar[bool] = False
-    """Whether it tells where or how the object lies in its frame; left out where the datum is chosen freely."""
+    """Whether it shows where or how the object lies in its frame; left out where the datum is chosen freely."""
     carries_points: ClassVar[bool] = False
     """Whether object points take part by its rows alone, without a ray: the set-ups of a total station"""
     fixes_scale: ClassVar[bool] = False
@@ -281,7 +281,7 @@ class ObservationKind(ABC):
         """(k, 3) where the one point of each row would lie if the row had no residual; None: where it lies.
 
         Residuals of an item that turn with the object (distances in X and Y from a plumb line) change each by a turn,
-        and their sum of squares not at all: they do not tell it, however large they are.
+        and their sum of squares not at all: they do not show it, however large they are.
         """
         return None
 

@@ -41,7 +41,7 @@ class Calibrated:
 class ObservedParameter(ObservationKind):
     """v = parameter - given; those of a calibration are correlated.
 
-    Of a calibration of which some parameters are held, the others are observed as it tells them given those.
+    Of a calibration of which some parameters are held, the others are observed as it shows them given those.
     """
 
     name = "parameter"
@@ -89,7 +89,7 @@ class ObservedParameter(ObservationKind):
 
 
 def _told(interior: Interior) -> tuple[list[int], Array, Array]:
-    """Positions of the free parameters that a calibration tells, what it expects of them, and their covariance."""
+    """Positions of the free parameters that a calibration shows, what it expects of them, and their covariance."""
     known: Calibrated | None = interior.calibrated
     if known is None:
         return [], np.zeros(0), np.zeros((0, 0))

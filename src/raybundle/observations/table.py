@@ -89,7 +89,7 @@ class Table(Records):
         return np.concatenate([np.zeros((0, 2), np.int32), *pairs])
 
     def wrong(self) -> Sequence[Wrong]:
-        """What no file may hold beyond what `cells` says."""
+        """What no file may hold beyond what `cells` states."""
         return ()
 
     def faults(self) -> Sequence[Wrong]:

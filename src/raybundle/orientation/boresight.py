@@ -1,6 +1,6 @@
 """GNSS and INS against the adjusted orientation: misalignment and lever arm, and what is left.
 
-The INS tells the rotation of its body, R_body (object axes to body axes), GNSS the position of its antenna, G.  With
+The INS shows the rotation of its body, R_body (object axes to body axes), GNSS the position of its antenna, G.  With
 the adjusted R and X0 of the photographs:
 
     R = M R_body                   M the mounting of the camera (boresight), one for all photographs
@@ -99,7 +99,7 @@ def lever_arm(centre: Array, rotation: Array, gnss: Array, sigma: Array, *, shif
 
     centre, rotation  adjusted (n, 3), (n, 3, 3); gnss, sigma: positions and their standard deviations (n, 3)
     raises            InputError where fewer than two photographs have a position
-    With all headings alike a lever arm and a shift are one: those of the six that cannot be told apart are named.
+    With all headings alike a lever arm and a shift are one: those of the six that cannot be distinguished are named.
     After an adjustment in which GNSS alone gave the datum, the lever arm has gone into the projection centres already,
     and what is found here is what they could not take up.
     """

@@ -27,7 +27,7 @@ COMMON = 20
 MANY = 400
 """Common points of a pair of which each second, third ... is left out."""
 FLAT = 0.85
-"""Share of the points in one plane beyond which a pair says nothing."""
+"""Share of the points in one plane beyond which a pair states nothing."""
 NARROW, WIDE = 0.3, 12.0
 """Camera constants in widths of the format that are believed."""
 LEAST_PAIRS = 5

@@ -30,7 +30,7 @@ STEP = 1e-2
 class FundamentalMatrix:
     """The fundamental matrix F of two images, x2' F x1 = 0 in the pixel frame.
 
-    It does not tell whether lenses distort: distortion of some pixels ends in F and in the residuals.
+    It does not show whether lenses distort: distortion of some pixels ends in F and in the residuals.
     """
 
     matrix: Array

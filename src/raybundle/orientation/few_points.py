@@ -1,13 +1,13 @@
 """Approximate values of photographs in which few points are measured, and these by hand.
 
-Thousands of matched points tell one pair of candidates from another by counting; six points fit several.  Here every
+Thousands of matched points show one pair of candidates from another by counting; six points fit several.  Here every
 candidate of a start is carried to the end, a bundle of all photographs with their camera constants and first radial
 terms free within what is known of them, and that is taken which orients most and leaves the smallest residuals
 (Cauchy's estimator: a mistaken mark weighs little against the others).
 
     photographs that are oriented already, or control in the photographs: the others by resection
     else the pairs with most common points: minimal solutions of five points each (Nister 2004), the others by resection
-    camera constants that nothing tells: several, and that of the projective model where there is one
+    camera constants that nothing shows: several, and that of the projective model where there is one
 
 The result are approximate values, to be adjusted.
 """
@@ -55,11 +55,11 @@ LINE = 0.02
 RADIAL = 0.15
 """Standard deviation of K1 c^2 of a lens of which nothing is known: 15 % at 45 degrees off the axis."""
 CONSTANT = 0.1
-"""Standard deviation of the logarithm of a free camera constant of which nobody says how well it is known."""
+"""Standard deviation of the logarithm of a free camera constant of which nobody states how well it is known."""
 UNTOLD = 0.4
 """The same from which on it is as good as not known."""
 FACTORS = (1.0, 0.7, 1.4, 0.5, 2.0, 2.8)
-"""By which camera constants that nothing tells are multiplied, the likeliest first."""
+"""By which camera constants that nothing shows are multiplied, the likeliest first."""
 LENS = 0.002
 """Error of a ray before a distortion is known, as a share of the diagonal of the format."""
 ROUGH_PX = 2.0
@@ -185,7 +185,7 @@ def _finite(xyz: Array) -> Mask:
 
 
 def _prepared(block: Block, given: Mask) -> tuple[Block, tuple[str, ...]]:
-    """The block with cameras as a start frees them, and those whose constant nothing tells."""
+    """The block with cameras as a start frees them, and those whose constant nothing shows."""
     cameras: list[Camera] = []
     untold: list[str] = []
     used = set(np.asarray(block.images.camera)[given].tolist())
@@ -221,7 +221,7 @@ def _freed(camera: Camera, scale: str, sigma: float) -> Camera:
 
 
 def _with_constants(block: Block, untold: Sequence[str], left: Mask) -> Iterator[Block]:
-    """The block with the camera constants that may be, where nothing tells them."""
+    """The block with the camera constants that may be, where nothing shows them."""
     if not untold:
         yield block
         return
@@ -252,8 +252,8 @@ def _projective(block: Block, left: Mask) -> dict[str, float] | None:
         return None
     if not found.misfit < CROOKED:
         return None
-    told = {c.id: (c.values[c.sensor.scale_symbol], float(c.size_mm.max())) for c in found.block.cameras if c.estimate}
-    return {name: c for name, (c, side) in told.items() if NARROWEST * side < c < WIDEST * side} or None
+    sizes = {c.id: (c.values[c.sensor.scale_symbol], float(c.size_mm.max())) for c in found.block.cameras if c.estimate}
+    return {name: c for name, (c, side) in sizes.items() if NARROWEST * side < c < WIDEST * side} or None
 
 
 def pair_poses(block: Block, a: int, b: int) -> list[Pose]:
@@ -432,13 +432,13 @@ def _cost(trial: _Trial) -> float:
     at = rows[there]
     v = residuals_px(block, at)
     square[there] = np.nan_to_num((v**2).sum(axis=1) / o.cov_px2[at, :2].mean(axis=1), nan=LOST)
-    told = 0.0
+    sizes = 0.0
     for camera in block.cameras:
         for r in camera.relations if camera.estimate else ():
             (symbol,) = r.terms
             value = camera.values[symbol]
-            told += ((np.log(max(value, 1e-9)) if r.logarithm else value) - r.observed) ** 2 / r.sigma**2
-    return float(np.log1p(np.minimum(square, LOST)).sum() + 0.5 * told)
+            sizes += ((np.log(max(value, 1e-9)) if r.logarithm else value) - r.observed) ** 2 / r.sigma**2
+    return float(np.log1p(np.minimum(square, LOST)).sum() + 0.5 * sizes)
 
 
 def _grown(trial: _Trial) -> _Trial:

@@ -1,7 +1,7 @@
 """Coordinates of tie and check points that were given: approximate, and taken where their rays do no better.
 
 A tie point metres beside its rays, or behind a camera, leads the iteration astray, and others with it.  Where the
-images that see it are oriented, its rays tell where it lies.
+images that see it are oriented, its rays show where it lies.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ that fits its rays best.
 NARROW = 1e-4
 """Eigenvalue ratio of an intersection below which its depth is not believed: rays parallel to about 1.2 degrees."""
 GROSS = 0.05
-"""Angle [rad] between a given point and its rays from which on it is told: 3 degrees, hundreds of pixels."""
+"""Angle [rad] between a given point and its rays from which on it is reported: 3 degrees, hundreds of pixels."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,7 +75,7 @@ def intersected_where_better(block: Block, roles: Sequence[Role] = (Role.TIE, Ro
 
 
 def _by_points(rows: Index, point: Index) -> list[Index]:
-    """The rows as they are, or of many those of some points after the other, so many at once as `large` says."""
+    """The rows as they are, or of many those of some points after the other, so many at once as `large` states."""
     if len(rows) <= large.PIECE:
         return [rows]
     order = np.argsort(point, kind="stable")

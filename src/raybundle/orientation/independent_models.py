@@ -24,7 +24,7 @@ FEWEST = 12
 AGREEING = 0.5
 """Share of them that must."""
 MOST = 150
-"""Of the points of two models that take part: thousands would tell no more."""
+"""Of the points of two models that take part: thousands would show no more."""
 TOLERANCE = 0.02
 """Distance between two models' places of a point that agree, in distances from where it was taken.
 

@@ -32,7 +32,7 @@ class Lack:
     need: int = 0
     other: str = ""
     """photograph that it has most in common with"""
-    said: str = ""
+    stated: str = ""
     """why its fiducial marks make no film"""
 
     @property
@@ -47,7 +47,7 @@ class Lack:
             case "fiducials":
                 return message("photograph.lacks_fiducials", image=self.image, n=self.have, least=self.need)
             case "film":
-                return message("photograph.film_contradicts", image=self.image, detail=self.said)
+                return message("photograph.film_contradicts", image=self.image, detail=self.stated)
             case "marks":
                 return message("photograph.lacks_marks", image=self.image, n=self.have, least=self.need)
             case "common":
@@ -108,7 +108,7 @@ def lacking(block: Block, counts: Index) -> tuple[Lack, ...]:
         elif other < 0:
             found.append(Lack(image=name, kind="marks", have=int(counts[i]), need=COMMON))
         elif other < i and partner.get(other, (-1, 0))[0] == i:
-            continue  # said of the other
+            continue  # stated of the other
         elif common < COMMON:
             found.append(Lack(image=name, kind="common", other=images.ids[other], have=common, need=COMMON))
         else:

@@ -1,7 +1,7 @@
 """A free block onto known points that are seen once or twice: the similarity by which rays pass them best.
 
 Where fewer than three known points have two rays, no similarity of points is determined; a point that one image sees
-still tells two of its coordinates.  Turns that come into question are those by the resection of one image, those about
+still shows two of its coordinates.  Turns that come into question are those by the resection of one image, those about
 the line of two points, and where these do not fit, turns all over; scale and place follow linearly from each, and the
 best are refined.
 """
@@ -63,7 +63,7 @@ def onto_rays(rays: KnownRays, free: Array) -> OntoRays | None:
     free  (m, 3) the point of each ray in the free block, NaN where it has one ray only
 
     An approximate value: the free block counts as free of error, and the smallest of truncated angles decides, so that
-    a wrong point does not bend it.  Rays may fit two similarities alike; which of them is right it does not tell.
+    a wrong point does not bend it.  Rays may fit two similarities alike; which of them is right it does not show.
     """
     _, first = np.unique(rays.point, return_index=True)
     if len(first) < FEWEST or _in_line(rays.target[first]):

@@ -15,7 +15,7 @@ PAIRS = 12
 COMMON = 8
 """Common points that a starting pair needs."""
 TELLING = 3
-"""Common points that tell poses apart: one or two may lie where the candidates' epipolar lines cross."""
+"""Common points that show poses apart: one or two may lie where the candidates' epipolar lines cross."""
 JUDGES = 5
 """Oriented images that judge the candidates of another, those with the most common points."""
 
@@ -101,8 +101,8 @@ def favoured(growth: Growth, image: int, poses: list[Pose], *, last: bool) -> Po
     """Of several poses that fit the few known points of an image, the one that its common points favour.
 
     poses  that fit, the best first; three points leave up to four, all of them exact, so that their residuals are
-           rounding and tell nothing, and four in a plane leave two that are nearly alike
-    last   whether to choose where nothing tells: the highest of three points, else the one that fits best
+           rounding and show nothing, and four in a plane leave two that are nearly alike
+    last   whether to choose where nothing shows: the highest of three points, else the one that fits best
     Common points that are not known yet must intersect with oriented images; each candidate is judged by the image
     with the most of them, and by the median over the next ones.
     """

@@ -67,7 +67,7 @@ class Habits:
     kind: Kind
     """The most probable"""
     probability: float
-    """Of that kind, and of any other that says the same of the vertical (`SAME`)"""
+    """Of that kind, and of any other that states the same of the vertical (`SAME`)"""
     up: Array
     """(3,) unit vector"""
     sigma: float

@@ -32,7 +32,7 @@ DAMAGED = (
 ALIGNED = 64
 """Bytes: a cache line, and the widest vectors that kernels load."""
 PADDING = 0xD935
-"""Extra field of an archive's member that says nothing, as `zipalign` writes it."""
+"""Extra field of an archive's member that states nothing, as `zipalign` writes it."""
 LARGE = 1 << 30
 """Bytes from which on sizes are written with 64 bits."""
 LOCAL, END, END64 = struct.Struct("<4s22xHH"), struct.Struct("<4s6xHIIH"), struct.Struct("<4s36xQQ")
@@ -110,7 +110,7 @@ def members_of(file: BinaryIO) -> dict[str, Member]:
         file.seek(info.header_offset)
         mark, name, extra = LOCAL.unpack(file.read(LOCAL.size))
         if mark != b"PK\3\4":
-            raise ValueError(f"{info.filename} is not where the directory says")
+            raise ValueError(f"{info.filename} is not where the directory states")
         begin = info.header_offset + LOCAL.size + name + extra
         file.seek(begin)
         head = file.read(12)
@@ -120,7 +120,7 @@ def members_of(file: BinaryIO) -> dict[str, Member]:
         shape, fortran, dtype = _described(header)
         m = Member(begin + length, header, dtype, shape, fortran, info.CRC)
         if length + m.nbytes != info.file_size:
-            raise ValueError(f"{info.filename} is not as long as its header says")
+            raise ValueError(f"{info.filename} is not as long as its header states")
         found[info.filename.removesuffix(".npy")] = m
     return found
 

@@ -1,4 +1,4 @@
-"""Which executor does the tasks of a run, from what its user says of a cluster."""
+"""Which executor does the tasks of a run, from what its user states of a cluster."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def executor_for(cluster: str, jobs: int, memory: float, progress: Progress = si
     cluster  empty: here; "shards"; or a folder or address as `cluster_at` takes it
     jobs     threads here; 0: as many as there are processors
     memory   bytes that tasks in work here may need together; elsewhere it is for who starts the workers
-    progress is told where workers or a scheduler are waited for
+    progress is reported where workers or a scheduler are waited for
     raises   InputError where there is no such cluster, or the extra [cluster] is not installed
     """
     if not cluster:

@@ -61,7 +61,7 @@ class Cluster:
     folder: Path | None = None
     """of the certificates; None: not encrypted, on this machine alone"""
     runs: str = ""
-    """`signature` of the scheduler's raybundle; empty: not told"""
+    """`signature` of the scheduler's raybundle; empty: not stated"""
 
     @property
     def files(self) -> tuple[Path, ...]:

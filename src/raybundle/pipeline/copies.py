@@ -24,7 +24,7 @@ from raybundle.pipeline.store import FULL, StoreLost
 
 VARIABLE, VARIABLE_GB = "RAYBUNDLE_PRODUCTS", "RAYBUNDLE_PRODUCTS_GB"
 SHARE = 0.5
-"""Of the disk's free space, as it would be without copies, that they take where nothing is said."""
+"""Of the disk's free space, as it would be without copies, that they take where nothing is stated."""
 AT_ONCE = 1 / 16
 """Of the bound that is freed at least when room is needed: all copies are looked at for it."""
 ABANDONED_S = 24 * 3600.0
@@ -47,7 +47,7 @@ def check_copies() -> None:
 
 
 def bytes_given() -> float | None:
-    """Bytes that copies may take by RAYBUNDLE_PRODUCTS_GB; None: nothing is said.  Raises InputError."""
+    """Bytes that copies may take by RAYBUNDLE_PRODUCTS_GB; None: nothing is stated.  Raises InputError."""
     text = os.environ.get(VARIABLE_GB, "")
     if not text:
         return None
@@ -125,7 +125,7 @@ class Copies:
 
     @contextmanager
     def _saying(self) -> Generator[None]:
-        """Turn a full or read-only disk into a message that says what to do."""
+        """Turn a full or read-only disk into a message that states what to do."""
         try:
             yield
         except InputError:

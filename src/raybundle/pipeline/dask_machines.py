@@ -49,7 +49,7 @@ def make_certificates(folder: Path) -> None:
                 file.write(text)
 
 
-def schedule(folder: Path, host: str, port: int, tell: Callable[[str], None]) -> None:
+def schedule(folder: Path, host: str, port: int, notify: Callable[[str], None]) -> None:
     """Be the scheduler of a cluster until interrupted; its folder gets certificates where it has none.
 
     host    name or address of this machine for the others; empty: the one by which it reaches the network
@@ -68,7 +68,7 @@ def schedule(folder: Path, host: str, port: int, tell: Callable[[str], None]) ->
     try:
         check_certificates(folder)
         with suppress(asyncio.CancelledError):
-            asyncio.run(_schedule(folder, host, port, tell))
+            asyncio.run(_schedule(folder, host, port, notify))
     except InputError:
         for name in CERTIFICATES if made else ():
             (folder / name).unlink(missing_ok=True)
@@ -92,7 +92,7 @@ def _refuse_second(folder: Path) -> None:
     )
 
 
-async def _schedule(folder: Path, host: str, port: int, tell: Callable[[str], None]) -> None:
+async def _schedule(folder: Path, host: str, port: int, notify: Callable[[str], None]) -> None:
     security = security_of(Cluster("", folder))
     _end_on_signal()
     try:
@@ -101,19 +101,19 @@ async def _schedule(folder: Path, host: str, port: int, tell: Callable[[str], No
             dashboard_address="127.0.0.1:0",
         )  # fmt: skip
         await scheduler
-    except (OSError, ValueError, RuntimeError) as error:  # Dask says the last one, with the reason behind it
+    except (OSError, ValueError, RuntimeError) as error:  # Dask states the last one, with the reason behind it
         why = error.__cause__ if isinstance(error, RuntimeError) and error.__cause__ is not None else error
         found = getattr(why, "strerror", None) or str(why)
         raise InputError("cluster.cannot_listen", host=host or "-", port=str(port), detail=found) from None
     try:
         write_scheduler(folder, scheduler.address)
-        tell(f"scheduler: {scheduler.address} ({signature()})")
+        notify(f"scheduler: {scheduler.address} ({signature()})")
         await scheduler.finished()
     finally:
         await scheduler.close()
 
 
-def work(where: str, jobs: int, tell: Callable[[str], None]) -> None:
+def work(where: str, jobs: int, notify: Callable[[str], None]) -> None:
     """Be workers of a cluster until interrupted, with one thread each; a scheduler that is not there is waited for.
 
     where   folder or address, as `cluster_at` takes it
@@ -121,35 +121,35 @@ def work(where: str, jobs: int, tell: Callable[[str], None]) -> None:
     """
     quiet()
     with suppress(asyncio.CancelledError):
-        asyncio.run(_work(where, jobs or os.cpu_count() or 1, tell))
+        asyncio.run(_work(where, jobs or os.cpu_count() or 1, notify))
 
 
-async def _work(where: str, jobs: int, tell: Callable[[str], None]) -> None:
+async def _work(where: str, jobs: int, notify: Callable[[str], None]) -> None:
     _end_on_signal()
     with tempfile.TemporaryDirectory() as folder:
-        telling = _Telling(tell, Path(folder))
+        telling = _Telling(notify, Path(folder))
         _checked_version(await _there(where, telling, NoScheduler), where)
         now_and_then = asyncio.create_task(telling.now_and_then())
         try:
             await asyncio.gather(*(_one_worker(where, telling) for _ in range(jobs)))
         finally:
             now_and_then.cancel()
-            tell(f"{counted(telling.count(), 'task')} done in all")
+            notify(f"{counted(telling.count(), 'task')} done in all")
 
 
 @dataclass(slots=True)
 class _Telling:
     """What workers of one command say: what stays as it is once."""
 
-    tell: Callable[[str], None]
+    notify: Callable[[str], None]
     folder: Path
-    """in which each process says how many tasks it has done"""
+    """in which each process states how many tasks it has done"""
     waits: str = ""
 
     def waiting(self, why: str) -> None:
         """Say for what is waited."""
         if why != self.waits:
-            self.tell(f"waits for a scheduler: {why}")
+            self.notify(f"waits for a scheduler: {why}")
         self.waits = why
 
     def count(self) -> int:
@@ -165,7 +165,7 @@ class _Telling:
             await asyncio.sleep(TELL_S)
             count = self.count()
             if count > before:
-                self.tell(f"{counted(count, 'task')} done so far")
+                self.notify(f"{counted(count, 'task')} done so far")
             before = count
 
 
@@ -215,7 +215,7 @@ async def _one_worker(where: str, telling: _Telling) -> None:
         )  # fmt: skip
         try:
             await nanny
-            telling.tell(f"worker of {cluster.address} ({signature()})")
+            telling.notify(f"worker of {cluster.address} ({signature()})")
             await nanny.finished()
         except (OSError, TimeoutError, RuntimeError):  # the scheduler went away meanwhile
             await asyncio.sleep(LOOK_S)

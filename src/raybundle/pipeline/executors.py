@@ -35,7 +35,8 @@ class Executor(Protocol):
         """Do tasks, each after those that it needs, and yield them as they end.
 
         A task that needs one that failed fails, too.  What a task raises beside InputError, or the death of its
-        process, is a reason to try it again, three times in all; then it fails, and the log beside the store says why.
+        process, is a reason to try it again, three times in all; then it fails, and the log beside the store states
+        why.
         raises  InputError for tasks that wait for each other, where nothing can be written any more, and where those
                 who did them cannot be reached; what is kept by then stays
         """

@@ -23,8 +23,8 @@ def key_of(kind: str, *parts: object) -> str:
     """The kind of a product and the hash of everything it depends on.
 
     parts  texts, numbers, arrays, paths, and mappings, sequences and data classes of them.  What is known by less than
-           its fields says so by a property `content`: a photograph is its bytes, wherever it lies.
-    raises TypeError for a part whose content cannot be told
+           its fields states it by a property `content`: a photograph is its bytes, wherever it lies.
+    raises TypeError for a part whose content cannot be determined
     """
     text = json.dumps(parts, sort_keys=True, ensure_ascii=False, allow_nan=True, separators=(",", ":"), default=_plain)
     return f"{kind}-{hashlib.sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:40]}"

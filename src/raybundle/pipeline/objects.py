@@ -311,9 +311,9 @@ class Objects:
 
 
 def _said(error: Exception) -> str:
-    """What a service says, in its words."""
-    said = str(getattr(error, "strerror", None) or error).strip().partition("\n")[0]
-    return said or "no reason is given"
+    """What a service states, in its words."""
+    stated = str(getattr(error, "strerror", None) or error).strip().partition("\n")[0]
+    return stated or "no reason is given"
 
 
 def _exists(fs: Any, path: str) -> bool:

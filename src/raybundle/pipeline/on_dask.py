@@ -1,7 +1,7 @@
 """Tasks on other machines, handed out by Dask distributed, which this module and `dask_machines` alone know.
 
 Dask carries tasks as text and hands small products back; what is done is known by the store, which all machines see.
-A worker says what raybundle it runs as a resource, and a task asks for that resource: no other worker is given it.
+A worker states what raybundle it runs as a resource, and a task asks for that resource: no other worker is given it.
 """
 
 from __future__ import annotations
@@ -49,15 +49,15 @@ LOOK_S = 1.0
 PATIENCE_S = 120.0
 """That a run waits for a worker that can do its tasks, and for a scheduler that was lost: a machine starts in less."""
 SAY_S, AGAIN_S = 5.0, 30.0
-"""After which a run says that it waits for a worker or the scheduler, and after which once more."""
+"""After which a run states that it waits for a worker or the scheduler, and after which once more."""
 COUNTS = "RAYBUNDLE_WORKER_COUNTS"
-"""Names to the processes of a worker the folder in which each says how many tasks it has done."""
+"""Names to the processes of a worker the folder in which each states how many tasks it has done."""
 BLIND = 3
 """Tasks that a worker could not do and this machine could, before the run ends: once may be a network that failed."""
 CONFIGURED = {
     "distributed.comm.timeouts.connect": "10s",
     "distributed.comm.timeouts.tcp": "30s",
-    # a line that is cut looks like a death: `queues` is told of it when it has happened so often to the same tasks
+    # a line that is cut looks like a death: `queues` is reported of it when it has happened so often to the same tasks
     "distributed.scheduler.allowed-failures": 5,
     "distributed.scheduler.worker-ttl": "60s",
     # a task's memory is its own affair: what Dask takes for too much would be killed
@@ -107,7 +107,7 @@ def security_of(cluster: Cluster) -> Security:
 
 
 def quiet() -> None:
-    """What Dask has to say of lost connections is said by us, in words that help."""
+    """What Dask has to say of lost connections is stated by us, in words that help."""
     config.set(CONFIGURED)
     for name in ("distributed", "tornado.application", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
@@ -137,8 +137,8 @@ class _Workers:
     """when a worker was seen that can do our tasks"""
     most: int = 0
     """workers that were seen at once"""
-    told: float = -math.inf
-    """when it was last said that somebody is waited for"""
+    reported: float = -math.inf
+    """when it was last stated that somebody is waited for"""
     blind: int = 0
     name: str = field(default_factory=lambda: uuid.uuid4().hex[:8])
     count: int = 0
@@ -213,9 +213,10 @@ class _Workers:
         for future in batch:
             tasks = self.futures.pop(future, ())
             if future in results:
-                told, host, refused = results[future]
+                reported, host, refused = results[future]
                 found += [
-                    (task.key, self._checked(task, done, host, refused)) for task, done in zip(tasks, told, strict=True)
+                    (task.key, self._checked(task, done, host, refused))
+                    for task, done in zip(tasks, reported, strict=True)
                 ]
             elif future.status == "error":  # its worker died; what a task raises is handed back as what became of it
                 found += [(task.key, None) for task in tasks]
@@ -264,8 +265,8 @@ class _Workers:
     def _say_waiting(self, why: str, waited: float) -> None:
         """Say now and then for whom is waited, and for how long."""
         now = time.monotonic()
-        if waited > SAY_S and now > self.told + AGAIN_S:
-            self.told = now
+        if waited > SAY_S and now > self.reported + AGAIN_S:
+            self.reported = now
             left = max(self.patience - waited, 0.0)
             self.progress(f"{why}: waiting for up to {left:.0f} s more", Remark())
 
@@ -274,7 +275,7 @@ class _Workers:
         self._connected()
         try:
             workers = self.client.scheduler_info(n_workers=-1)["workers"]
-        except Exception:  # noqa: BLE001  (the connection was lost meanwhile: the next look tells)
+        except Exception:  # noqa: BLE001  (the connection was lost meanwhile: the next look shows)
             return
         self.looked = time.monotonic()
         fit = [w for w in workers.values() if signature() in w["resources"]]
@@ -284,7 +285,7 @@ class _Workers:
             self.progress(f"{lost} lost, {len(fit)} left", Remark())
         self.most = len(fit)
         if fit:
-            if self.told > self.seen:
+            if self.reported > self.seen:
                 self.progress(f"{counted(len(fit), 'worker')} there: it goes on", Remark())
             self.seen = self.looked
         elif self.looked > self.seen + self.patience:
@@ -344,6 +345,6 @@ def _count(more: int) -> None:
 
 
 def dask_setup(worker: DaskWorker) -> None:
-    """Make a worker that somebody else started one of ours, where it is told to load this module before."""
+    """Make a worker that somebody else started one of ours, where it is asked to load this module before."""
     worker.state.total_resources[signature()] = 1
     worker.state.available_resources[signature()] = 1

@@ -7,7 +7,7 @@
     PROJECT/result/          the result folder
     PROJECT/block/           the photographs alone, where they are measured by hand and `orient` made no result
     PROJECT/running.json     how far a stage in work is
-    PROJECT/failed-tasks.log what tasks said that failed three times
+    PROJECT/failed-tasks.log what tasks stated that failed three times
     PROJECT/surface/         dense points of `surface`, with what is kept for its next run
     PROJECT/film/            what is known of the film that the photographs are scans of
     PROJECT/measured.db      what was measured by hand (`raybundle.measuring.journal`)
@@ -45,7 +45,7 @@ from raybundle.pipeline.store import Folder, Product, kind_of, writing
 
 SCHEMA = 1
 HERE = "project"
-"""Said of a store: the project folder itself."""
+"""Stated of a store: the project folder itself."""
 OWN = {
     "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "block", "film", "surface",
     "measured.db", "measured.db-wal", "measured.db-shm", "measured-result", "measured-masks", "failed-tasks.log",
@@ -126,7 +126,7 @@ class Project:
     lock: int | None = None
     """file descriptor that holds the lock"""
     store: str = ""
-    """where the products lie, as `store_given` says"""
+    """where the products lie, as `store_given` states"""
     products: Folder = field(init=False)
 
     def __post_init__(self) -> None:
@@ -137,8 +137,8 @@ class Project:
     def open(cls, folder: Path, *, create: bool = True, store: str = "") -> Project:
         """Open a project folder for a run, or begin one; `create=False` only looks at one, and changes nothing.
 
-        store   URL of the object store of its products; "project": they lie in the folder; empty: as the last run said
-        raises  InputError where something else stands there, another run works there, or nothing can be written
+        store   URL of the object store of its products; "project": they lie in the folder; empty: as the last run
+        stated raises  InputError where something else stands there, another run works there, or nothing can be written
         """
         file = folder / "project.db"
         if not create:
@@ -304,7 +304,7 @@ def discard_empty(folder: Path, cheap: str = "") -> None:
 
 @contextmanager
 def _reading(file: Path, *, writes: bool = False) -> Generator[None]:
-    """Turn a damaged database into a message that says what to do."""
+    """Turn a damaged database into a message that states what to do."""
     try:
         yield
     except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
@@ -469,7 +469,7 @@ def photographs_of(result: Path) -> tuple[Path, ...]:
 
 
 def store_given(folder: Path) -> str:
-    """Where the products of a project lie, as its last run was told: a URL, HERE, or nothing."""
+    """Where the products of a project lie, as its last run was reported: a URL, HERE, or nothing."""
     file = folder / "project.toml"
     if not file.is_file():
         return ""

@@ -154,12 +154,12 @@ class _Work:
         return None
 
     def _log(self, task: Task, done: Done, attempt: int) -> str:
-        """Write down what a task says that failed; where."""
+        """Write down what a task states that failed; where."""
         file = self.store.path.parent / LOG
         try:
             with file.open("a", encoding="utf-8", errors="replace") as log:
                 log.write(f"{task.name or task.key}: {task.function}, {task.key}, attempt {attempt}\n{done.trouble}\n")
-        except OSError:  # the task is told anyway
+        except OSError:  # the task is reported anyway
             return f"{file} (which cannot be written)"
         return str(file)
 

@@ -31,7 +31,7 @@ class Running:
 
 
 def note(folder: Path, stage: str, done: int, total: int) -> None:
-    """Write down how far a stage is; where that cannot be, nobody is told."""
+    """Write down how far a stage is; where that cannot be, nobody is reported."""
     now = time.strftime("%Y-%m-%d %H:%M:%S", time.gmtime())
     temporary = folder / f".{FILE}.{uuid.uuid4().hex[:8]}"
     with suppress(OSError):

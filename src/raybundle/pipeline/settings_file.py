@@ -26,7 +26,7 @@ def tables_of(path: Path) -> dict[str, str]:
     """
     if not path.is_file():
         return {}
-    read_toml(path)  # mistakes are told with their line
+    read_toml(path)  # mistakes are reported with their line
     found: dict[str, list[str]] = {}
     name, waiting, inside = "", list[str](), ""
     for line in read_text(path, TOML_BYTES).splitlines():
@@ -110,13 +110,13 @@ def with_entries(path: Path, name: str, entries: Mapping[str, str]) -> str:
     plain = "\n".join([f"[{name}]", *written.values()])  # a JSON text is one of TOML
     if not entries:
         return with_table(path, name, "")
-    told = toml_of(before, path).values.get(name, {}) if before else {}
-    edited = _edited(before, told, entries, written) if isinstance(told, dict) and told else ""
+    stated = toml_of(before, path).values.get(name, {}) if before else {}
+    edited = _edited(before, stated, entries, written) if isinstance(stated, dict) and stated else ""
     kept = _texts(edited, name) == dict(entries)
     return with_table(path, name, edited if kept else plain)
 
 
-def _edited(before: str, told: Mapping[str, Any], entries: Mapping[str, str], written: Mapping[str, str]) -> str:
+def _edited(before: str, stated: Mapping[str, Any], entries: Mapping[str, str], written: Mapping[str, str]) -> str:
     """The lines of a table with other texts for some of its entries, new ones behind the last."""
     lines: list[str] = []
     key, inside, last = "", "", 0
@@ -127,7 +127,7 @@ def _edited(before: str, told: Mapping[str, Any], entries: Mapping[str, str], wr
             key = found[1] or found[2] or found[3]
         elif not key or not line.strip() or line.lstrip().startswith("#"):
             key = key if inside else ""
-        same = key not in told or (key in entries and str(told[key]) == entries[key])
+        same = key not in stated or (key in entries and str(stated[key]) == entries[key])
         if not key or same:
             lines.append(line)
         elif found is not None and key in written:
@@ -135,7 +135,7 @@ def _edited(before: str, told: Mapping[str, Any], entries: Mapping[str, str], wr
         if key:
             last = len(lines)
             key = key if inside else ""
-    new = [text for entry, text in written.items() if entry not in told]
+    new = [text for entry, text in written.items() if entry not in stated]
     at = last or len(lines)
     return "\n".join([*lines[:at], *new, *lines[at:]])
 
@@ -155,10 +155,10 @@ def _comment(line: str) -> str:
 
 def _texts(text: str, name: str) -> dict[str, str] | None:
     try:
-        told = toml_of(text, Path(name)).values.get(name)
+        stated = toml_of(text, Path(name)).values.get(name)
     except InputError:
         return None
-    return {k: str(v) for k, v in cast("dict[str, Any]", told).items()} if isinstance(told, dict) else None
+    return {k: str(v) for k, v in cast("dict[str, Any]", stated).items()} if isinstance(stated, dict) else None
 
 
 def _others(text: str, name: str) -> dict[str, Any] | None:

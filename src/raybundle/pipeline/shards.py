@@ -56,8 +56,8 @@ class Shards:
             products = _unpacked(store.load(archive) or {})
             found = {key: product for key, product in products.items() if key in wanted}
             for key, product in found.items():
-                said, lost = (str(product.get(name, "")) for name in (FAILED, LOST))
-                failed = message_of(value_of_text(said)) if said else None
+                stated, lost = (str(product.get(name, "")) for name in (FAILED, LOST))
+                failed = message_of(value_of_text(stated)) if stated else None
                 last = key == next(reversed(found))
                 done = Done(task=wanted.pop(key), product=product, failed=failed, lost=lost, keep_now=last)
                 yield done
@@ -112,7 +112,7 @@ class ShardDone:
 
     made: int
     failed: tuple[tuple[str, Message], ...]
-    """tasks that could not be done, and why: the run that wanted them says what follows from it"""
+    """tasks that could not be done, and why: the run that wanted them states what follows from it"""
     waiting: int
     """tasks that need what other shards have not made"""
 
@@ -153,8 +153,8 @@ def do_shard(
                 count += not done.failed
                 if done.failed:
                     failed[done.task.key] = done.failed
-                    said = {FAILED: np.array(json.dumps(done.failed.json())), LOST: np.array(done.lost)}
-                    _hand_over(store, {done.task.key: said})
+                    stated = {FAILED: np.array(json.dumps(done.failed.json())), LOST: np.array(done.lost)}
+                    _hand_over(store, {done.task.key: stated})
                 elif done.task.small:
                     handing[done.task.key] = done.product
                 if time.monotonic() > handed + HAND_OVER_S:

@@ -1,6 +1,6 @@
 """Stages as values, and the run that does them.
 
-A stage says what its product depends on (`inputs`), and its function sees nothing else but the means: so a product
+A stage states what its product depends on (`inputs`), and its function sees nothing else but the means: so a product
 that is kept under the hash of the inputs is the one that the function would make again.
 """
 
@@ -44,7 +44,7 @@ class Codec(Generic[P]):
 
 @dataclass(slots=True)
 class Counting:
-    """Tells how far the tasks of a stage are, those included that earlier runs have done."""
+    """Shows how far the tasks of a stage are, those included that earlier runs have done."""
 
     progress: Progress
     what: str
@@ -114,7 +114,7 @@ class Means:
         there = self.store.those([t.key for t in tasks if not t.small])
         missing = [t for t in tasks if t.key not in (self._small if t.small else there)]
         self.made += len(missing)
-        told = Counting(
+        counting = Counting(
             self.progress, what, total=len(tasks), done=len(tasks) - len(missing), costs=missing,
             folder=self.project.folder,
         )  # fmt: skip
@@ -125,7 +125,7 @@ class Means:
             executor = Processes(executor.jobs, executor.memory)
         lost = Counter[tuple[str, str]]()
         while True:
-            again = self._once(missing, told, failed, executor)
+            again = self._once(missing, counting, failed, executor)
             lost.update((done.task.key, done.lost) for done in again)
             hopeless = [done for done in again if lost[done.task.key, done.lost] >= MENDS]
             failed |= {done.task.key: _in_one_line(done.failed) for done in hopeless if done.failed}
@@ -137,7 +137,7 @@ class Means:
         return failed
 
     def _mend(self, stopped: Sequence[Done]) -> None:
-        """Make again what tasks found damaged, and what else they need of it: each of them tells of one product alone.
+        """Make again what tasks found damaged, and what else they need of it: each of them reports one product alone.
 
         raises  ProductGone where no task of this run makes it
         """
@@ -156,7 +156,9 @@ class Means:
         if gone:
             raise ProductGone(gone, self.store.place.name)
 
-    def _once(self, missing: Sequence[Task], told: Counting, failed: dict[str, Text], executor: Executor) -> list[Done]:
+    def _once(
+        self, missing: Sequence[Task], counting: Counting, failed: dict[str, Text], executor: Executor
+    ) -> list[Done]:
         """Do tasks; those that found a product damaged."""
         waiting: list[tuple[str, Product]] = []
         again: list[Done] = []
@@ -172,7 +174,7 @@ class Means:
                     waiting.append((done.task.key, done.product))
                     self._small[done.task.key] = done.product
                 if not done.lost:
-                    told.one_more(done.task.cost)
+                    counting.one_more(done.task.cost)
                 if done.keep_now or time.perf_counter() - saved > SAVE_EVERY_S:
                     self.project.store_small(waiting)
                     waiting, saved = [], time.perf_counter()
@@ -193,7 +195,7 @@ class Stage(Generic[S, I, P]):
     name: str
     """first word of the keys of its products"""
     line: str = ""
-    """as users read it where that is not the name: stages that stand together with one line are told as one"""
+    """as users read it where that is not the name: stages that stand together with one line are reported as one"""
     version: int = 1
     """raised with every change of what the function gives"""
     after: tuple[str, ...] = ()
@@ -205,7 +207,7 @@ class Stage(Generic[S, I, P]):
     """makes the product from the inputs alone"""
     put: Callable[[S, P], S]
     """the state with the product"""
-    told: Callable[[S], str] = lambda _: ""
+    reported: Callable[[S], str] = lambda _: ""
     """what came of it, in a few words"""
     codec: Codec[P] | None = None
     """None: the product is made each time, as of products that tasks keep"""
@@ -262,7 +264,7 @@ class Workflow(Generic[S]):
         return alternative
 
     def in_order(self) -> tuple[Stage[S, Any, Any], ...]:
-        """The stages, each behind those that it says; raises ValueError for a circle or a name that is none."""
+        """The stages, each behind those that it states; raises ValueError for a circle or a name that is none."""
         needs = {name: set(s.after) for name, s in self.stages.items()}
         for name, s in self.stages.items():
             for other in s.before:
@@ -372,7 +374,7 @@ class Run:
         else:
             product, timed.key, timed.from_cache = self._kept(stage, stage.codec, stage.inputs(state), means)
         state = stage.put(state, product)
-        timed.summary = stage.told(state)
+        timed.summary = stage.reported(state)
         return state
 
     def _kept(self, stage: Stage[S, I, P], codec: Codec[P], inputs: I, means: Means) -> tuple[P, str, bool]:

@@ -128,7 +128,7 @@ class Place(Protocol):
 
 
 FileMark = tuple[int, int, int]
-"""What tells a file from another one that is put in its place: number, time [ns], length."""
+"""What shows a file from another one that is put in its place: number, time [ns], length."""
 
 
 def mark_of(file: Path | int) -> FileMark | None:
@@ -453,7 +453,7 @@ _stores: dict[tuple[str, str], Folder] = {}
 
 @contextmanager
 def writing(folder: Path) -> Generator[None]:
-    """Turn a full disk, a read-only folder and the like into a message that says what to do."""
+    """Turn a full disk, a read-only folder and the like into a message that states what to do."""
     try:
         yield
     except (OSError, sqlite3.OperationalError) as error:

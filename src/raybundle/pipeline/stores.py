@@ -1,4 +1,4 @@
-"""Whether products may lie where a run is told: said before anything is computed or remembered."""
+"""Whether products may lie where a run is reported: stated before anything is computed or remembered."""
 
 from __future__ import annotations
 

@@ -101,7 +101,7 @@ def do(task: Task, store: Folder) -> Done:
         return Done(task=task, failed=as_detail(error), stop=as_detail(error))
     except InputError as error:
         return Done(task=task, failed=as_detail(error))
-    except Exception as error:  # noqa: BLE001  (it is told with its traceback in the log, after some attempts)
+    except Exception as error:  # noqa: BLE001  (it is reported with its traceback in the log, after some attempts)
         failed = message("task.failed", kind=type(error).__name__, detail=str(error))
         return Done(task=task, failed=failed, trouble=traceback.format_exc())
     if task.small:
@@ -137,7 +137,7 @@ def read_task(text: bytes) -> Task:
 def do_written(text: bytes, store: Folder) -> Done:
     """Do a task that was written down; what is handed back names it by its key.
 
-    Where its product is there already, as where a process was killed before anybody was told, nothing is done again.
+    Where its product is there already, as after a process was killed, nothing is done again.
     """
     task = read_task(text)
     try:

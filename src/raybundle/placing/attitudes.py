@@ -1,8 +1,8 @@
-"""Attitudes that an INS or a gimbal tells of photographs: whether they are used, whether they are what they are called.
+"""Attitudes that an INS or a gimbal reports photographs: whether they are used, whether they are what they are called.
 
 They are observed with a misalignment (boresight) for each camera.  A misalignment is one small rotation for all
 photographs, so that a wrong convention shows: after the best mounting the turns of the photographs against what was
-told scatter by far more than the standard deviations.  Such attitudes are left out and the reading that fits is named.
+stated scatter by far more than the standard deviations.  They are left out; the reading that fits is named.
 """
 
 from __future__ import annotations
@@ -45,10 +45,10 @@ SINGLE = 10.0
 STEEP = 0.02
 """Cosine of phi below which omega, phi, kappa do not describe an attitude well."""
 ENOUGH = 4
-"""Attitudes from which their scatter tells a convention."""
+"""Attitudes from which their scatter shows a convention."""
 SAMPLE = 200
 ACROSS, NOMINAL = 10.0, float(np.radians(1.0))
-"""Spread of the positions across their line, in their standard deviations, below which they tell no turn about it;
+"""Spread of the positions across their line, in their standard deviations, below which they show no turn about it;
 and what the mounting of the camera is then taken to be good to."""
 
 READINGS: dict[str, Callable[[Array], Array]] = {
@@ -76,7 +76,7 @@ class Fit:
     """How attitudes fit the photographs with one mounting of the camera."""
 
     mount: Array
-    """(3, 3) told to image axes"""
+    """(3, 3) asked to image axes"""
     apart: Array
     """(n,) angles of the photographs from it [rad]"""
 
@@ -144,20 +144,20 @@ def _with_covariance(a: PhotoAttitudes) -> PhotoAttitudes:
 
 def observe_attitudes(state: Placing, photos: Sequence[Photo], given: Given, frame: LocalFrame) -> None:
     """Observe the attitudes in a placed block, with a misalignment of each camera; or say why not."""
-    told = given.attitudes
-    if told is None:
+    recorded = given.attitudes
+    if recorded is None:
         return
     number = {p.name: i for i, p in enumerate(photos)}
-    image = np.array([number.get(n, -1) for n in told.names], np.int32)  # -1: a photograph that is not used
+    image = np.array([number.get(n, -1) for n in recorded.names], np.int32)  # -1: a photograph that is not used
     block = state.block
     cameras = np.unique(block.images.camera[image[image >= 0]])
     mine = np.flatnonzero((image >= 0) & np.asarray(block.images.oriented)[image])
     image = image[mine]
     R, enu_from_local = block.images.rotation[image], _enu_from_local(block.images.centre[image], frame)
     part = replace(
-        told, names=tuple(told.names[k] for k in mine), rotation=told.rotation[mine] @ enu_from_local,
-        covariance=told.covariance[mine], angles=told.angles[mine],
-        against_enu=told.against_enu[mine] @ enu_from_local,
+        recorded, names=tuple(recorded.names[k] for k in mine), rotation=recorded.rotation[mine] @ enu_from_local,
+        covariance=recorded.covariance[mine], angles=recorded.angles[mine],
+        against_enu=recorded.against_enu[mine] @ enu_from_local,
     )  # fmt: skip
     taken = {c.id for c in block.parametrised}
     imus: list[Instrument] = []
@@ -173,7 +173,7 @@ def observe_attitudes(state: Placing, photos: Sequence[Photo], given: Given, fra
             used.append(mounted)
             _tell_convergence(state, block, part, mounted, frame)
     if used and nominal:
-        state.tell("attitudes_nominal", sigma_deg=float(np.degrees(NOMINAL)))
+        state.notify("attitudes_nominal", sigma_deg=float(np.degrees(NOMINAL)))
     _observe(state, part, image, used, imus if given.misalignment else [])
 
 
@@ -189,7 +189,9 @@ class _Mounted:
     """(3,) [rad] at the start"""
 
 
-def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mounted], imus: list[Instrument]) -> None:
+def _observe(
+    state: Placing, recorded: PhotoAttitudes, image: Index, used: list[_Mounted], imus: list[Instrument]
+) -> None:
     """Attitudes and IMUs into the block; the block of every part gets all IMUs, so that they are numbered alike."""
     block = state.block
     first = len(block.instruments)
@@ -199,16 +201,16 @@ def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mou
     rows = np.concatenate([m.rows for m in used])
     turn = np.concatenate([np.tile(m.turn, (len(m.rows), 1, 1)) for m in used])
     imu = np.concatenate([np.full(len(m.rows), first + m.imu) for m in used])
-    R = turn @ told.rotation[rows]
+    R = turn @ recorded.rotation[rows]
     angles = angles_from_rotation(R)
     steep = np.abs(np.cos(angles[:, 1])) < STEEP
     if steep.any():
-        names = [told.names[k] for k in rows[steep]]
-        state.tell("attitudes_steep", *names, n=len(names))
+        names = [recorded.names[k] for k in rows[steep]]
+        state.notify("attitudes_steep", *names, n=len(names))
     order = np.flatnonzero(~steep)[np.argsort(image[rows[~steep]], kind="stable")]
     rows, turn, imu, R, angles = rows[order], turn[order], imu[order], R[order], angles[order]
     D = angle_derivatives(R) @ turn
-    sigma, correlation = deviations_of(D @ told.covariance[rows] @ np.swapaxes(D, 1, 2))
+    sigma, correlation = deviations_of(D @ recorded.covariance[rows] @ np.swapaxes(D, 1, 2))
     correlation = np.where(np.abs(correlation) > CORRELATED, correlation, 0.0)
     state.block = block.having(
         Attitudes(
@@ -219,33 +221,33 @@ def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mou
             imu=imu.astype(np.int32) if imus else None,
         )
     )
-    state.tell("attitudes", n=len(rows), convention=told.convention, source=told.source, cameras=len(imus))
+    state.notify("attitudes", n=len(rows), convention=recorded.convention, source=recorded.source, cameras=len(imus))
 
 
-def _mounted(state: Placing, told: PhotoAttitudes, rows: Index, R: Array, imu: int) -> _Mounted:
-    """The attitudes of one camera (rows of `told`) against its photographs' rotations R; none where they contradict."""
+def _mounted(state: Placing, recorded: PhotoAttitudes, rows: Index, R: Array, imu: int) -> _Mounted:
+    """The attitudes of one camera (rows of `recorded`) against the photographs' rotations; none if they contradict."""
     nothing = _Mounted(rows=rows[:0], imu=imu, turn=np.eye(3), misalignment=np.zeros(3))
     if not len(rows):
         return nothing
-    fit = fit_mount(R[rows], told.rotation[rows])
-    sigma = float(np.sqrt(np.median(np.trace(told.covariance[rows], axis1=1, axis2=2))))
+    fit = fit_mount(R[rows], recorded.rotation[rows])
+    sigma = float(np.sqrt(np.median(np.trace(recorded.covariance[rows], axis1=1, axis2=2))))
     limit = min(max(GROSS * sigma, LEAST), MOST)
-    other = _better_reading(told, rows, R, fit)
+    other = _better_reading(recorded, rows, R, fit)
     doubt = other is not None and (fit.scatter > DOUBT * sigma or fit.askew > MOUNTED)
-    alone = fit.askew > MOUNTED and (fit.scatter > DOUBT * sigma or _one_heading(told, rows))
+    alone = fit.askew > MOUNTED and (fit.scatter > DOUBT * sigma or _one_heading(recorded, rows))
     if fit.scatter > limit or doubt or alone:
-        _tell_contradiction(state, told, fit, sigma, other)
+        _tell_contradiction(state, recorded, fit, sigma, other)
         return nothing
     turn = fit.mount if fit.askew > MOUNTED else fit.quarters
     if fit.askew > MOUNTED or fit.quarter:
         quarter = fit.askew <= MOUNTED
         angle = 90.0 * fit.quarter if quarter else float(np.degrees(np.linalg.norm(_vector(fit.mount))))
-        alike = _one_heading(told, rows)
-        state.tell("attitudes_mount", source=told.source, angle_deg=angle, quarter=quarter, alike=alike)
+        alike = _one_heading(recorded, rows)
+        state.notify("attitudes_mount", source=recorded.source, angle_deg=angle, quarter=quarter, alike=alike)
     far = fit.apart > max(SINGLE * sigma, LEAST)
     if far.any():
-        names = [told.names[k] for k in rows[far]]
-        state.tell(
+        names = [recorded.names[k] for k in rows[far]]
+        state.notify(
             "attitude_wrong", *names, n=len(names), off_deg=float(np.degrees(fit.apart[far].max())),
             scatter_deg=float(np.degrees(fit.scatter)),
         )  # fmt: skip
@@ -253,7 +255,7 @@ def _mounted(state: Placing, told: PhotoAttitudes, rows: Index, R: Array, imu: i
 
 
 def _tell_contradiction(
-    state: Placing, told: PhotoAttitudes, fit: Fit, sigma: float, other: tuple[str, Fit] | None
+    state: Placing, recorded: PhotoAttitudes, fit: Fit, sigma: float, other: tuple[str, Fit] | None
 ) -> None:
     """Add the fault of attitudes that contradict the photographs, and how they would fit better."""
     details: list[Message] = []
@@ -263,18 +265,18 @@ def _tell_contradiction(
         name, found = other
         scatter = float(np.degrees(found.scatter))
         details.append(message("attitudes_contradict.reading", reading=name, scatter_deg=scatter))
-    state.tell(
-        "attitudes_contradict", details=tuple(details), source=told.source, reading=CALLED[told.convention],
+    state.notify(
+        "attitudes_contradict", details=tuple(details), source=recorded.source, reading=CALLED[recorded.convention],
         scatter_deg=float(np.degrees(fit.scatter)), sigma_deg=float(np.degrees(sigma)), other=other is not None,
     )  # fmt: skip
 
 
-def fit_mount(R: Array, told: Array) -> Fit:
-    """The one mounting M of R = M told (n, 3, 3) that most of them share, and how far each is from it.
+def fit_mount(R: Array, recorded: Array) -> Fit:
+    """The one mounting M of R = M stated (n, 3, 3) that most of them share, and how far each is from it.
 
     Robust: of the mountings that single photographs give, the one that has the least median distance to the others.
     """
-    M = R @ np.swapaxes(told, 1, 2)
+    M = R @ np.swapaxes(recorded, 1, 2)
     some = M[np.linspace(0, len(M) - 1, min(len(M), SAMPLE)).astype(int)]
     # trace of A B' = 1 + 2 cos(angle)
     apart = _angles(np.einsum("aij,bij->ab", some, M))
@@ -289,16 +291,16 @@ def _angles(trace: Array) -> Array:
     return np.arccos(np.clip((trace - 1) / 2, -1.0, 1.0))
 
 
-def _better_reading(told: PhotoAttitudes, rows: Index, R: Array, fit: Fit) -> tuple[str, Fit] | None:
+def _better_reading(recorded: PhotoAttitudes, rows: Index, R: Array, fit: Fit) -> tuple[str, Fit] | None:
     """Another reading of the angles that fits clearly better, or as well without a mounting askew; None: there is none.
 
-    Fewer than ENOUGH attitudes tell nothing: with one mounting to choose, many readings fit a few of them.
+    Fewer than ENOUGH attitudes show nothing: with one mounting to choose, many readings fit a few of them.
     """
     if len(rows) < ENOUGH:
         return None
     fits = {
-        name: fit_mount(R[rows], make(told.angles[rows]) @ told.against_enu[rows])
-        for name, make in READINGS.items() if name != CALLED[told.convention]
+        name: fit_mount(R[rows], make(recorded.angles[rows]) @ recorded.against_enu[rows])
+        for name, make in READINGS.items() if name != CALLED[recorded.convention]
     }  # fmt: skip
     name = min(fits, key=lambda n: (fits[n].scatter > 1.1 * min(f.scatter for f in fits.values()), fits[n].askew))
     found = fits[name]
@@ -310,23 +312,25 @@ def _vector(rotation: Array) -> Array:
     return vector_from_rotation(rotation[None])[0]
 
 
-def _one_heading(told: PhotoAttitudes, rows: Index) -> bool:
-    """Whether the attitudes differ too little to tell a mounting from a wrong zero of their angles."""
-    return bool(_angles(np.einsum("ij,bij->b", told.rotation[rows[0]], told.rotation[rows])).max() < MOUNTED)
+def _one_heading(recorded: PhotoAttitudes, rows: Index) -> bool:
+    """Whether the attitudes differ too little to show a mounting from a wrong zero of their angles."""
+    return bool(_angles(np.einsum("ij,bij->b", recorded.rotation[rows[0]], recorded.rotation[rows])).max() < MOUNTED)
 
 
-def _tell_convergence(state: Placing, block: Block, told: PhotoAttitudes, mounted: _Mounted, frame: LocalFrame) -> None:
+def _tell_convergence(
+    state: Placing, block: Block, recorded: PhotoAttitudes, mounted: _Mounted, frame: LocalFrame
+) -> None:
     """Say so where the misalignment about the vertical is what true north and grid north differ by."""
     oriented = block.images.centre[block.images.oriented]
     lon, lat, _ = frame.wgs84_from_local(oriented.mean(axis=0)[None])[0]
     middle = 6 * np.floor(lon / 6) + 3
     convergence = float(np.arctan(np.tan(np.radians(lon - middle)) * np.sin(np.radians(lat))))
-    up = np.mean(mounted.turn @ told.rotation[mounted.rows], axis=0)[:, 2]
+    up = np.mean(mounted.turn @ recorded.rotation[mounted.rows], axis=0)[:, 2]
     about = float(mounted.misalignment @ up)
-    sigma = float(np.sqrt(np.median(told.covariance[mounted.rows, 2, 2]) / len(mounted.rows)))
+    sigma = float(np.sqrt(np.median(recorded.covariance[mounted.rows, 2, 2]) / len(mounted.rows)))
     tolerance = max(3 * sigma, np.radians(0.05))
     if abs(convergence) > 3 * tolerance and abs(abs(about) - abs(convergence)) < tolerance:
-        state.tell(
+        state.notify(
             "attitudes_convergence", about_deg=float(np.degrees(about)), convergence_deg=float(np.degrees(convergence))
         )
 
@@ -337,7 +341,7 @@ def _enu_from_local(centre: Array, frame: LocalFrame) -> Array:
 
 
 def _in_a_line(block: Block) -> bool:
-    """Whether nothing but attitudes tells how the block is turned about the line of its positions."""
+    """Whether nothing but attitudes shows how the block is turned about the line of its positions."""
     xyz, sigma = block.stations.xyz, block.stations.sigma
     known = np.isfinite(xyz).all(axis=1)
     if block.points.is_control.all(axis=1).sum() >= 3 or known.sum() < 2:

@@ -17,7 +17,7 @@ def check_apart(given: Given) -> None:
     """Raise InputError where two or more control points are given and all of them have the same coordinates.
 
     Two places at least are needed for position, direction and scale.  One name and a second one for the same point are
-    allowed beside others, and a single control point is: it claims nothing that it cannot tell.
+    allowed beside others, and a single control point is: it claims nothing that it cannot show.
     """
     control = [
         (name, file.xyz[k], file)
@@ -28,7 +28,7 @@ def check_apart(given: Given) -> None:
     if len(control) < 2 or len({file.crs for _, _, file in control}) > 1:
         return
     xyz = np.array([at for _, at, _ in control])
-    apart = np.nan_to_num(np.abs(xyz - xyz[0]))  # heights that are not known tell nothing
+    apart = np.nan_to_num(np.abs(xyz - xyz[0]))  # heights that are not known show nothing
     if (apart > ROUNDING * np.nan_to_num(np.abs(xyz)).max(axis=0)).any():
         return
     names = [name for name, _, _ in control]

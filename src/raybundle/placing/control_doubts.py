@@ -28,7 +28,7 @@ EXCHANGED = 10
 DECIDEDLY = 2.0
 """Ratio of the misfits of two exchanges from which the better one is worth an adjustment."""
 FEWEST = 3
-"""Points that tell a contradiction, and not where it is."""
+"""Points that show a contradiction, and not where it is."""
 ROUGHLY = 0.01
 """Share of the extent of the control up to which points agree, to begin with those that do not."""
 
@@ -66,7 +66,7 @@ class Doubt:
 def doubted_control(
     block: Block, failed: Adjustment | None, options: AdjustmentOptions, adjust: Adjust
 ) -> Doubt | None:
-    """Whether control is what does not fit; None where the photographs contradict themselves, or nothing tells.
+    """Whether control is what does not fit; None where the photographs contradict themselves, or nothing shows.
 
     failed  the adjustment with all control, which fits poorly; None where there is none
     adjust  of a block with the approximate values that it was given

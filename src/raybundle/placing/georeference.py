@@ -48,7 +48,7 @@ LEVEL = 0.05
 """Tangent of the angle to which a block is level by the viewing direction of its photographs."""
 TRIALS = 2000
 TOLD, PASSED = 8, 0.05
-"""Coordinates that rays to control must tell, one more than a similarity has, and by how much they may miss [rad]."""
+"""Coordinates that rays to control must show, one more than a similarity has, and by how much they may miss [rad]."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,9 +63,9 @@ class Georeferenced:
     fixed: bool
     """placed in the object system by control or positions"""
     firm: bool = True
-    """whether they also tell how it is turned; positions in a line do not"""
+    """whether they also show how it is turned; positions in a line do not"""
     upright: Upright | None = None
-    """how the vertical was found, where neither control nor positions tell it"""
+    """how the vertical was found, where neither control nor positions show it"""
     joined: tuple[tuple[str, ...], ...] = ()
     """photographs of each part, where the block is of several without common points"""
 
@@ -116,8 +116,8 @@ def georeference(
     if fixed and frame is not None:
         observe_attitudes(state, photos, given, frame)
     if fixed and len(state.block.distances):
-        state.block, told = without_strange_bars(state.block)
-        state.notices += told
+        state.block, removed = without_strange_bars(state.block)
+        state.notices += removed
     if not fixed:
         drop_single_marks(state)
         _fix_by_bars(state, photos, free, given)
@@ -323,7 +323,7 @@ def _apply(state: Placing, free: Array, s: float, R: Array, t: Array) -> None:
 
 
 def _weigh_control(state: Placing, given: Given, residual: Array) -> None:
-    """Where the file states no standard deviation and the points fit worse, the fit says how good they are."""
+    """Where the file states no standard deviation and the points fit worse, the fit states how good they are."""
     block, d = state.block, given.defaults
     if given.sigma_given or not len(residual):
         return
@@ -337,13 +337,13 @@ def _weigh_control(state: Placing, given: Given, residual: Array) -> None:
     ratio = scatter / d.plan
     sigma[default] *= ratio
     state.block = replace(block, points=replace(block.points, sigma=sigma))
-    state.tell(
+    state.notify(
         "control_sigma", plan_m=scatter, assumed_plan_m=d.plan, height_m=ratio * d.height, assumed_height_m=d.height
     )
 
 
 def _guess_heights(state: Placing) -> None:
-    """Plan control alone hardly says what is level: the viewing direction does, to a few degrees."""
+    """Plan control alone hardly states what is level: the viewing direction does, to a few degrees."""
     block = state.block
     given = block.points.is_control
     if given[:, 2].sum() >= 3 or not given[:, 0].any():
@@ -355,7 +355,7 @@ def _guess_heights(state: Placing) -> None:
     sigma = block.points.sigma.copy()
     sigma[plan, 2] = LEVEL * extent
     state.block = replace(block, points=replace(block.points, sigma=sigma))
-    state.tell(
+    state.notify(
         "levelled", *(block.points.ids[k] for k in np.flatnonzero(plan)),
         angle_deg=float(np.degrees(LEVEL)), sigma_m=LEVEL * extent,
     )  # fmt: skip
@@ -367,7 +367,7 @@ def _fix_by_positions(state: Placing, photos: Sequence[Photo], positions: Positi
         return False
     weak = scale_sigma(positions)
     if weak > SCALE:
-        state.tell("gps_too_near", n=len(positions), scale=weak, limit=SCALE)
+        state.notify("gps_too_near", n=len(positions), scale=weak, limit=SCALE)
         return False
     local = positions.xyz
     heights = np.isfinite(local[:, 2])
@@ -409,7 +409,7 @@ def _fix_by_bars(state: Placing, photos: Sequence[Photo], free: Array, given: Gi
 
 
 def _level(state: Placing, photos: Sequence[Photo], free: Array, way: str) -> Array:
-    """Rotation that makes the block level, points at `free` (p, 3); what is not sure is told."""
+    """Rotation that makes the block level, points at `free` (p, 3); what is not sure is reported."""
     block = state.block
     state.upright = upright(replace(block, points=replace(block.points, xyz=free)), photos, way)
     state.notices += doubts(state.upright, way)

@@ -71,7 +71,7 @@ class Given:
     """from the projection centre to the antenna, to the right, upwards in the image and backwards, and the standard
     deviation of each; 0: held"""
     attitudes: PhotoAttitudes | None = None
-    """what an INS or a gimbal tells of the photographs' attitudes"""
+    """what an INS or a gimbal reports the photographs' attitudes"""
     misalignment: bool = True
     """a misalignment of each camera against its attitudes is estimated"""
     defaults: ControlDefaults = DEFAULTS
@@ -79,7 +79,7 @@ class Given:
     """the standard deviations in `defaults` are known, not assumed"""
     mark_px: float = MARK_PX
     up: str = "auto"
-    """which way is up where control and positions do not tell it: auto, terrestrial, aerial, oblique, or "A,B" """
+    """which way is up where control and positions do not show it: auto, terrestrial, aerial, oblique, or "A,B" """
 
     def __post_init__(self) -> None:
         """Raise InputError where two files give a point of one name, before anything is computed."""
@@ -98,9 +98,9 @@ class Placing:
     block: Block
     notices: list[Notice] = field(default_factory=list[Notice])
     upright: Upright | None = None
-    """how the vertical was found, where nothing else tells it"""
+    """how the vertical was found, where nothing else shows it"""
 
-    def tell(self, code: str, *ids: str, details: tuple[Message, ...] = (), **values: Value) -> None:
+    def notify(self, code: str, *ids: str, details: tuple[Message, ...] = (), **values: Value) -> None:
         """Add a notice."""
         self.notices.append(Notice(code=code, values=plain(values), ids=ids, details=details))
 
@@ -180,7 +180,7 @@ def under_kept_names(control: Sequence[ControlFile], copies: Mapping[str, str]) 
 def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: LocalFrame | None) -> None:
     """Control, check and merely measured points with their image measurements.
 
-    A measured point of which nothing is asked to be used (role tie) is control without a given coordinate until the
+    A measured point of which nothing is used (role tie) is control without a given coordinate until the
     block is placed: so every step knows that it was marked, by its role; `without_empty_control` ends that.
     """
     check_marks(photos, given)
@@ -257,7 +257,7 @@ def drop_single_marks(state: Placing) -> None:
     names = tuple(block.points.ids[k] for k in np.flatnonzero(single))
     o, keep = block.observations, ~single[block.observations.point]
     state.block = replace(block, observations=o.rows(keep))
-    state.tell("marked_once", *names, n=len(names))
+    state.notify("marked_once", *names, n=len(names))
 
 
 def drop_unseen_checks(state: Placing) -> None:
@@ -268,7 +268,7 @@ def drop_unseen_checks(state: Placing) -> None:
         return
     names = tuple(block.points.ids[k] for k in np.flatnonzero(lost))
     state.block = selected(block, "point", ~lost)
-    state.tell("check_unseen.no_measurement", *names, n=len(names))
+    state.notify("check_unseen.no_measurement", *names, n=len(names))
 
 
 def drop_gross_marks(state: Placing, free: Array) -> None:
@@ -286,7 +286,7 @@ def drop_gross_marks(state: Placing, free: Array) -> None:
     xyz = np.where(np.isfinite(free), free, block.points.xyz)
     v = residuals_px(replace(block, points=replace(block.points, xyz=xyz)), rows)
     far = np.linalg.norm(v, axis=1)
-    # a target is measured more precisely than the free block tells its place
+    # a target is measured more precisely than the free block shows its place
     limits = GROSS * np.maximum(np.sqrt(o.cov_px2[rows, :2].max(axis=1)), MARK_PX)
     wrong = rows[~(far <= limits)]
     for k in wrong:
@@ -295,7 +295,7 @@ def drop_gross_marks(state: Placing, free: Array) -> None:
         beside = rows_near(block, int(k), special, limit)
         there = None if beside else point_there(block, int(k), special, xyz, limit)
         hint = "same_place" if beside else "none" if there is None else "near"
-        state.tell(
+        state.notify(
             "mark_rejected", name, file, point=name, image=file, off_px=float(far[rows == k][0]), limit_px=limit,
             hint=hint, other=beside or ("" if there is None else there[0]),
             other_px=None if there is None else there[1],

@@ -1,7 +1,7 @@
 """Coordinates that stand at the wrong name or in another unit: two points or photographs exchanged, mm among metres.
 
 Where the photographs alone have the points, and where the file has them, differ by a similarity.  Two exchanged names
-are two large errors that vanish together the other way round, which says more than that both points are wrong.
+are two large errors that vanish together the other way round, which states more than that both points are wrong.
 """
 
 from __future__ import annotations
@@ -143,7 +143,7 @@ def without_misread_control(block: Block, free: Array, *, units: bool) -> tuple[
 
 
 def without_exchanged_positions(block: Block, positions: Positions) -> tuple[Positions, list[Notice]]:
-    """The positions without those of two photographs that are exchanged, and the fault that says so."""
+    """The positions without those of two photographs that are exchanged, and the fault that states it."""
     rows: Index = np.flatnonzero(np.isfinite(positions.xyz).all(axis=1))
     found = misread(block.images.centre[positions.image[rows]], positions.xyz[rows], units=False)
     if found is None:

@@ -70,7 +70,7 @@ def _edges(photo: Photo) -> Array:
 
     try:
         grey = read_grey(photo)
-    except InputError:  # said where photographs are read for what they are needed for
+    except InputError:  # stated where photographs are read for what they are needed for
         return np.zeros((0, 2, 2))
     if grey.dtype != np.uint8:
         grey = (grey / max(float(np.percentile(grey[::8, ::8], 99.9)), 1.0) * 255).clip(0, 255).astype(np.uint8)

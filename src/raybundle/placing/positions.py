@@ -1,4 +1,4 @@
-"""Positions that GNSS tells of photographs: in which frame, of which point of the aircraft, from which flight.
+"""Positions that GNSS reports photographs: in which frame, of which point of the aircraft, from which flight.
 
 Besides control they are observed with a shift of each flight's own, which control determines: a base station in another
 datum, heights above the sea instead of the ellipsoid, and what changes slowly in single positions all end in it.
@@ -155,7 +155,7 @@ def _straight(xy: Array) -> list[Index]:
 
 
 def scale_sigma(positions: Positions) -> float:
-    """Relative standard deviation with which positions tell the scale of a block."""
+    """Relative standard deviation with which positions show the scale of a block."""
     plan = positions.xyz[:, :2] - positions.xyz[:, :2].mean(axis=0)
     extent = float(np.sqrt((plan**2).sum()))
     return float(np.sqrt((positions.sigma[:, :2] ** 2).mean())) / extent if extent > 0 else np.inf
@@ -192,10 +192,10 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
         if shift:
             flights = count
     state.block = block.having(stations)
-    state.tell("gps", n=len(positions), flights=flights)
+    state.notify("gps", n=len(positions), flights=flights)
     if positions.assumed.any():
         assumed = int(positions.assumed.sum())
-        state.tell("positions_assumed", n=assumed, plan_m=float(GPS_M[0]), height_m=float(GPS_M[2]))
+        state.notify("positions_assumed", n=assumed, plan_m=float(GPS_M[0]), height_m=float(GPS_M[2]))
 
 
 def without_idle(block: Block) -> Block:

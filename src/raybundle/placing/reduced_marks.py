@@ -1,4 +1,4 @@
-"""Marks that were measured in reduced copies of the photographs: recognised by where their rays meet, and said.
+"""Marks that were measured in reduced copies of the photographs: recognised by where their rays meet, and stated.
 
 Programs that collect marks in a browser show copies of 2000 or 2400 px.  Such marks lie inside the photographs all
 right, and contradict each other by hundreds of pixels; tested one by one, each of them seems to be a blunder.

@@ -21,7 +21,7 @@ from raybundle.placing.marks import Placing
 def take_eccentricity_off(state: Placing, control: Sequence[ControlFile]) -> None:
     """Move measured centres of round targets to the images of their centres; the block stands in metres.
 
-    Targets whose normal nothing tells stay as measured, and are told.
+    Targets whose normal nothing shows stay as measured, and are reported.
     """
     block = state.block
     radius, stated = _as_given(block, control)
@@ -43,9 +43,9 @@ def take_eccentricity_off(state: Placing, control: Sequence[ControlFile]) -> Non
     largest = float(np.linalg.norm(shift[rows], axis=1).max())
     done = len(round_) - len(unknown)
     if done:
-        state.tell("target_eccentricity", n=done, largest_px=largest)
+        state.notify("target_eccentricity", n=done, largest_px=largest)
     if unknown:
-        state.tell("target_without_normal", *unknown, n=len(unknown))
+        state.notify("target_without_normal", *unknown, n=len(unknown))
 
 
 def _as_seen(block: Block, control: Sequence[ControlFile]) -> Array:

@@ -1,4 +1,4 @@
-"""Positions that fit far better than stated: what that says, and what it does not."""
+"""Positions that fit far better than stated: what that states, and what it does not."""
 
 from __future__ import annotations
 
@@ -61,10 +61,10 @@ def camera_notices(groups: Sequence[CameraGroup]) -> list[Notice]:
     ]
 
 
-def _once(said: Sequence[tuple[CameraGroup, str]]) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """Each sentence once, with the cameras of which it is said."""
-    for sentence in dict.fromkeys(sentence for _, sentence in said):
-        same = [g for g, other in said if other == sentence]
+def _once(stated: Sequence[tuple[CameraGroup, str]]) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Each sentence once, with the cameras of which it is stated."""
+    for sentence in dict.fromkeys(sentence for _, sentence in stated):
+        same = [g for g, other in stated if other == sentence]
         ids = tuple(g.id for g in same)
         n = sum(len(g.photos) for g in same)
         who = f"camera {ids[0]}" if len(ids) == 1 else f"{n} photographs (cameras {', '.join(ids)})"

@@ -1,4 +1,4 @@
-"""Marks that were measured in photographs as a viewer shows them, turned by their EXIF orientation: recognised, said.
+"""Marks that were measured in photographs as a viewer shows them, turned by their EXIF orientation: recognised, stated.
 
 raybundle counts the pixels as stored, and so do programs that ignore the tag; browsers and most viewers turn the
 picture first.  Such marks lie inside the photographs as a rule, and contradict each other by the size of the picture.
@@ -44,7 +44,7 @@ def take_turned_back(state: Placing, photos: Sequence[Photo], control: Sequence[
 
     They are taken so where the format cannot hold them as stored, or where more than half of those that can be looked
     at lie beyond the gross limit as stored and within it turned back, more of them than chance would bring (`CHANCE`).
-    Where they fit better turned and chance may do that as well, they stay as they are and a fault says so.
+    Where they fit better turned and chance may do that as well, they stay as they are and a fault states it.
 
     Limits: points that are marked in a single photograph each, and pictures reduced besides.
     """

@@ -1,4 +1,4 @@
-"""Which way is up in a block that nothing places: habits of photographers, plumb edges, or what the user says."""
+"""Which way is up in a block that nothing places: habits of photographers, plumb edges, or what the user states."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from raybundle.orientation.upright import SURE, Habits, Kind, habits
 from raybundle.placing.plumb_lines import vertical_by_edges, with_pixels
 
 UNSURE = np.radians(5.0)
-"""Standard deviation of the vertical from which on it is told."""
+"""Standard deviation of the vertical from which on it is reported."""
 FEWEST = 3
 """Photographs from which habits are asked at all."""
 
@@ -32,16 +32,16 @@ class Upright:
     """(3, 3) that makes the block level: Z up"""
     kind: Kind | Literal["given"]
     probability: float
-    """Of the kind, by the habits; 1 where the user says it"""
+    """Of the kind, by the habits; 1 where the user states it"""
     sigma: float
-    """Standard deviation of the vertical [rad]; NaN where the user says it"""
+    """Standard deviation of the vertical [rad]; NaN where the user states it"""
     edges: PlumbEdges | None = None
-    """Plumb edges that tell it more exactly"""
+    """Plumb edges that show it more exactly"""
     sought: bool = False
     """Whether such edges were looked for"""
 
     def as_mapping(self) -> dict[str, object]:
-        """What result.json says."""
+        """What result.json states."""
         sigma = None if np.isnan(self.sigma) else float(np.degrees(self.sigma))
         edges = {} if self.edges is None else {"plumb_edges": self.edges.edges}
         return {"kind": self.kind, "probability": round(self.probability, 4), "sigma_deg": sigma, **edges}
@@ -74,7 +74,7 @@ def upright(block: Block, photos: Sequence[Photo], way: str = "auto") -> Upright
 
 
 def doubts(found: Upright, way: str) -> tuple[Notice, ...]:
-    """What is to be told of a vertical: that the habits do not tell it for sure, or that edges tell it."""
+    """What is to be reported of a vertical: that the habits do not show it for sure, or that edges show it."""
     if found.kind == "given":
         return ()
     degrees = float(np.degrees(found.sigma))

@@ -20,7 +20,7 @@ from raybundle.planning.predicted import Predicted, predicted
 UNSOLVED = "everything"
 """What is open where there is no solution at all and nothing is named"""
 LOOSE = 100.0
-"""Standard deviation [m] of points that hold the block where nothing else does, to tell what is open"""
+"""Standard deviation [m] of points that hold the block where nothing else does, to show what is open"""
 NO_RTK = (5.0, 5.0, 10.0)
 """Standard deviations of positions where photographs state none, as `raybundle orient` takes them [m]"""
 RTK_SHARE = 0.1
@@ -46,7 +46,7 @@ class Precision:
     std: Mapping[str, float]
     """Standard deviations of what is free of camera and lever arm, in the units of their models"""
     lost: tuple[str, ...]
-    """What is not determinable; where that leaves the block without a place, points are held loosely to tell it"""
+    """What is not determinable; where that leaves the block without a place, points are held loosely to show it"""
     photographs: int
     points: int
 
@@ -66,7 +66,7 @@ def precision(plan: Aerial, least_rays: int = 2) -> Precision:
     try:
         found = predicted(block)
     except DatumDefect:
-        # a lever arm leaves the block without a place: what is open with it is told by holding three points loosely
+        # a lever arm leaves the block without a place: what is open with it is given by holding three points loosely
         far = farthest_first(plan.ground, 3)
         loose = replace(plan, control=far, control_sigma=(LOOSE, LOOSE, LOOSE))
         block = aerial_block(loose)
@@ -110,7 +110,7 @@ def mended(before: float, design: float, after: float) -> bool:
     before, after  its standard deviations in an uneven flight, as planned (infinite: not determinable) and changed
     design         the same where the changed flight is exactly level at one height
 
-    Either the design alone tells it better than the unevenness did, or more than half of what is known of it comes from
+    Either the design alone shows it better than the unevenness did, or more than half of what is known of it comes from
     the change: information is the inverse of variance, which then falls to less than half.
     """
     return design < before or 2 * after**2 < before**2

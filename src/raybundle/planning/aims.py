@@ -26,7 +26,7 @@ class Aim:
     figure: Callable[[Networks, Sequence[Part], Expected], float]
     """What is made small, above 0"""
     power: float
-    """Of the standard deviations in the sum by which candidates are told apart before they are tried"""
+    """Of the standard deviations in the sum by which candidates are distinguished before they are tried"""
 
     def scale(self, networks: Networks) -> float:
         """By what the figure is divided before its logarithm is taken."""

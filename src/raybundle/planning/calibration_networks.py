@@ -37,7 +37,7 @@ class FlatField:
     """Of the camera about its axis, in turn; 0: the x axis of the image along X of the field"""
     photographs: int = 8
     up_to_centre: bool = False
-    """As one walks round a table: the upper side of each image towards the middle, whatever `rolls_deg` says"""
+    """As one walks round a table: the upper side of each image towards the middle, whatever `rolls_deg` states"""
     shift: float = 0.0
     """Sideways steps between photographs [m]; for square views, which would otherwise be one photograph"""
 

@@ -16,7 +16,7 @@ LEAST = 4
 SEVERAL = 6
 """Places from which each point should be seen: two or three of them are to be chosen"""
 TRIES = 60
-"""Places drawn for each that is wanted, before it is said that there are none"""
+"""Places drawn for each that is wanted, before it is stated that there are none"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

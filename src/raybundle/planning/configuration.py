@@ -2,7 +2,7 @@
 
 Stations are exchanged against candidates until none is better (Fedorov 1972), from several beginnings; then those of
 the best networks are moved.  The covariances are those of the adjustment (`planning.expected`); what candidates are
-tried first is told by the covariances of points whose stations are known.
+tried first is given by the covariances of points whose stations are known.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Designer:
     """Networks of one site, compared by one figure."""
 
     def __init__(self, networks: Networks, aim: AimName = "worst", progress: Progress = silent) -> None:
-        """Prepare; `aim` says what counts."""
+        """Prepare; `aim` states what counts."""
         self.networks, self.site, self.progress = networks, networks.site, progress
         self.aim = aims[aim]
         self.scale = self.aim.scale(networks)

@@ -1,7 +1,7 @@
 """What a network promises of points that are not always found: over drawings of what is found where.
 
 The mean information of rays that are found by chance makes points of few rays too precise: a variance is convex in it.
-The search for stations goes by that mean (`planning.expected`); what is promised of those found is told by this.
+The search for stations goes by that mean (`planning.expected`); what is promised of those found is given by this.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ DRAWS = 40
 POINTS, PLACES = 17, 18
 """What is drawn: whether points are found, or places beside them"""
 UNLUCKY = 0.9
-"""Part of the drawings that are as good as is told of an unlucky survey"""
+"""Part of the drawings that are as good as is reported of an unlucky survey"""
 OFTEN = 0.5
 """Part of the drawings in which a point must be determined for something to be promised of it"""
 

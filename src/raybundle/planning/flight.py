@@ -23,7 +23,7 @@ from raybundle.planning.aerial import (
 from raybundle.planning.uav_networks import Flight, flight_aerial
 
 ENOUGH = 14
-"""Tie points along a side that tell what is determinable, and what control brings."""
+"""Tie points along a side that show what is determinable, and what control brings."""
 SHOWN = 3.0
 """Tie points along the shorter side of a photograph"""
 TILT = 30.0
@@ -119,11 +119,13 @@ def plan_flight(plan: Flight, progress: Progress = silent) -> FlightPlan:
     rtk = is_rtk(plan.station_sigma)
     plain = "the same without RTK" + (", lever arm held" if plan.lever_arm else "")
     changes = [("as planned", plan), (plain, without_rtk(plan))][: 1 + rtk] + _changes(plan)
-    told = list[Forecast]()
+    forecasts = list[Forecast]()
     for k, (name, changed) in enumerate(changes):
         progress(name, k / len(changes))
-        told.append(forecast(changed, name))
-    return FlightPlan(planned=told[0], without_rtk=told[1] if rtk else None, remedies=tuple(told[1 + rtk :]))
+        forecasts.append(forecast(changed, name))
+    return FlightPlan(
+        planned=forecasts[0], without_rtk=forecasts[1] if rtk else None, remedies=tuple(forecasts[1 + rtk :])
+    )
 
 
 def without_rtk(plan: Flight) -> Flight:

@@ -14,10 +14,10 @@ from raybundle.numerics.arrays import Array, Index, Mask
 STEEP = math.cos(math.radians(60))
 """A photograph looks down where its axis is within 60 degrees of the plumb line: nadir, or oblique as surveys fly it"""
 ABOVE_M = 10.0
-"""Height above the points from which photographs are of a flight where no coordinate system says that the block is of
+"""Height above the points from which photographs are of a flight where no coordinate system states that the block is of
 the earth: a pole does not reach farther"""
 CELLS, MOST_GROUND = 160, 20_000
-"""Cells of the longer side of the map in which photographs are counted, points that tell the height of the ground"""
+"""Cells of the longer side of the map in which photographs are counted, points that show the height of the ground"""
 FAR = 0.01
 """Share of the points on either side that no range and no map holds: some are wrong"""
 
@@ -50,7 +50,7 @@ def flight_of(block: Block, used: Mask, *, on_the_earth: bool) -> Flight | None:
                   be taken from higher than a pole reaches
 
     A flight is what most photographs of frame cameras say by their geometry: they look down, from above the points that
-    they show.  The area takes photographs as central projections onto the ground that the object points tell.
+    they show.  The area takes photographs as central projections onto the ground that the object points show.
     """
     o, metres = block.observations, 0.001 if block.length_unit == "mm" else 1.0
     constant = np.array([c.values.get("c", math.nan) if not c.is_scene else math.nan for c in block.cameras])

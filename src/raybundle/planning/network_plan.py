@@ -35,7 +35,7 @@ GIVEN_UP, FEW = 3, 0.1
 PLACES = 400
 """Places from which it is looked at what can be seen at all"""
 MAPPED = 1500
-"""Places of the object at which the precision is told"""
+"""Places of the object at which the precision is reported"""
 LOSES = 1.02
 """A station without which a figure grows by less than this is there for redundancy"""
 
@@ -89,7 +89,7 @@ class NetworkPlan:
     purposes: tuple[Purpose, ...]
     cost: Cost
     corners: Array
-    """(m, 3, 3) triangles of the object, small enough to tell the precision of each"""
+    """(m, 3, 3) triangles of the object, small enough to show the precision of each"""
     mapped: SurfacePoints
     """Their middles"""
     map_sigma: Array
@@ -157,7 +157,7 @@ def plan_network(
 ) -> NetworkPlan:  # fmt: skip
     """The network of so many stations with the best figure, or of the fewest that reach what is wanted.
 
-    wanted    standard deviation [m] of the worst point or of all in the mean, as `aim` says
+    wanted    standard deviation [m] of the worst point or of all in the mean, as `aim` states
     stations  how many; None: as few as reach `wanted`
     start     stations to begin with; the result is never worse
     as_given  the stations of `start` are judged as they are and in their order, and none is looked for
@@ -165,7 +165,7 @@ def plan_network(
     everywhere  stations are added until `wanted` is reached on all of the surface that can be seen
     repeat    so many photographs more from stations that are there
     least_rays  as of `Networks`
-    raises    InputError where neither is told, or `wanted` is beyond reach: it says what can be reached and why
+    raises    InputError where neither is reported, or `wanted` is beyond reach: it states what can be reached and why
     Limits: whether targets can be fixed and recognised there; errors that all photographs share, as of
     a camera that is not stable.
     """

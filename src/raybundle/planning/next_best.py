@@ -2,7 +2,7 @@
 
 Every candidate is judged by the covariances that an adjustment with it would state, exactly and without making one
 (`adjustment.additions`): for the image points that it is taken to see, of the precision of the others.  What this does
-not tell: whether one can stand there, and whether the points can be recognised; the true surface may hide some.
+not show: whether one can stand there, and whether the points can be recognised; the true surface may hide some.
 """
 
 from __future__ import annotations
@@ -57,10 +57,10 @@ def next_best(
     open_ = np.bincount(candidates.image, minlength=len(candidates)) > 0
     for step in range(count):
 
-        def told(share: float, step: int = step) -> None:
+        def notify(share: float, step: int = step) -> None:
             progress("candidates", (step + share) / count)
 
-        now, standing = measure_of(outlook, goal).standing(None), ranking(outlook, candidates, goal, open_, told)
+        now, standing = measure_of(outlook, goal).standing(None), ranking(outlook, candidates, goal, open_, notify)
         ranks = np.array([s.rank if s is not None else (np.inf, np.inf) for s in standing]).reshape(-1, 2)
         best = int(np.lexsort((ranks[:, 1], ranks[:, 0]))[0])
         after = standing[best]
@@ -94,12 +94,12 @@ def _deviations(outlook: Outlook, taken: Photographs) -> tuple[Array, Array]:
 
 
 def ranking(
-    outlook: Outlook, candidates: Photographs, goal: Goal, asked: Mask, told: Callable[[float], None] | None = None
+    outlook: Outlook, candidates: Photographs, goal: Goal, asked: Mask, notify: Callable[[float], None] | None = None
 ) -> list[Standing | None]:
     """What a goal amounts to with each candidate (n,) by itself; None for those not asked, or seeing too little.
 
     asked  (n,) which are
-    told   is given the share that is done
+    stated   is given the share that is done
     """
     measure = measure_of(outlook, goal)
     found: list[Standing | None] = [None] * len(candidates)
@@ -107,8 +107,8 @@ def ranking(
     with one_thread():
         wanted = np.flatnonzero(asked)
         for first in range(0, len(wanted), TOGETHER):
-            if told is not None:
-                told(first / len(wanted))
+            if notify is not None:
+                notify(first / len(wanted))
             part = wanted[first : first + TOGETHER]
             rows = outlook.rows(candidates.chosen(part))
             for k, i in enumerate(part.tolist()):

@@ -30,8 +30,8 @@ def next_photographs(result: Adjustment, camera: str) -> tuple[Proposal, ...]:
     """Photographs to take with a camera, in this order, each the best after those before it (`next_plan`).
 
     None where four together do not reduce the largest uncertainty of projection by a tenth, and for cameras whose
-    photographs do not share an interior orientation.  What is told is the covariance to be expected, as much wider than
-    for white noise as it is now.  Limits: whether there is room to stand there, and whether targets can
+    photographs do not share an interior orientation.  What is reported is the covariance to be expected, as much wider
+    than for white noise as it is now.  Limits: whether there is room to stand there, and whether targets can
     be recognised at that angle.
     """
     interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 LEVEL = np.radians(45)
 """Steepest view, in the median of the photographs, with which people still speak of left, right and higher; of steeper
-ones, and of boards whose Z is their normal, the picture itself says what is right and up."""
+ones, and of boards whose Z is their normal, the picture itself states what is right and up."""
 WEAKEST = 200
 """Of the points that are regarded, where not all are, those that are least determined; the others are spread evenly"""
 LEAST_CONTROL = 3
@@ -127,11 +127,11 @@ def plan_next(
             or seen, and for more photographs than there are candidates
 
     Image points are taken to be as precise as those that the block has of the same points, and sigma0 as it is.  What
-    it does not tell: whether one can stand there, and whether the points are recognised from there.
+    it does not show: whether one can stand there, and whether the points are recognised from there.
     """
     with_ = conditions or Conditions()
     if result.handle.work is None:
-        Factored.of(result)  # says what is missing
+        Factored.of(result)  # states what is missing
     used = np.array([not r for r in result.image_observations.rejected], bool)
     k = camera_of(result, used, with_.camera)
     camera = result.given.cameras[k].id
@@ -146,7 +146,7 @@ def plan_next(
         hides = Obstacles.of(with_.surface, sight.xyz)
         sight = replace(sight, visible=hides.visible)
         reach = replace(reach, allowed=hides.allowed(reach.clearance or 0.0))
-    # who gives heights knows that Z is up, though nothing in the adjustment may tell it
+    # who gives heights knows that Z is up, though nothing in the adjustment may show it
     vertical = vertical_of(result) if reach.heights is None else np.array([0.0, 0.0, 1.0])
     found = reachable(block, used, k, least, vertical, reach, joint.points)
     shown = sight.shown(block, k, found.centre, found.rotation, least)
@@ -172,8 +172,8 @@ def _outlook(result: Adjustment, aim: For, camera: str, points: tuple[str, ...])
     interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)
     # knots of surfaces in corners that no point reaches say nothing, and nobody misses them
     surfaces = any(c.id == camera and c.sensor.local_width for c in result.given.cameras)
-    told = {} if interior is None or surfaces else interior.parameters
-    lost = any(p.status == "not determinable" for p in told.values())
+    parameters = {} if interior is None or surfaces else interior.parameters
+    lost = any(p.status == "not determinable" for p in parameters.values())
     return Outlook.of(result, regarded, freed=camera if aim == "calibration" and lost else "")
 
 

@@ -1,6 +1,6 @@
 """What is to be done for a proposed photograph, in words that one can follow on site.
 
-Told against the nearest photograph that there is: people on site know where they stood.  Left and right are those of
+Stated against the nearest photograph that there is: people on site know where they stood.  Left and right are those of
 who takes that photograph; where no vertical is known, or one looks down or up, the picture's edges say what is up.
 """
 
@@ -21,11 +21,11 @@ from raybundle.planning.next_plan import NextPlan
 SAME = 0.02
 """Of the distance to the object, a shift that nobody notices"""
 ALONE = 0.1
-"""Of the largest part of a shift, the part that is not said"""
+"""Of the largest part of a shift, the part that is not stated"""
 HELD = np.radians(20)
 """Turn about the axis that is as good as none"""
 TURNED_DEG = 10.0
-"""Between two viewing directions, what is told in degrees"""
+"""Between two viewing directions, what is reported in degrees"""
 SHOWN = 3
 """Points that are named"""
 FALLS = 0.9
@@ -235,12 +235,12 @@ def figure_words(plan: NextPlan, value: float) -> str:
 
 def parameter_ratios(plan: NextPlan, chosen: Chosen) -> list[tuple[str, float]]:
     """Parameters of the camera that are estimated, and their standard deviations by those before; the best first."""
-    told = [(s, after / before) for s, before, after in _parameters(plan, chosen) if before > 0]
-    return sorted(told, key=lambda t: t[1])
+    gains = [(s, after / before) for s, before, after in _parameters(plan, chosen) if before > 0]
+    return sorted(gains, key=lambda t: t[1])
 
 
 def freed_by(plan: NextPlan, k: int) -> tuple[str, ...]:
-    """Parameters of which the observations tell more than what one knows of such a camera, from this proposal on."""
+    """Parameters of which the observations show more than what one knows of such a camera, from this proposal on."""
     chosen, carried = plan.proposals[k], plan.outlook.carried
     found = list[str]()
     for symbol, before, after in _parameters(plan, chosen):

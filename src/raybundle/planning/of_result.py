@@ -16,7 +16,7 @@ from raybundle.planning.candidates import Stations
 from raybundle.planning.scenes import look_at
 
 LEAST_RAYS = 3
-"""Rays of points that tell where the surface is: two meet wherever they are wrong along their plane"""
+"""Rays of points that show where the surface is: two meet wherever they are wrong along their plane"""
 
 
 def points_of_result(block: Block, used: Mask | None = None) -> tuple[Index, Array, Index]:
@@ -38,7 +38,7 @@ def points_of_result(block: Block, used: Mask | None = None) -> tuple[Index, Arr
 
 
 def good_points(block: Block) -> tuple[Index, Array]:
-    """Points that tell where the surface is: rows (k,), mean directions of their rays (k, 3)."""
+    """Points that show where the surface is: rows (k,), mean directions of their rays (k, 3)."""
     rows, towards, rays = points_of_result(block)
     good = rays >= LEAST_RAYS
     return rows[good], towards[good]

@@ -1,6 +1,6 @@
-"""What a network will determine, as its covariance says: of observations without errors, sigma0 = 1 a priori.
+"""What a network will determine, as its covariance states: of observations without errors, sigma0 = 1 a priori.
 
-An adjustment of one simulated sample says the same but for the accident of its noise: sigma0 differs from 1, and the
+An adjustment of one simulated sample states the same but for the accident of its noise: sigma0 differs from 1, and the
 covariance stands at estimates that are off.  Here observations are exact, so that the figures are those of the network
 itself, the same on each call.
 """
@@ -29,13 +29,13 @@ class Predicted:
     """The covariance of a network in its datum, sigma0 = 1, and what the network leaves open."""
 
     result: Adjustment
-    """The adjustment of the block without errors; its sigma0 is rounding alone, and what carries it says nothing."""
+    """The adjustment of the block without errors; its sigma0 is rounding alone, and what carries it states nothing."""
     points: Array
     """(p, 3, 3) covariances of the object points [square of the block's length unit]; NaN where one takes no part"""
     std: Mapping[Owned, float]
     """Standard deviations of the free parameters of cameras and instruments, in the units of their models"""
     lost: tuple[Owned, ...]
-    """Parameters that are not determinable: less is said of them than one knows before the first photograph"""
+    """Parameters that are not determinable: less is stated of them than one knows before the first photograph"""
 
     @property
     def point_std(self) -> Array:
@@ -86,7 +86,7 @@ def predicted(block: Block, options: AdjustmentOptions | None = None) -> Predict
 
 
 def _plausible(owner: Camera | Instrument, symbol: str, result: Adjustment) -> float:
-    """Standard deviation beyond which a network says less of a parameter than is known beforehand."""
+    """Standard deviation beyond which a network states less of a parameter than is known beforehand."""
 
     def effects() -> Array:
         assert isinstance(owner, Camera)

@@ -40,7 +40,7 @@ def brown_camera(
     pixel_mm: float = 0.004,
     estimate: tuple[str, ...] = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2"),
 ) -> Camera:
-    """A camera with 24 mm x 16 mm format and the distortion of a good 20 mm lens, unless told otherwise."""
+    """A camera with 24 mm x 16 mm format and the distortion of a good 20 mm lens, unless stated otherwise."""
     lens = {"c": 20.4, "x0": 0.041, "y0": -0.063, "K1": 2.1e-4, "K2": -4.2e-7, "K3": 3.0e-10, "P1": 9e-6, "P2": -6e-6}
     return Camera(
         id="1",

@@ -1,8 +1,8 @@
-"""Which object points a photograph that could be taken would show, as far as existing rays tell.
+"""Which object points a photograph that could be taken would show, as far as existing rays show.
 
 The object itself is not known, only its points and from where they were seen: a point counts as seen from a place where
 it lies within the format, on the side from which it was photographed, and no farther or nearer than can be measured.
-Whoever has a surface gives a function that tells what hides what (`planning.obstacles`).
+Whoever has a surface gives a function that shows what hides what (`planning.obstacles`).
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Simulated blocks: a scene, what is measured in it, and the truth beside it.
 
-A *scene* is geometry without errors: a camera, stations and object points.  A *survey* says what is
+A *scene* is geometry without errors: a camera, stations and object points.  A *survey* states what is
 measured, how well, and what is known beforehand.  Everything is drawn from one seeded generator, so the
 same arguments give the same block on every machine.
 """

@@ -36,7 +36,7 @@ APART = 0.2
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reach:
-    """Where one can stand, in the frame and the length unit of the block; None: not limited, or as told."""
+    """Where one can stand, in the frame and the length unit of the block; None: not limited, or as stated."""
 
     step: float | None = None
     """Farthest from an existing station; None: the median distance from the stations to the points that they see"""

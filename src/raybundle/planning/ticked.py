@@ -158,7 +158,7 @@ def _frames(planned: Stations, taken: Stations) -> list[tuple[Array, float, Arra
 
 
 def _one_each(off: Array) -> Index:
-    """As `_assigned`, but stations near each other are told apart: each is taken once before one is taken twice."""
+    """As `_assigned`, but stations near each other are distinguished: each is taken once before one is taken twice."""
     of = np.full(len(off), -1)
     near = off.min(axis=1, keepdims=True)
     fair = np.where(off <= 2 * near + BESIDE, off, np.inf)

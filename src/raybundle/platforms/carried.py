@@ -74,7 +74,7 @@ class Carried(SensorModel, registered=False):
         return np.stack([x, y])
 
     def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
-        """Of the sensor; where it may look elsewhere than the platform and is not told, everywhere."""
+        """Of the sensor; where it may look elsewhere than the platform and is not stated, everywhere."""
         if values is None:
             seen = self.sensor.in_front(points, image)
             return np.any(points != 0, axis=0) if self.platform.looks_elsewhere else seen

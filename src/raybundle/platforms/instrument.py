@@ -1,4 +1,4 @@
-"""What a platform carries beside sensors: instruments that tell where it is and how it is turned, by their parameters.
+"""What a platform carries beside sensors: instruments that show where it is and how it is turned, by their parameters.
 
 A module in this folder that states an `InstrumentModel` registers it on import.
 """
@@ -12,7 +12,7 @@ from raybundle.sensors.model import Parameter
 
 
 class InstrumentModel:
-    """Parameters between what an instrument tells and the exterior orientation of the images that are taken with it."""
+    """Parameters between what an instrument shows and the exterior orientation of the images that are taken with it."""
 
     registry: ClassVar[dict[str, InstrumentModel]] = {}
 
@@ -22,7 +22,7 @@ class InstrumentModel:
     noun: ClassVar[str]
     """What people call one"""
     formula: ClassVar[str]
-    """What it tells, for people"""
+    """What it shows, for people"""
     parameters: tuple[Parameter, ...]
     in_object: ClassVar[tuple[tuple[str, str, str], ...]] = ()
     """Symbols of those that are vectors in the axes of the object, X, Y and Z of each: they turn with it"""

@@ -47,7 +47,7 @@ class Platform:
         stated = tuple(inspect.signature(cls.point).parameters)[5:]
         declared = tuple(p.symbol for p in cls.parameters)
         if stated != declared:
-            raise TypeError(f"{cls.__name__}.point takes {stated}, parameters says {declared}")
+            raise TypeError(f"{cls.__name__}.point takes {stated}, parameters states {declared}")
         made = cls()
         Platform.registry[cls.name] = made
         for follow in Platform.followers:

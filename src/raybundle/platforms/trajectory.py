@@ -21,7 +21,8 @@ class Trajectory(Platform):
 
     Position and attitude of line y against the station (the exterior orientation, which is that of the line y = 0):
         P(y) = v y + a y^2 [length],   turn(y) = w y + q y^2 [rad],   in the axes of the station
-    The motion belongs to each image (`per_image`).  With little relief position and attitude are hardly told from each
+    The motion belongs to each image (`per_image`).  With little relief position and attitude are hardly distinguished
+    from each
     other, so give what GNSS and INS know as observed values.  Against `rolling` there is no read-out time, which a
     motion per line does not need, and the motion may change within an image.
     """
@@ -51,7 +52,7 @@ class Trajectory(Platform):
         return sensor.line or super().carries(sensor)
 
     def parameters_with(self, sensor: SensorModel) -> tuple[Parameter, ...]:
-        """A frame stands still where nothing is said, a line does not."""
+        """A frame stands still where nothing is stated, a line does not."""
         if not sensor.line:
             return self.parameters
         return tuple(replace(p, default=WAY) if p.symbol == "vy" else p for p in self.parameters)

@@ -143,7 +143,7 @@ def _parted(
 
 
 def _names(part: Part, heading: str) -> bool:
-    """Whether a pointer says what a heading says."""
+    """Whether a pointer states what a heading states."""
     return isinstance(part, Pointer) and any(i.startswith(heading) for i in part.items)
 
 

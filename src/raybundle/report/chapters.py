@@ -27,7 +27,7 @@ class Occasion:
     """What a report is written of."""
 
     view: View
-    told: Verdict
+    reported: Verdict
     all_coordinates: bool = False
     """Whether the appendix holds every object point, and not the first of many alone"""
     photographs: PhotographFacts | None = None
@@ -35,7 +35,7 @@ class Occasion:
     qualities: tuple[CalibrationQuality, ...] = ()
     """verdicts on calibrated cameras"""
     delivery: Delivery | None = None
-    """who it is for, in which system, and whether it is as good as was asked for; None: nobody said"""
+    """who it is for, in which system, and whether it is as good as was asked for; None: nobody stated"""
     language: Language = field(default_factory=Language)
     """in which the report will be set: chapters are made in English, but for what is cut to its length"""
 
@@ -72,7 +72,7 @@ def chapter(
 
 
 def section(name: str, *, after: str, part: PartName = "specialist") -> Callable[[OfView], OfView]:
-    """Register a function of a view as a chapter of one section; None: nothing is to be said."""
+    """Register a function of a view as a chapter of one section; None: nothing is to be stated."""
 
     def add(make: OfView) -> OfView:
         def chapter_of(o: Occasion) -> tuple[Section, ...]:

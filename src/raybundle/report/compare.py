@@ -71,8 +71,8 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     html = _html(first, second, points, differences, shared)
     with new_files(Path(path)) as (file,):
         file.write_text(html, encoding="utf-8")
-    told = shared.sentences if shared.too_large or shared.noise else ()
-    return (*_cautions(first, second, differences), *told)
+    sentences = shared.sentences if shared.too_large or shared.noise else ()
+    return (*_cautions(first, second, differences), *sentences)
 
 
 def comparison(first: ResultFolder, second: ResultFolder) -> str:
@@ -102,10 +102,10 @@ def _html(
         Section(anchor="images", title=phrase("report_compare.images"), parts=_images(first, second, differences)),
         Section(anchor="warnings", title=phrase("report_compare.warnings"), parts=_warnings(first, second)),
     )
-    told = _apart(first.path, second.path)
+    sentences = _apart(first.path, second.path)
     return page(
         title=phrase("report_compare.title", first=_name(first), second=_name(second)),
-        subtitle=phrase("report_compare.subtitle", first=told[0], second=told[1]),
+        subtitle=phrase("report_compare.subtitle", first=sentences[0], second=sentences[1]),
         headline=_headline(first, second, points, differences, shared),
         grade="remarks",
         sections=sections,
@@ -113,7 +113,7 @@ def _html(
 
 
 def _cautions(first: ResultFolder, second: ResultFolder, differences: Sequence[PointDifferences]) -> tuple[str, ...]:
-    """What the page says of the similarity that its differences come after, where it rests on little."""
+    """What the page states of the similarity that its differences come after, where it rests on little."""
     fitted = next((d for d in differences if d.fit is not None), None)
     if fitted is not None:
         count, centres = len(fitted.ids), False
@@ -153,7 +153,7 @@ def _name(result: ResultFolder) -> str:
 
 
 def _apart(first: Path, second: Path) -> tuple[str, str]:
-    """The last folders of two paths, as many as tell them apart: "a/result" and "b/result"."""
+    """The last folders of two paths, as many as show them apart: "a/result" and "b/result"."""
     a, b = first.resolve().parts, second.resolve().parts
     for n in range(1, max(len(a), len(b)) + 1):
         if a[-n:] != b[-n:]:
@@ -426,8 +426,8 @@ def _images(first: ResultFolder, second: ResultFolder, differences: Sequence[Poi
         ),
         rest="images.csv",
     )
-    told = [Paragraph(text=words) for words in (summary, *both)]
-    return (*parts, *told, Folded(summary=phrase("report_compare.all_images"), parts=(body,)))
+    sentences = [Paragraph(text=words) for words in (summary, *both)]
+    return (*parts, *sentences, Folded(summary=phrase("report_compare.all_images"), parts=(body,)))
 
 
 def _second_opinion(first: ResultFolder, fit: Similarity, centre: Array, other: Array, good: int) -> Text:

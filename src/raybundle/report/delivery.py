@@ -35,7 +35,7 @@ class Delivery:
     outcomes: tuple[Outcome, ...] = ()
     """of all that was asked for"""
     findings: tuple[object, ...] = ()
-    """what else was found with the points of the result, each told by a chapter: a best fit, a length test"""
+    """what else was found with the points of the result, each given by a chapter: a best fit, a length test"""
     files: tuple[str, ...] = ()
     """names of what stands beside the report"""
     surface: str = ""
@@ -56,7 +56,7 @@ class Delivery:
         return asprs_statements(self.judged) if self.wanted is not None and self.wanted.asprs else ()
 
     def as_mapping(self) -> dict[str, object]:
-        """What result.json says beside the adjustment."""
+        """What result.json states beside the adjustment."""
         found: dict[str, object] = dict(self.accuracy.as_mapping())
         if self.record.as_mapping():
             found["record"] = self.record.as_mapping()
@@ -79,7 +79,7 @@ def _plain(values: dict[str, object]) -> dict[str, object]:
 def wanted_outcome(
     adjustment: Adjustment, wanted: AccuracyClass | None, frame: LocalFrame | None = None
 ) -> Outcome | None:
-    """What became of a wanted accuracy, as the report says; None where none is wanted."""
+    """What became of a wanted accuracy, as the report states; None where none is wanted."""
     return None if wanted is None else delivery_of(adjustment, frame=frame, wanted=wanted).outcomes[0]
 
 

@@ -53,7 +53,7 @@ def point_differences(
     """Second minus first of points (n, 3) in one unit with standard deviations (n, 3).
 
     fitted  lay the second onto the first by a least squares similarity before
-    shared  what the two have in common; independent where nothing is said
+    shared  what the two have in common; independent where nothing is stated
     raises  InputError where a similarity needs more points, or points that are not in a line
 
     The standard deviation of turned points neglects the correlations between their coordinates.

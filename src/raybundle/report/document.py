@@ -113,8 +113,8 @@ def document_of(occasion: Occasion, progress: Progress = silent) -> Document:
     for k, chapter in enumerate(every):
         progress(f"report: {chapter.name}", k / len(every))
         made.extend((chapter.part, section_in(section, say)) for section in chapter.make(occasion))
-    block, told, qualities = occasion.view.adjustment.given, occasion.told, occasion.qualities
-    head = joined_texts(headline(qualities), *unsettled(occasion.view)) if qualities else told.headline
+    block, reported, qualities = occasion.view.adjustment.given, occasion.reported, occasion.qualities
+    head = joined_texts(headline(qualities), *unsettled(occasion.view)) if qualities else reported.headline
     return Document(
         title=say.text(title_of(occasion)),
         subtitle=block.about or block.source,
@@ -165,7 +165,7 @@ def write_reports(
     view = view_of(adjustment, delivery.accuracy, length_of(delivery.findings))
     occasion = Occasion(
         view=view,
-        told=verdict(view),
+        reported=verdict(view),
         all_coordinates=all_coordinates,
         photographs=photographs,
         qualities=qualities,

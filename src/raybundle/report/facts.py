@@ -20,7 +20,7 @@ class PhotoFact:
     device: str = ""
     """Make and model"""
     position: str = ""
-    """What it says about where it was taken, in words, as "GPS" or "RTK"; empty: nothing"""
+    """What it states about where it was taken, in words, as "GPS" or "RTK"; empty: nothing"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,7 +67,7 @@ class StageFact:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PhotographFacts:
-    """What a report says of a set of photographs beside their adjustment."""
+    """What a report states of a set of photographs beside their adjustment."""
 
     photographs: tuple[PhotoFact, ...]
     cameras: tuple[CameraFact, ...]

@@ -80,7 +80,7 @@ def fingerprints(block: Block) -> list[tuple[str, str, str]]:
 
 
 def _scene(camera: Camera) -> list[float]:
-    """Where a satellite scene shows five of its points: told by everything in it."""
+    """Where a satellite scene shows five of its points: given by everything in it."""
     sensor = camera.sensor
     t = np.array([[0.0, 0.4, 0.4, -0.4, -0.4], [0.0, 0.4, -0.4, 0.4, -0.4]])
     values = camera.parameters

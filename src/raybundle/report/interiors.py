@@ -35,7 +35,7 @@ def reach_of(view: View, result: InteriorResult, interior: Interior) -> float:
 
 
 def uncertainty_maps(view: View, result: InteriorResult) -> tuple[UncertaintyMap, ...]:
-    """Uncertainty of projection at infinity and at the typical distance of the objects; () where nothing tells it."""
+    """Uncertainty of projection at infinity and at the typical distance of the objects; () where nothing shows it."""
     precision = view.adjustment.precision
     C = None if precision is None else precision.interior.get(result.camera)
     if C is None or result.image is not None or not len(result.free) or not np.isfinite(C).all():

@@ -52,7 +52,7 @@ MOST_FAULTS = 3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MovedFacts:
-    """What a report of a congruence test says beside the test."""
+    """What a report of a congruence test states beside the test."""
 
     record: Record = field(default_factory=Record)
     faults: Mapping[str, Sequence[str]] = field(default_factory=dict[str, Sequence[str]])
@@ -94,7 +94,7 @@ def _document(done: Congruence, about: MovedFacts, language: Language) -> Docume
         if len(moved) else note("report_moved.none_moved", of=of, significance=done.significance)
     ]  # fmt: skip
     doubtful = done.after[1] < done.significance
-    wrong = any(n.severity is Severity.FAULT for n in done.told)
+    wrong = any(n.severity is Severity.FAULT for n in done.reported)
     if wrong:
         head.append(note("report_moved.contradiction"))
     if doubtful:
@@ -140,7 +140,7 @@ def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
     axes = about.axes or phrase("report_moved.axes_of", name=done.epochs[0])
     faults = [(name, m) for name, messages in about.faults.items() for m in list(messages)[:MOST_FAULTS]]
     stated = [
-        *((phrase("front.severity", level=n.severity.value), n.text) for n in done.told),
+        *((phrase("front.severity", level=n.severity.value), n.text) for n in done.reported),
         *(
             (phrase("front.severity", level="fault"), Said(f"{name}: {language.text(m)}")) for name, m in faults
         ),

@@ -13,7 +13,7 @@ from raybundle.report.figures.svg import spread_rows
 from raybundle.report.view import View
 
 MOST_POINTS, MOST_IMAGES = 50_000, 20_000
-"""Points that are told apart on a screen, a point on 6 x 6 of its pixels; images, whose pyramids are 100 bytes each"""
+"""Points that a screen resolves, a point on 6 x 6 of its pixels; images, whose pyramids are 100 bytes each"""
 POINT_BYTES = 6_000_000
 """Of the points with their rays: with the program and the images a page stays below 10 MB"""
 WORST = 10

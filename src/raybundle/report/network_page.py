@@ -39,7 +39,7 @@ spread points on a line none is farther than twice, on a disc or in a ball less"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Planned:
-    """What the page of a plan shows besides, and in the place of what residuals would tell; lengths of the block."""
+    """What the page of a plan shows besides, and in the place of what residuals would show; lengths of the block."""
 
     covariance: Array
     """(p, 3, 3) of the object points"""
@@ -151,7 +151,7 @@ def _packed(values: Array, kind: str) -> str:
 
 
 def network_contents(view: View) -> dict[str, Any]:
-    """All that the page draws, relative to `origin`, and the sentences to be said beside it ("remarks")."""
+    """All that the page draws, relative to `origin`, and the sentences to be stated beside it ("remarks")."""
     detail, images = detail_of(view), shown_images(view)
     points = detail.points
     xyz, centre = view.adjusted.points.xyz[points], view.adjusted.images.centre[images]
@@ -204,7 +204,7 @@ def of_coordinates(sigma: Array) -> Array:
 
 def _classes(sigma: Array, unit: str, wanted: float | None = None, unknown: str = "") -> dict[str, Any] | None:
     found = sigma_classes(sigma, unit, wanted, unknown)
-    return None if found is None else found.told()
+    return None if found is None else found.reported()
 
 
 def _as_planned(view: View, planned: Planned) -> View:
@@ -244,7 +244,7 @@ def _of_plan(contents: dict[str, Any], planned: Planned, view: View) -> dict[str
 
 
 def _of_cloud(contents: dict[str, Any], cloud: CloudSample, view: View) -> dict[str, Any]:
-    """Dense points in 16 bits a coordinate, and what is said of them."""
+    """Dense points in 16 bits a coordinate, and what is stated of them."""
     low = cloud.xyz.min(axis=0)
     step = max(float(np.ptp(cloud.xyz, axis=0).max()) / 65535, 1e-300)
     sigma = view.factor * cloud.sigma

@@ -104,7 +104,7 @@ class Statements:
     kind: ClassVar[str] = "statements"
     statements: tuple[tuple[str, str], ...]
     rests: tuple[str, ...] = ()
-    """Where the first k alone may be printed: what is said of the others, for each k; empty: nothing is left out"""
+    """Where the first k alone may be printed: what is stated of the others, for each k; empty: nothing is left out"""
 
     def first(self, most: int) -> Statements:
         """So many of them, where they may be cut."""
@@ -171,7 +171,7 @@ def table(
     marked: Iterable[int] = (),
     stays: bool = False,
 ) -> Table:
-    """A table from its columns' cells, cut after `most` rows; `rest` says where the others are."""
+    """A table from its columns' cells, cut after `most` rows; `rest` states where the others are."""
     by_column = [list(v) for v in values]
     count = len(by_column[0]) if by_column else 0
     if count > most:

@@ -146,11 +146,11 @@ class _Paper:
         return list(simpleSplit(text, font, size, width))
 
     def photograph(self, p: ListedPhotograph) -> None:
-        told = [(p.see, FONT, 9, 0.1), (p.how, FONT, 8, 0.4)]
-        told += [(phrase("photograph_list.taken", name=p.ticked), "Helvetica-Oblique", 8, 0.1)] if p.ticked else []
+        reported = [(p.see, FONT, 9, 0.1), (p.how, FONT, 8, 0.4)]
+        reported += [(phrase("photograph_list.taken", name=p.ticked), "Helvetica-Oblique", 8, 0.1)] if p.ticked else []
         lines = [
             (line, font, size, grey)
-            for words, font, size, grey in told
+            for words, font, size, grey in reported
             for line in self._lines(_latin(words), size, WIDTH - 2 * MARGIN - 62, font)
         ]
         if self.y - LINE * len(lines) - 4 < MARGIN:

@@ -28,7 +28,7 @@ ALONE = (UNCERTAIN**2 - 1) / (UNCERTAIN**2 + 1)
 Of means of n1 and n2 values, a and b of them in one alone, the difference has the variance (a + b) / (n1 n2), and
 s2^2 - s1^2 is (b - a) / (n1 n2): the ratio is that factor squared at a / b of this."""
 TOLD = 1e-3
-"""Share of a variance below which a difference of two variances tells nothing: they are linearised at two places."""
+"""Share of a variance below which a difference of two variances shows nothing: they are linearised at two places."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -12,7 +12,7 @@ from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 
 SHADES = ("#234b7a", "#3f8fa6", "#8fb58a", "#d9c15a", "#b8862d")
-"""From small to large, where nothing says what is good: no red among them"""
+"""From small to large, where nothing states what is good: no red among them"""
 GOOD, MISSED = SHADES[:3], ("#e0683f", "#a01c1c")
 """Up to what was wanted, and above it"""
 UNKNOWN = "#999999"
@@ -35,7 +35,7 @@ class Classes:
     legend: tuple[tuple[str, str], ...]
     """Colour and words; "" for a line without a colour"""
 
-    def told(self) -> dict[str, Any]:
+    def reported(self) -> dict[str, Any]:
         """As the page takes it."""
         return {"limits": list(self.limits), "colours": list(self.colours), "legend": [list(x) for x in self.legend]}
 
@@ -44,7 +44,7 @@ def sigma_classes(values: Array, unit: str, wanted: float | None = None, unknown
     """Classes of standard deviations of a coordinate (n,), NaN where there is none; None where there is none at all.
 
     wanted   what was wanted, in the unit of the values; None: nothing was
-    unknown  why there may be none, for the legend; empty: nothing is said of those
+    unknown  why there may be none, for the legend; empty: nothing is stated of those
     The legend ends with the largest of them.
     """
     known = values[np.isfinite(values)]

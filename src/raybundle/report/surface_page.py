@@ -52,7 +52,7 @@ from raybundle.surfaces.summary import HeightSummary, OrthophotoSummary, Surface
 MOST_MAPS = 24
 """Depth maps that are drawn; the least complete of more."""
 LOW = 0.3
-"""Share of its pixels below which a map is said to be incomplete."""
+"""Share of its pixels below which a map is stated to be incomplete."""
 FILES = (
     "points.ply", "points.laz", "points.las", "heights.tif", "heights_sigma.tif", "heights.toml",
     "heights_orientation.npz", "orthophoto.tif", "orthophoto_sigma.tif", "orthophoto.toml", "mesh.ply", "mesh.obj",
@@ -75,7 +75,7 @@ def write_surface_page(
     """Write the page, as HTML or, where a name ends in .pdf, for print; each file needs no other.
 
     name     of the project
-    remarks  what was said while the surface was measured
+    remarks  what was stated while the surface was measured
     rests    the adjustment that the surface rests on, with its notices, and who the delivery is for
     written  names of the files beside the page
     others   those of them with more points, or fewer, than were written now, and by which length they are thinned;
@@ -138,10 +138,10 @@ def _adjustment(rests: Occasion | None) -> list[Section]:
     """What the points rest on: the key figures of the adjustment, its statements, all that warns of it."""
     if rests is None:
         return []
-    told = [n for n in as_told(rests.view.adjustment.notices) if n.severity is not Severity.NOTE]
+    faults = [n for n in as_told(rests.view.adjustment.notices) if n.severity is not Severity.NOTE]
     d = rests.delivery or delivery_of(rests.view.adjustment)
-    parts: list[Part] = [Heading(text=phrase("report_surface.warnings")), warnings_table(told)] if told else []
-    parts += [*glance_parts(rests, d), Statements(statements=rests.told.statements)]
+    parts: list[Part] = [Heading(text=phrase("report_surface.warnings")), warnings_table(faults)] if faults else []
+    parts += [*glance_parts(rests, d), Statements(statements=rests.reported.statements)]
     return [Section(anchor="adjustment", title=phrase("report_surface.adjustment"), parts=tuple(parts))]
 
 
@@ -259,10 +259,10 @@ def _heights(h: HeightSummary, factor: float, unit: str, length: str) -> Section
 
 
 def _orthophoto(o: OrthophotoSummary, factor: float, unit: str, length: str) -> Section:
-    what, told = phrase("report_surface.orthophoto"), phrase("report_surface.orthophoto_shown", share=o.share)
+    what, faults = phrase("report_surface.orthophoto"), phrase("report_surface.orthophoto_shown", share=o.share)
     parts: list[Part] = [
         Figures(figures=(
-            Figure(drawing=photograph(o.picture, o.pixel, o.left, o.top, length, what), caption=told),
+            Figure(drawing=photograph(o.picture, o.pixel, o.left, o.top, length, what), caption=faults),
         ))
     ]  # fmt: skip
     if np.isfinite(o.sigma):

@@ -19,7 +19,7 @@ from raybundle.settings import settings_of
 
 
 def options_of(result: Mapping[str, Any]) -> AdjustmentOptions:
-    """The options that a result.json tells, as far as they are options of the command line."""
+    """The options that a result.json shows, as far as they are options of the command line."""
     given: dict[str, Any] = {}
     options = as_mapping(result.get("options"))
     for s in settings_of(AdjustmentOptions):
@@ -35,7 +35,7 @@ def made_as(block: Path, given: Block) -> tuple[Block, AdjustmentOptions]:
 
     Parameters that were chosen then are named; control that was found wrong is checked alone; where control was not
     observed (inner constraints, a minimal datum), its points stand where they were adjusted, which the block's own
-    coordinates do not tell.  Not told: which coordinates a minimal datum held.
+    coordinates do not show.  Not stated: which coordinates a minimal datum held.
     """
     folder = block.parent
     if not (folder / "result.json").is_file():
@@ -73,8 +73,8 @@ def _chosen(result: Mapping[str, Any], cameras: Collection[str]) -> dict[tuple[s
     found: dict[tuple[str, str], bool] = {}
     for key, parameters in as_mapping(result.get("cameras")).items():
         camera = key if key in cameras else next((c for c in cameras if key.startswith(f"{c}/")), "")
-        for symbol, told in as_mapping(parameters).items() if camera else ():
-            found[camera, symbol] = found.get((camera, symbol), False) or as_mapping(told).get("std") is not None
+        for symbol, given in as_mapping(parameters).items() if camera else ():
+            found[camera, symbol] = found.get((camera, symbol), False) or as_mapping(given).get("std") is not None
     return found
 
 

@@ -19,7 +19,7 @@ from raybundle.io.digits import (
     Digits,
     Places,
     one,
-    told,
+    reported,
 )
 
 
@@ -45,7 +45,7 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "converged": a.converged,
         "iterations": a.iterations,
         "seconds": one(a.seconds, Places(3)),
-        "global_test": told({"lower": lower, "statistic": statistic, "upper": upper}),
+        "global_test": reported({"lower": lower, "statistic": statistic, "upper": upper}),
         "images_count": n.images_given,
         "images_used": n.images_used,
         "points_count": n.points_given,
@@ -63,9 +63,9 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "not_significant": list(a.not_significant),
         "cameras": {_key(i): _parameters(i) for i in a.interior},
         "correlations": {_key(i): _correlations(i) for i in a.interior if len(i.free)},
-        "noise": told(asdict(a.noise)),
-        "variance_components": [told(asdict(v)) for v in a.variance_components],
-        **({"group_factors": [told(asdict(g)) for g in a.group_factors]} if a.options.variance_groups else {}),
+        "noise": reported(asdict(a.noise)),
+        "variance_components": [reported(asdict(v)) for v in a.variance_components],
+        **({"group_factors": [reported(asdict(g)) for g in a.group_factors]} if a.options.variance_groups else {}),
         "options": asdict(a.options),
         "warnings": [
             {
@@ -75,8 +75,8 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
                 "severity": n.severity.value,
                 "message": n.text,
                 "ids": list(n.ids),
-                **({"values": told(dict(n.values))} if n.values else {}),
-                **({"details": [told(d.json()) for d in n.details]} if n.details else {}),
+                **({"values": reported(dict(n.values))} if n.values else {}),
+                **({"details": [reported(d.json()) for d in n.details]} if n.details else {}),
             }
             for n in gravest_first(a.notices)
         ],

@@ -37,7 +37,7 @@ def fingerprint(source: Path) -> str:
 
 
 def adjusted_since(folder: Path, known: str) -> str:
-    """That the project or result in which the folder of a surface lies was adjusted again; empty: nothing says so.
+    """That the project or result in which the folder of a surface lies was adjusted again; empty: nothing states it.
 
     known  fingerprint of the result that was measured; empty: it is not known
     """

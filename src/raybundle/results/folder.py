@@ -16,7 +16,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import block_files, read_block, write_block_files
-from raybundle.io.digits import told
+from raybundle.io.digits import reported
 from raybundle.io.folders import check_place, names_in, new_folder
 from raybundle.io.ids import check_ids_of
 from raybundle.io.reading.trees import read_json
@@ -138,7 +138,7 @@ def written_folder(
             rows = max(map(len, columns.values()))
             file = new_table_file(folder, name, rows, tables)
             write_table(file, columns, result_digits(adjustment, name, columns))
-        added = {k: v if k in EXACT else told(v) for k, v in (additions or {}).items()}
+        added = {k: v if k in EXACT else reported(v) for k, v in (additions or {}).items()}
         contents = {**result_json(adjustment), **added}
         text = json.dumps(_written(clean(contents)), indent=1, ensure_ascii=False, allow_nan=False)
         (folder / "result.json").write_text(text + "\n", encoding="utf-8")

@@ -1,4 +1,4 @@
-"""What a result says of itself, for an adjustment of its block that is made once more."""
+"""What a result states of itself, for an adjustment of its block that is made once more."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ def as_its_result(adjustment: Adjustment, folder: Path) -> Adjustment:
 
 def lost_accuracy(folder: Path) -> bool:
     """Whether an accuracy was asked for of a result that is not kept."""
-    told = _told(folder)
-    return told is not None and lost(told)
+    result = _told(folder)
+    return result is not None and lost(result)
 
 
 def _told(folder: Path) -> Mapping[str, Any] | None:
     try:
-        told = read_json(folder / "result.json").value
+        result = read_json(folder / "result.json").value
     except InputError:
         return None
-    return told if isinstance(told, dict) else None
+    return result if isinstance(result, dict) else None

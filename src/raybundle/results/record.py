@@ -1,4 +1,4 @@
-"""What a delivery says of itself: who ordered it, who made it, of what, where and when.
+"""What a delivery states of itself: who ordered it, who made it, of what, where and when.
 
 The entries of the object follow the nine headings of the Core Data Index to Historic Buildings and Monuments of the
 Architectural Heritage (Council of Europe 1992, with CIDOC's companion for sites: Thornes, Bold 1998); those of the
@@ -33,7 +33,7 @@ def _entry(part: Part) -> Any:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Record:
-    """The recording sheet, in words as they are printed; empty: not said."""
+    """The recording sheet, in words as they are printed; empty: not stated."""
 
     title: str = _entry("delivery")
     client: str = _entry("delivery")
@@ -57,7 +57,7 @@ class Record:
     archive: str = _entry("delivery")
 
     def as_mapping(self) -> dict[str, str]:
-        """What is said."""
+        """What is stated."""
         return {name: words for name, words in asdict(self).items() if words}
 
     def over(self, other: Record) -> Record:

@@ -33,7 +33,7 @@ class KnownByPhotographs:
 
 
 def known_by_photographs(adjustment: Adjustment, devices: dict[str, str], taken: tuple[str, ...]) -> KnownByPhotographs:
-    """What photographs and adjustment tell.
+    """What photographs and adjustment show.
 
     devices  make and model, by camera
     taken    dates and times of the photographs
@@ -64,7 +64,7 @@ def recorded_text(record: Record, known: KnownByPhotographs | None) -> str:
 
 
 def read_recorded(result: Path) -> tuple[Record, KnownByPhotographs | None]:
-    """What a result folder says of itself; nothing where it has no record.toml."""
+    """What a result folder states of itself; nothing where it has no record.toml."""
     file = result / RECORD_FILE
     if not file.is_file():
         return Record(), None

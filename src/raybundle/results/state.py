@@ -74,9 +74,9 @@ def _fault(notice: Mapping[str, Any]) -> bool:
 
 
 def severity_of(notice: Mapping[str, Any]) -> Severity:
-    """How grave it is; results of versions that did not write how grave a notice is tell its code."""
-    told = notice.get("severity", SEVERITY.get(str(notice.get("code", "")), Severity.NOTE))
-    return Severity(told) if told in [s.value for s in Severity] else Severity.NOTE
+    """How grave it is; results of versions that did not write how grave a notice is show its code."""
+    lines = notice.get("severity", SEVERITY.get(str(notice.get("code", "")), Severity.NOTE))
+    return Severity(lines) if lines in [s.value for s in Severity] else Severity.NOTE
 
 
 def notice_of(stored: Mapping[str, Any]) -> Notice:

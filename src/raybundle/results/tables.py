@@ -225,7 +225,7 @@ def _check(a: Adjustment) -> Columns:
 
 
 def _of_kind(a: Adjustment, kind: ObservationKind) -> Columns:
-    """The table of a kind of observation as `_layout` says."""
+    """The table of a kind of observation as `_layout` states."""
     table, count = kind.table_of(a.given), len(kind.components)
     group = next((g for g in a.groups if g.kind == kind.name), None)
     found = np.full((len(table), 4, count), np.nan)

@@ -46,7 +46,7 @@ def misfit(square_sum: float, redundancy: int) -> float:
 
 
 def agreeing(uv: Array, difference: Array, covariance: Array) -> Mask:
-    """(n,) whether a point agrees with the majority under the bias that suits it best; all, where none can be told.
+    """(n,) whether a point agrees with the majority under the bias that suits it best; all where it is unknown.
 
     A start by least median of squares over small sets of points (Rousseeuw 1984), whose kind of bias is chosen by the
     truncated square sum with a price for each parameter; then each point is tested against the fit of the others, with
@@ -118,7 +118,7 @@ def _settled(kind: BiasKind, kept: Mask, uv: Array, difference: Array, covarianc
 
 
 def _contradiction(kind: BiasKind, k: int, kept: Mask, uv: Array, difference: Array, covariance: Array) -> float:
-    """Squared misfit of a point against the fit of the others, over its limit; 0 where they cannot tell."""
+    """Squared misfit of a point against the fit of the others, over its limit; 0 where they cannot show."""
     others = kept.copy()
     others[k] = False
     solved = solve_bias(kind, uv[others], difference[others], covariance[others])

@@ -21,7 +21,7 @@ LARGEST_MISFIT = 5.0
 FAR = 3.0
 """Ratio of a shift to the stated bias above which the points or the RPC deserve a second look."""
 ENOUGH = 4
-"""Redundancy from which the scatter of the residuals itself says what is significant; below, the stated sigma does."""
+"""Redundancy from which the scatter of the residuals decides what is significant; below, the stated sigma does."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -179,7 +179,7 @@ class Pieces:
 
     @property
     def knots(self) -> Array:
-        """(coefficients + degree + 1,) tau, each as often as its multiplicity says."""
+        """(coefficients + degree + 1,) tau, each as often as its multiplicity states."""
         ends = self.degree + 1
         between = np.linspace(-1.0, 1.0, self.count + 1)[1:-1]
         return np.concatenate([np.full(ends, -1.0), np.repeat(between, self.new), np.full(ends, 1.0)])

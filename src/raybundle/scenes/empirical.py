@@ -16,7 +16,7 @@ scaled to about -1 to 1, in which its parameters and their covariance are given.
 image and of object space, and the choice among models.
 
 A narrow field of view makes affine enough (IKONOS); wide scenes and relief do not, which `EmpiricalFit.adequate` and
-its reason say.  An adequate fit tells about the points that were used, nothing about ground outside them.
+its reason say.  An adequate fit shows about the points that were used, nothing about ground outside them.
 """
 
 from __future__ import annotations

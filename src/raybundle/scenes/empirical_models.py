@@ -229,7 +229,7 @@ def _dlt_brown_start(X: Array, uv: Array) -> Array:
         scale = np.linalg.norm(A, axis=0)
         scale[scale == 0] = 1.0
         p = np.linalg.lstsq(A / scale, uv.reshape(-1), rcond=1e-12)[0] / scale
-        if np.abs(p[11:]).max() > 1:  # too little depth or field to tell the lens: begin without it
+        if np.abs(p[11:]).max() > 1:  # too little depth or field to show the lens: begin without it
             return plain
     return p
 

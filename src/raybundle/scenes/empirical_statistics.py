@@ -42,7 +42,7 @@ class ParameterStatistics:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EmpiricalStatistics:
-    """What a fit tells beside its parameters."""
+    """What a fit shows beside its parameters."""
 
     parameters: tuple[ParameterStatistics, ...]
     covariance: Array
@@ -83,8 +83,8 @@ def empirical_statistics(fit: EmpiricalFit, *, length_unit: str = "m") -> Empiri
     """Statistics of a fitted model; parameters for (object - object_offset) and (image - image_offset) of the fit.
 
     length_unit  of the object points, for the names of the units
-    The standard deviations hold for the stated sigma and an adequate model: where the fit says that the model is not
-    adequate they tell nothing.  The object points count as free of error.
+    The standard deviations hold for the stated sigma and an adequate model: where the fit states that the model is not
+    adequate they show nothing.  The object points count as free of error.
     """
     n, free = fit.normalisation, fit.free
     powers = np.array(fit.model.powers)
@@ -158,8 +158,8 @@ def choose_empirical(
 
     names    models to try, in this order; None: all that the points allow
     raises   InputError where no model can be fitted
-    Adequate is a model whose residuals the stated sigma explains (chi-square, 0.1 %), with redundancy left to tell; of
-    those the one with the fewest parameters.  It says nothing about ground outside the points.
+    Adequate is a model whose residuals the stated sigma explains (chi-square, 0.1 %), with redundancy left to show; of
+    those the one with the fewest parameters.  It states nothing about ground outside the points.
     """
     found = [_candidate(name, xyz, xy_px, sigma_px) for name in names or SPATIAL]
     if names is None and not any(c.fit is not None for c in found):

@@ -73,7 +73,7 @@ class LineScene:
     view: float = 1.0
     """Third component of the viewing directions: 1, or -1 where the detector's axes are those of an image."""
     position_sigma_m: float | None = None
-    """Usual standard deviation of a position in the trajectory's table, where it tells."""
+    """Usual standard deviation of a position in the trajectory's table, where it shows."""
     attitude_sigma_rad: float | None = None
 
     def __post_init__(self) -> None:

@@ -171,7 +171,7 @@ class Rpc:
         return np.linalg.inv(by_ground / metres_per_geographic(centre)[0, :2]).T
 
     def bias_sigma_px(self) -> Array | None:
-        """(2,) `err_bias_m` in px along x and y; None where the RPC tells none."""
+        """(2,) `err_bias_m` in px along x and y; None where the RPC shows none."""
         if not self.err_bias_m:
             return None
         return self.err_bias_m / np.linalg.norm(self.pixel_on_ground(), axis=1)
@@ -229,7 +229,7 @@ class Rpc:
         return np.abs(from_centre / self.ground_scale)[:, :2].max(axis=1, initial=0.0)
 
     def check_near(self, geographic: Array, names: Sequence[str]) -> None:
-        """Raise InputError where points (n, 3) lie so far from the scene that the RPC says nothing of them."""
+        """Raise InputError where points (n, 3) lie so far from the scene that the RPC states nothing of them."""
         far = self.ranges_away(geographic)
         lost = np.flatnonzero(~(far < NO_PLACE))
         if not len(lost):

@@ -1,4 +1,4 @@
-"""What a corrected RPC says of its own errors: ERR_BIAS and ERR_RAND after its bias was adjusted.
+"""What a corrected RPC states of its own errors: ERR_BIAS and ERR_RAND after its bias was adjusted.
 
 Both are root mean squares in metres along one horizontal axis: ERR_BIAS of the error that all points of the image have
 in common, ERR_RAND of that of each single point (STDI-0002, RPC00B; the same words in GDAL's RPC domain).  A viewing
@@ -35,7 +35,7 @@ class GroundErrors:
     err_bias_m: float
     """ERR_BIAS"""
     err_rand_m: float | None
-    """ERR_RAND; None where neither the points nor the vendor tell it"""
+    """ERR_RAND; None where neither the points nor the vendor show it"""
     covariance_m2: Array
     """(2, 2) of east and north of the common error [m^2]"""
     height_share_m: float
@@ -44,10 +44,10 @@ class GroundErrors:
     """(2,) metres east and north by which a ground point moves for each metre that its height is wrong: no error of
     heights is in ERR_BIAS or ERR_RAND but that of the control points"""
     measured_rand: bool
-    """whether the points told ERR_RAND; else it is the vendor's"""
+    """whether the points stated ERR_RAND; else it is the vendor's"""
 
     def of(self, rpc: Rpc) -> Rpc:
-        """An RPC that says so."""
+        """An RPC that states it."""
         return replace(rpc, err_bias_m=self.err_bias_m, err_rand_m=self.err_rand_m)
 
 

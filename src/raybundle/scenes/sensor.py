@@ -37,7 +37,7 @@ LOW_M = 60e3
 VIEW_M = 600e3
 """Distance of the nominal viewpoint from the ground."""
 RANGES, DEEP_M = 4.0, 10e3
-"""Ground below the middle of a scene: in halves of the range of an RPC, and of a scene that tells no range."""
+"""Ground below the middle of a scene: in halves of the range of an RPC, and of a scene that shows no range."""
 PIXEL_MM = 0.01
 """Nominal size of a pixel; no result in px depends on it."""
 MEANINGS = {

@@ -43,7 +43,7 @@ class KannalaBrandt(SensorModel):
         return x - x0 - scale * X, y - y0 - scale * (1 + A) * Y
 
     def start(self, points: Array, values: Array) -> Array:
-        """The image point itself: the model says it without a start."""
+        """The image point itself: the model states it without a start."""
         zero = np.zeros(points.shape[1])
         x, y = self.condition_at(np.stack([zero, zero]), points, values)
         return np.stack([-x, -y])

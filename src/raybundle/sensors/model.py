@@ -84,7 +84,7 @@ class SensorModel:
     fixes_scale: ClassVar[bool] = False
     """Whether the model itself knows lengths in object space, as a satellite scene does."""
     followers: ClassVar[list[Callable[[SensorModel], None]]] = []
-    """Told of every model that registers itself later: platforms carry it"""
+    """Stated of every model that registers itself later: platforms carry it"""
     lines: ClassVar[dict[str, SensorModel]] = {}
     """Sensors of one line, which are models on platforms alone"""
     line: ClassVar[bool] = False
@@ -110,7 +110,7 @@ class SensorModel:
         stated = tuple(inspect.signature(cls.condition).parameters)[5:]
         declared = tuple(p.symbol for p in cls.parameters)
         if stated != declared:
-            raise TypeError(f"{cls.__name__}.condition takes {stated}, parameters says {declared}")
+            raise TypeError(f"{cls.__name__}.condition takes {stated}, parameters states {declared}")
         if taken := RESERVED.intersection(declared):
             raise TypeError(
                 f"{cls.__name__}: a parameter cannot be called {', '.join(sorted(taken))}; choose another name"
@@ -208,7 +208,7 @@ class SensorModel:
         """G (2, n), its Jacobian (2, 5 + w, n), and the positions (n, w) of the parameters that it is taken by.
 
         image (2, n) [mm], points (3, n) in the sensor frame, values (k,) or (k, n).  A model with many parameters of
-        which a point touches few (`local_width`) says which; by default all.
+        which a point touches few (`local_width`) states which; by default all.
         """
         g, J = self.condition_and_jacobian(*image, *points, *values)
         k = len(self.symbols)

@@ -87,7 +87,7 @@ class Spline(SensorModel):
     degrees).  They contain shifts of the principal point, a change of c and nearly a rotation of the camera, and
     knots in corners without observations say nothing.  Their parameters therefore take part as observed ones: each is
     0 with the standard deviation that `Camera.sigma` states, which is a statement about the lens ("within 20 px of
-    the radial terms").  What the sigmas of single knots do not tell: how sure an image point is; ask the map of
+    the radial terms").  What the sigmas of single knots do not show: how sure an image point is; ask the map of
     projection uncertainty.
     """
 

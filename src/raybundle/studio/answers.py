@@ -1,4 +1,4 @@
-"""What the studio tells of a desk: plain data, made from block, adjustment and journal; pixels are those of files."""
+"""What the studio reports a desk: plain data, made from block, adjustment and journal; pixels are those of files."""
 
 from __future__ import annotations
 
@@ -38,14 +38,14 @@ def overview(desk: Desk) -> dict[str, Any]:
             "camera": block.cameras[int(block.images.camera[k])].id, "oriented": bool(block.images.oriented[k]),
             "rays": int(rays[k]), "rms_px": finite(rms[k]), "turn": _turn(desk, k), "photo": k in desk.tiles.paths,
         })  # fmt: skip
-    told = None if a is None else verdict(view_of(a))
+    reported = None if a is None else verdict(view_of(a))
     return {
         "title": block.name, "kind": desk.kind, "times": desk.times, "path": str(desk.source),
         "free_scale": bool(block.free_scale),
         "unit": "" if block.free_scale else block.length_unit,
         "sigma0": None if a is None else finite(a.sigma0), "redundancy": None if a is None else a.redundancy,
-        "neglected": desk.session.neglected, "headline": "" if told is None else told.headline,
-        "grade": "" if told is None else told.grade, "images": images, "points": len(block.points),
+        "neglected": desk.session.neglected, "headline": "" if reported is None else reported.headline,
+        "grade": "" if reported is None else reported.grade, "images": images, "points": len(block.points),
         "observations": len(o), "state": state_of(desk), "standing": standing_of(desk),
         "masks_given": "" if (given := masks_given(desk.source)) is None else str(given),
         "fiducials": [] if desk.scans is None else list(desk.scans.calibrated.names),
@@ -75,7 +75,7 @@ def state_of(desk: Desk) -> dict[str, Any]:
 
 
 def plain_state(state: State) -> dict[str, Any]:
-    """A state as JSON says it."""
+    """A state as JSON states it."""
     return {
         "can_undo": state.can_undo, "can_redo": state.can_redo,
         "marks": [

@@ -92,8 +92,8 @@ class Studio:
             "/api/journal": lambda _: self._journal(),
             "/api/masks": lambda q: masking.drawn(self.desk, _text(q, "image")),
             "/api/standing": lambda _: answers.standing_of(self.desk),
-            "/api/run": lambda _: self.running.told(),
-            "/api/calibration": lambda _: calibrations.told(),
+            "/api/run": lambda _: self.running.reported(),
+            "/api/calibration": lambda _: calibrations.reported(),
             **targeting.gets,
             **deciding.gets,
         }
@@ -202,7 +202,7 @@ class Studio:
         return self._done(seq)
 
     def _done(self, seq: int) -> dict[str, Any]:
-        """What is answered of an action that was done, when all tabs have been told."""
+        """What is answered of an action that was done, when all tabs have been reported."""
         state = answers.state_of(self.desk)
         self.live.tell_from_thread({"type": "state", "state": state})
         self.work.soon()
@@ -271,7 +271,7 @@ class Studio:
 
 
 async def _listen(socket: WebSocket) -> None:
-    """What a tab says is thrown away; it ends with the tab."""
+    """What a tab states is thrown away; it ends with the tab."""
     with contextlib.suppress(WebSocketDisconnect, RuntimeError, KeyError, ValueError):
         while True:
             await socket.receive_text()

@@ -47,7 +47,7 @@ class Calibrations:
     _drawn: Drawn | None = None
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
-    def told(self) -> dict[str, Any]:
+    def reported(self) -> dict[str, Any]:
         """The cameras with their verdicts, parameters and numbers of figures, or why there are none."""
         drawn = self._made()
         if drawn is None:

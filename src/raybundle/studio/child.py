@@ -1,4 +1,4 @@
-"""A command of raybundle as a process of its own: its progress as it comes, what it says in the end, and stopped."""
+"""A command of raybundle as a process of its own: its progress as it comes, what it states in the end, and stopped."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ class Child:
 
     process: subprocess.Popen[str]
     printed: IO[str]
-    told: list[str] = field(default_factory=list[str])
+    reported: list[str] = field(default_factory=list[str])
     """lines of errors"""
     asked: int = 0
     """how often it was asked to stop"""
     hears: bool = False
-    """whether it has told of its progress: an interrupt before that may be lost while the program is loaded"""
+    """whether it has reported its progress: an interrupt before that may be lost while the program is loaded"""
 
     @classmethod
     def begin(cls, words: Sequence[str]) -> Child:
@@ -59,7 +59,7 @@ class Child:
         return cls(process, printed)
 
     def follow(self, progress: Progress) -> tuple[int, str]:
-        """Tell its progress until it ends; its exit status and what it printed."""
+        """Show its progress until it ends; its exit status and what it printed."""
         assert self.process.stderr is not None
         for line in self.process.stderr:
             found = _progress(line)
@@ -67,7 +67,7 @@ class Child:
                 self.hears = True
                 progress(*found)
             elif line.strip():
-                self.told = [*self.told[-MOST_LINES:], line.rstrip()]
+                self.reported = [*self.reported[-MOST_LINES:], line.rstrip()]
         self.process.stderr.close()
         status = self.process.wait()
         if self.process.stdin is not None:

@@ -119,7 +119,7 @@ def _strongest(interior: InteriorResult, symbol: str, outer: Array | None) -> di
 
 
 def figures(desk: Desk) -> Figures:
-    """What the adjustment says of its image observations; raises InputError where there is none."""
+    """What the adjustment states of its image observations; raises InputError where there is none."""
     if desk.adjustment is None:
         raise InputError("studio.no_adjustment")
     return figures_of(desk.adjustment)

@@ -46,7 +46,7 @@ class Deciding:
             "/api/parameters": lambda _: choosing.parameters(self.desk),
             "/api/criteria": lambda _: choosing.criteria(self.desk),
             "/api/selection": lambda q: choosing.selection(self.desk, str(q.get("by", "")), _limit(q.get("limit"))),
-            "/api/adjustments": lambda _: {"adjustments": self.work.shelf.told()},
+            "/api/adjustments": lambda _: {"adjustments": self.work.shelf.reported()},
         }
 
     @property

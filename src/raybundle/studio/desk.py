@@ -45,7 +45,7 @@ class Desk:
     scans: Scans | None = None
     """what is known of the film that the photographs are scans of"""
     photos: Sequence[Path] = ()
-    """where the photographs are, beside where the project says"""
+    """where the photographs are, beside where the project states"""
     stamp: tuple[int, ...] = ()
     """of the block as it was read"""
     times: int = 0
@@ -59,7 +59,7 @@ class Desk:
         """Open a project, result or block folder as it stands; `adjust` brings the covariances after.
 
         folder  for decoded photographs
-        photos  where the photographs are, beside where the project says
+        photos  where the photographs are, beside where the project states
         raises  InputError where it is none of these, or a file of it is damaged
         """
         stamp = _stamp(source)

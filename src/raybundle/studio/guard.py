@@ -155,7 +155,7 @@ class Guard:
 
 
 class TooLarge(Exception):
-    """A body that goes on beyond the limit, whatever its header said."""
+    """A body that goes on beyond the limit, whatever its header stated."""
 
 
 class _Limited:

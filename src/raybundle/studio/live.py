@@ -1,4 +1,4 @@
-"""Who watches, and what they are told: every tab hears of every change."""
+"""Who watches, and what they are reported: every tab hears of every change."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ class Live:
         """A tab was closed."""
         self.tabs.discard(queue)
 
-    def tell(self, message: dict[str, Any]) -> None:
-        """Tell every tab, from the server's own thread; what is told is written down once for all of them."""
+    def notify(self, message: dict[str, Any]) -> None:
+        """Show every tab, from the server's own thread; what is reported is written down once for all of them."""
         self._put(_text(message))
 
     def _put(self, text: str) -> None:
@@ -44,7 +44,7 @@ class Live:
                 queue.put_nowait(None)  # the tab is closed, it connects again and reads everything
 
     def tell_from_thread(self, message: dict[str, Any]) -> None:
-        """Tell every tab, from any thread."""
+        """Show every tab, from any thread."""
         if self.loop is not None and not self.loop.is_closed():
             self.loop.call_soon_threadsafe(self._put, _text(message))
 

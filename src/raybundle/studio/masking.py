@@ -37,7 +37,7 @@ def picture(desk: Desk, image: str) -> bytes:
     photo = read_photo(path, name=desk.given.images.file[k] or image)
     try:
         free = find_masks(folder, [photo]).of(photo)
-    except InputError:  # that it lacks is said by the run's notices
+    except InputError:  # that it lacks is stated by the run's notices
         return b""
     if free is None:
         return b""

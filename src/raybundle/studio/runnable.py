@@ -45,7 +45,7 @@ class Runnable:
 
     @property
     def child_words(self) -> list[str]:
-        """The same for a child, which tells its progress."""
+        """The same for a child, which shows its progress."""
         return [self.name, "--progress", "json", *self.words[1:]]
 
     @property
@@ -110,7 +110,7 @@ def _bare(settings: OrientSettings) -> OrientSettings:
 
 
 def _families(result: Path) -> tuple[str, ...]:
-    """What a calibration was made of, as it says itself."""
+    """What a calibration was made of, as it states itself."""
     tree = read_json(result / "result.json")
     if not tree.has("targets"):
         return ()

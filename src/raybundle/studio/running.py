@@ -1,4 +1,4 @@
-"""A run of stages in the background: begun, told of as it goes, stopped; at its end the desk is read anew."""
+"""A run of stages in the background: begun, reported as it goes, stopped; at its end the desk is read anew."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from raybundle.studio.work import Work
 EVERY_S = 0.25
 """Seconds between two messages of progress."""
 BEAT_S = 1.0
-"""Seconds after which stages are told anew where there is no progress."""
+"""Seconds after which stages are reported anew where there is no progress."""
 
 
 @dataclass(slots=True)
@@ -40,7 +40,7 @@ class Run:
     words: str = ""
     """what the command printed, or why it failed"""
 
-    def told(self) -> dict[str, Any]:
+    def reported(self) -> dict[str, Any]:
         """As the page shows it."""
         now = time.time() if self.ended is None else self.ended
         spent = now - self.step_began
@@ -53,7 +53,7 @@ class Run:
 
     def _stages(self) -> list[dict[str, Any]]:
         titles = self.what.titles
-        # the record tells whole seconds; what an earlier run did is another's
+        # the record shows whole seconds; what an earlier run did is another's
         mine = {r.name: r for r in self.what.records() if _seconds(r) >= int(self.began)}
         last = max((k for k, t in enumerate(titles) if t in mine), default=-1)
         at = last + 1 if self.outcome == "running" else -1
@@ -71,7 +71,7 @@ def _stage(title: str, record: StageRecord | None, *, behind: bool, at: bool) ->
 
 
 def _seconds(record: StageRecord) -> float:
-    """When a stage ended [s since 1970]; 0 where the record does not tell."""
+    """When a stage ended [s since 1970]; 0 where the record does not show."""
     try:
         return timegm(time.strptime(record.finished, "%Y-%m-%dT%H:%M:%SZ"))
     except ValueError:
@@ -103,9 +103,9 @@ class Running:
             self.chosen = runnable(self.desk)
         return self.chosen
 
-    def told(self) -> dict[str, Any]:
+    def reported(self) -> dict[str, Any]:
         """The form, or why nothing can be run, and the run that goes on or was the last."""
-        run = None if self.run is None else self.run.told()
+        run = None if self.run is None else self.run.reported()
         try:
             return {"form": self.what().form(), "why": "", "run": run}
         except InputError as error:
@@ -114,7 +114,7 @@ class Running:
     def choose(self, values: dict[str, Any]) -> dict[str, Any]:
         """The settings of the next run; raises InputError that names the one that cannot be."""
         self.chosen = self.what().chosen(values)
-        return self.told()
+        return self.reported()
 
     def begin(self) -> dict[str, Any]:
         """Begin the run; raises InputError where something runs or is adjusted."""
@@ -128,7 +128,7 @@ class Running:
             self.run = Run(what, Child.begin(what.child_words), now, step="beginning", step_began=now)
             self._thread = threading.Thread(target=self._follow, args=(self.run,), daemon=True)
             self._thread.start()
-        return self.told()
+        return self.reported()
 
     def stop(self) -> bool:
         """Stop between two tasks; asked again, at once.  False where nothing runs."""
@@ -166,18 +166,18 @@ class Running:
         over.set()
         beat.join()
         run.ended = time.time()
-        said = "\n".join(run.child.told)
+        stated = "\n".join(run.child.reported)
         if run.child.asked and status:
             run.outcome, run.words = "stopped", "stopped; what is finished is kept, another run continues there"
         elif status == 0:
             run.outcome, run.words = "done", printed.strip("\n")
             self._read_anew(run)
         else:
-            run.outcome, run.words = "failed", said or f"the command ended with status {status}"
+            run.outcome, run.words = "failed", stated or f"the command ended with status {status}"
         self._tell(run)
 
     def _beat(self, run: Run, over: threading.Event) -> None:
-        """Tell of the stages where the command itself says nothing for a while."""
+        """Show of the stages where the command itself states nothing for a while."""
         while not over.wait(BEAT_S):
             if time.time() - self._told > BEAT_S:
                 self._tell(run)
@@ -192,4 +192,4 @@ class Running:
 
     def _tell(self, run: Run) -> None:
         self._told = time.time()
-        self.live.tell_from_thread({"type": "run", "run": run.told()})
+        self.live.tell_from_thread({"type": "run", "run": run.reported()})

@@ -82,7 +82,7 @@ def _shown(block: Block) -> Index:
 
 
 def _of_rays(desk: Desk) -> dict[str, Array]:
-    """What the image observations of each point tell together, (p,) each, NaN without.
+    """What the image observations of each point show together, (p,) each, NaN without.
 
     w  largest |w|, rejected ones included; r  smallest redundancy number of those that take part; v  root mean square
     of their residuals [px].

@@ -55,13 +55,13 @@ def configured(app: ASGIApp, waiting: Waiting) -> uvicorn.Config:
 
 def serve(
     source: Path, photos: Sequence[Path] = (), *, port: int = 0, browser: bool = True,
-    told: Callable[[str], None] = print, header_s: float = HEADERS_S,
+    notify: Callable[[str], None] = print, header_s: float = HEADERS_S,
 ) -> None:  # fmt: skip
     """Open a project, result or block folder and serve it until interrupted.
 
     port     0: a free one
     browser  open the page
-    told     gets the address once; it works once
+    stated     gets the address once; it works once
     header_s seconds within which the header of a request is complete
     raises   InputError where there is nothing to open, or the port is taken
     """
@@ -74,9 +74,9 @@ def serve(
             page = hand_over(session.address, Path(folder)) if browser else None
             server = Server(config, lambda: page and webbrowser.open(page.as_uri()))
             with _ending(server):
-                told(session.address)
+                notify(session.address)
                 if desk.journal.read_only:
-                    told(f"warning: {desk.journal.read_only.text()}")
+                    notify(f"warning: {desk.journal.read_only.text()}")
                 server.run(sockets=[connection])
 
 

@@ -1,4 +1,4 @@
-"""The last adjustments of a session: kept as result folders beside one another, told in figures, compared in pairs."""
+"""The last adjustments of a session: result folders beside one another, with figures, compared in pairs."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from raybundle.studio.answers import finite
 MOST = 8
 """Adjustments that are kept; the oldest but the first, which was there when the studio was opened, makes room."""
 WORST = 5
-"""Residuals that are told of each."""
+"""Residuals that are reported of each."""
 BEFORE = "measured before"
 PAGES = ("report.html", "network.html")
 
@@ -103,7 +103,7 @@ class Shelf:
         a, b = (read_result(self.one(n).folder) for n in (first, second))
         return comparison(a, b)
 
-    def told(self) -> list[dict[str, Any]]:
+    def reported(self) -> list[dict[str, Any]]:
         """Each in figures, the first first."""
         found: list[dict[str, Any]] = []
         for each in [*self.kept]:
@@ -127,7 +127,7 @@ def _linked(source: str, target: str) -> None:
 
 
 def _figures(kept: Kept) -> dict[str, Any]:
-    """What is told of an adjustment beside the others."""
+    """What is reported of an adjustment beside the others."""
     read = read_result(kept.folder)
     r = read.result
     numbers = ("sigma0", "redundancy", "observations", "unknowns", "image_points", "rejected", "mean_std")

@@ -58,15 +58,15 @@ class Targeting:
         return [Route("/sheet/{name}", self._file, methods=["GET"])]
 
     def _families(self, q: Mapping[str, Any]) -> str:
-        """As they are asked for, or as the result says that was opened."""
+        """As they are asked for, or as the result states that was opened."""
         if "families" in q:
             return " ".join(str(q["families"]).split())
         result = own_result(self.desk.source)
         if result is None:
             return ""
         tree = read_json(result / "result.json")
-        told = tree.get("targets").get("families").items() if tree.has("targets") else []
-        return " ".join(f.text() for f in told)
+        families = tree.get("targets").get("families").items() if tree.has("targets") else []
+        return " ".join(f.text() for f in families)
 
     def _begin(self, given: dict[str, Any]) -> dict[str, Any]:
         families, images = given.get("families", ""), given.get("images", [])
@@ -83,8 +83,8 @@ class Targeting:
 
     def _print(self, given: dict[str, Any]) -> dict[str, Any]:
         """Make the sheet of these settings; raises InputError for what does not fit or go together."""
-        said = {k: v for k, v in table_of(given, "values").items() if v != ""}
-        settings = settings_of_form(SheetSettings, said, {"out": SHEET.out}, APART)
+        stated = {k: v for k, v in table_of(given, "values").items() if v != ""}
+        settings = settings_of_form(SheetSettings, stated, {"out": SHEET.out}, APART)
         with TemporaryDirectory() as folder:
             _, written = run_sheet(replace(settings, out=Path(folder) / SHEET.out))
             self.printed = {p.name: p.read_bytes() for p in written if p.suffix in KINDS}

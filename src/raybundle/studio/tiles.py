@@ -59,7 +59,7 @@ class Tiles:
     _begun: dict[int, threading.Lock] = field(default_factory=dict[int, threading.Lock])
 
     def photo(self, image: int) -> Photo:
-        """What a photograph's file says of itself; raises InputError where there is none."""
+        """What a photograph's file states of itself; raises InputError where there is none."""
         if image not in self._photos:
             path = self.paths.get(image)
             if path is None:

@@ -26,7 +26,7 @@ REST_S = 0.3
 
 
 class Stopped(Exception):
-    """The person said stop."""
+    """The person stated stop."""
 
 
 @dataclass(slots=True)
@@ -36,7 +36,7 @@ class Work:
     desk: Desk
     live: Live
     options: AdjustmentOptions = field(default_factory=AdjustmentOptions)
-    """of the next adjustments, without what the journal says of parameters"""
+    """of the next adjustments, without what the journal states of parameters"""
     shelf: Shelf = field(init=False)
     _thread: threading.Thread | None = None
     _over: bool = True

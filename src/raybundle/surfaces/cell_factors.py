@@ -24,7 +24,7 @@ SIDES = (1, 2, 4)
 BAND, HALO = 512, 2 * SIDES[-1]
 """Rows that are done at once, and those around them that have a say"""
 FEWEST = 5
-"""Heights that tell a slope"""
+"""Heights that show a slope"""
 STEP = 0.25
 """Scatter about a plane, in sides of a cell, up to which it is relief: a step of one side leaves so much"""
 OTHER = 8.5

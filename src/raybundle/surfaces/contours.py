@@ -68,7 +68,7 @@ def ring_lines(mask: Array) -> tuple[Array, ...]:
 def smoothed(model: HeightModel) -> Array:
     """(rows, columns) heights whose wiggles are larger than their noise; NaN where there is none.
 
-    What is smoothed away is what single heights cannot tell: orientation, which moves neighbours alike, plays no part.
+    What is smoothed away is what single heights cannot show: orientation, which moves neighbours alike, plays no part.
     """
     known = model.known
     height = np.where(known, model.heights.height, 0.0).astype(float)

@@ -44,7 +44,7 @@ OUTER = 0.01
 THINGS, RAYS = 3, 3
 """So many tie points of so many rays make a thing, however few of all they are: a chimney, a post, a roof"""
 FEWEST_POINTS = 8
-"""Tie points that tell the range of depths."""
+"""Tie points that show the range of depths."""
 MAP_BYTES = 100.0
 """That a map and what it is made of take for a pixel of the reference, and as much costs of approximate depths may."""
 LEAST_SWEEP_BYTES = 4e8
@@ -65,7 +65,7 @@ class DepthOptions:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DepthMap:
-    """Depths of a reference's pixels: arrays (rows, columns), float32 unless said otherwise; NaN where there is none.
+    """Depths of a reference's pixels: arrays (rows, columns), float32 unless stated otherwise; NaN where there is none.
 
     Doubtful depths, whose neighbours speak against them, are among them (`doubtful`, `sure`).
     Limits: an error that all sources share, as a moving shadow or a reflection.
@@ -85,7 +85,7 @@ class DepthMap:
     step: Array
     """variance of t of doubtful depths by steps: how far their neighbours stand apart; 0 elsewhere"""
     shift: Array
-    """(rows, columns, sources, 2) change of t where a source's table says one pixel further [t / px]"""
+    """(rows, columns, sources, 2) change of t where a source's table states one pixel further [t / px]"""
     views: Index
     """int32, bit s: source s was used"""
     reason: Array

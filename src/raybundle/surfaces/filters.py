@@ -1,6 +1,6 @@
 """What neighbours of a map say of a pixel: flags, and which depths are doubtful.
 
-A doubtful depth is as a rule right, but a map alone cannot tell: it stays where other maps confirm it.
+A doubtful depth is as a rule right, but a map alone cannot show: it stays where other maps confirm it.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ maps alike excuses nothing; one that sees through it, to something behind, speak
 something else stands before it is silent.  Of estimates that agree the best stands for all: a mean would have to know
 how they are correlated, and gains little, since they share photographs, orientation and texture.
 
-A depth that is doubtful in its own map says nothing of sure ones.  It stays where two other maps see the same, surely
+A depth that is doubtful in its own map states nothing of sure ones.  It stays where two other maps see the same, surely
 or not, and none sees through it.  Its standard deviation counts how far its neighbours stand apart: of an exactly known
 object 0.4 to 0.9 % of such depths are then off by more than five of them (benchmarks/surface_truth.py, its union).
 """
@@ -223,8 +223,8 @@ class _Points:
         seen, place  numbers in the part and places (n, 2) of those that it may see
         """
         there, theirs, length = other.looked_up(place)
-        told = np.isfinite(there)
-        seen, at, there, theirs, length = seen[told], place[told], there[told], theirs[told], length[told]
+        finite = np.isfinite(there)
+        seen, at, there, theirs, length = seen[finite], place[finite], there[finite], theirs[finite], length[finite]
         xyz = self.xyz[part][seen]
         mine_there = other.rays.parameter(at, xyz)
         # how far my standard deviation moves the point along the other's ray
@@ -242,7 +242,7 @@ def by_contrast(scatter: Array, contrast: Array) -> Array:
     By class of contrast the median square of what maps differ in their standard deviations; between classes linear.
     Weak texture may be a small part of what is seen: the lower half of the weakest class is one of its own, and so on.
     Where texture is weak, noise is not what it is elsewhere: a camera and its compression have smoothed it.  It does
-    not tell what all maps have alike.
+    not show what all maps have alike.
     """
     known = np.flatnonzero(np.isfinite(scatter) & np.isfinite(contrast))
     classes = min(CLASSES, len(known) // FEWEST)

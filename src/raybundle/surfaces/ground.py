@@ -1,4 +1,4 @@
-"""Ground told from what stands on it: the simple morphological filter of Pingel, Clarke and McBride (2013), on a grid.
+"""Ground apart from what stands on it: the simple morphological filter of Pingel, Clarke and McBride (2013), on a grid.
 
 The surface is opened with discs that grow; what an opening cuts off by more than a slope over the disc allows stands
 on the ground.  To the slope comes what the standard deviations let heights be off by.

@@ -22,7 +22,7 @@ APART = 3.0
 LEAST_SHARE = 0.25
 """Of a cell's points that make a layer: fewer above the others are blunders, or little of what is there."""
 STEEPEST = 0.1
-"""Cosine between normal and plumb line below which a point tells nothing of a height: 84 degrees."""
+"""Cosine between normal and plumb line below which a point shows nothing of a height: 84 degrees."""
 BETWEEN_MAPS = 0.35
 """Correlation of what two maps have as noise and roughness at one place, where it is not known which maps they are."""
 SHARED_PHOTOGRAPHS, SHARED_SURFACE = 0.31, 0.23
@@ -191,7 +191,7 @@ def _uppermost(cell: Index, middle: Array, p: PointsOfCells) -> Mask:
     first = np.concatenate([[True], cell[1:] != cell[:-1]])
     steep = np.abs(p.slope).sum(axis=1)
     limit = np.zeros(len(cell))
-    # slopes tell how far a height may be off in the middle of a cell: by half of what the surface rises in it
+    # slopes show how far a height may be off in the middle of a cell: by half of what the surface rises in it
     limit[1:] = APART * np.hypot(p.local[1:], p.local[:-1]) + 0.5 * np.maximum(steep[1:], steep[:-1])
     gap = np.concatenate([[0.0], middle[:-1] - middle[1:]])
     layer = np.cumsum(first | (gap > limit)) - 1

@@ -1,7 +1,7 @@
 """Holes between heights, filled by what lies around them, with a standard deviation that grows with the gap.
 
 Within a hole the heights are those of a membrane that is spanned over its rim (a discrete Laplace equation).  What
-the surface does in between is told by its own variogram, E (h(x + d) - h(x))^2 / 2 = c d^p, with p of the whole and c
+the surface does in between is given by its own variogram, E (h(x + d) - h(x))^2 / 2 = c d^p, with p of the whole and c
 of the surroundings, from second differences, which tilts do not touch (Matheron 1963).  Straight between two rims the
 error of a place at the distance d from the nearest has the variance 2 c d^p (1 - d / D)^p, D being the width of the
 gap.
@@ -34,7 +34,7 @@ EIGHT = np.ones((3, 3), int)
 TWO_LEVELS = 5.0
 """Standard deviations within them that two levels of a rim lie apart; the halves of an even slope do by 3.5"""
 LEAST_SIDE, LEAST_RIM = 0.15, 8
-"""Share of a rim that is a side of it, and the cells that tell of any"""
+"""Share of a rim that is a side of it, and the cells that reports any"""
 
 
 def filled(model: HeightModel, limit: float, within: Mask | None = None) -> HeightModel:

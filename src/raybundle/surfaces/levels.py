@@ -105,7 +105,7 @@ def halved(level: Level) -> Level:
 
 
 def holes_of(known: Mask, stride: int) -> Mask:
-    """(rows, columns) surroundings in which most pixels have no depth: single ones are told by what is around them."""
+    """(rows, columns) surroundings in which most pixels have no depth: single ones are given by what is around them."""
     missing = (~known).astype(np.float32)
     side = 2 * max(1, round(HOLE_PX / stride / 2)) + 1
     return cv2.boxFilter(missing, -1, (side, side), borderType=cv2.BORDER_REPLICATE) >= HOLE_SHARE
@@ -155,7 +155,7 @@ def nearest_of(grid: PixelGrid, other: PixelGrid) -> tuple[tuple[Index, Index], 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fine:
-    """What is kept of the refined pixels of a map: arrays (rows, columns), float32 unless said otherwise.
+    """What is kept of the refined pixels of a map: arrays (rows, columns), float32 unless stated otherwise.
 
     Lengths are pixels of the level.
     """
@@ -207,7 +207,7 @@ class Fine:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Approximate:
-    """Refined pixels of a coarse grid, and what they tell of all."""
+    """Refined pixels of a coarse grid, and what they reports all."""
 
     found: Refined
     grid: PixelGrid

@@ -41,7 +41,7 @@ ROUNDS, PASSES = 30, 6
 BESIDE = 1.5
 """Cells around a region that belong to neither side."""
 LEFT = 0.3
-"""Share of the cells that have not moved that tells the errors of orientation at least."""
+"""Share of the cells that have not moved that shows the errors of orientation at least."""
 SAME = 0.01
 """Share of the cells that are one measurement in both surfaces from where they say that the whole has not moved."""
 SURE = 4.0
@@ -372,7 +372,7 @@ def _outlined(model: HeightModel, local: Array, seed: Mask) -> tuple[Mask, int]:
         side += 2
     cells = seed
     for _ in range(3):
-        # weights leave out blunders and steps, which tell little of where a movement ends
+        # weights leave out blunders and steps, which show little of where a movement ends
         w = np.where(known, 1 / np.maximum(np.square(model.local.astype(float)), 1e-300), 0.0)
         w = np.where(known, np.minimum(w, 1 / max(usual, 1e-300) ** 2), 0.0)
         box = (side, side)

@@ -3,7 +3,7 @@
 What moves a block of photographs moves the object it shows: points shift in plan and up.  A height of a cell moves up
 as the points do, and by the slope of the surface where these shift in plan.  An error of scale moves what stands out
 further.  Around each node, in the four blocks that touch it, planes are fitted by least squares to all three shifts and
-to the heights themselves; what the heights leave of their plane tells how shifts upwards grow with the height.
+to the heights themselves; what the heights leave of their plane shows how shifts upwards grow with the height.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.nodes import CORNERS, from_nearest
 
 UNEVEN = 1e-3 / 12
-"""Variance of places, in squares of a block's side, below which they tell no slope: a thousandth of that of a whole
-block, that of a line of cells a thirtieth of a side wide.  Heights that scatter by less about their plane tell nothing
+"""Variance of places, in squares of a block's side, below which they show no slope: a thousandth of that of a whole
+block, that of a line of cells a thirtieth of a side wide.  Heights that scatter by less about their plane show nothing
 of a change with the height."""
 PARTS = 4
 """Up, by the height above the level, and in plan to the right and upwards"""

@@ -1,7 +1,7 @@
 """Normals of the planes of a depth map, the object's area that a pixel shows, and incidences.
 
-Rays change so smoothly over a picture that their directions and derivatives are told between nodes a few pixels apart;
-that is as good as a normal deserves, and a hundredth of the work.
+Rays change so smoothly over a picture that their directions and derivatives are reported between nodes a few pixels
+apart; that is as good as a normal deserves, and a hundredth of the work.
 """
 
 from __future__ import annotations

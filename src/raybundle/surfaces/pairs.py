@@ -1,6 +1,6 @@
 """Which photographs measure the surface together: for each reference its sources, and the pairs that are of no use.
 
-Tie points tell it all before a pixel is read: what two photographs both see, at which angle, at which scales.
+Tie points show it all before a pixel is read: what two photographs both see, at which angle, at which scales.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from raybundle.numerics.rows import rows_of_each
 MOST_SOURCES = 4
 """Sources of a reference: with more the depth gets little better, and the time grows in proportion."""
 FEWEST_POINTS = 12
-"""Common points below which nothing can be said of a pair: angle and scale are their medians."""
+"""Common points below which nothing can be stated of a pair: angle and scale are their medians."""
 FLATTEST_DEG = 1.5
 """Median angle between the rays of common points below which a pair is refused: at 1.5 degrees a depth is 38 times as
 uncertain as a place across the ray."""
@@ -78,7 +78,7 @@ def sources_of_each(block: Block, *, most: int = MOST_SOURCES, among: Sequence[i
     most   sources of a reference
     among  images that can be sources; None: all
 
-    The first source is the one that tells most of the depths at the reference's tie points, each further one that which
+    The first source is the one that shows most of the depths at the reference's tie points, each further one that which
     adds most to what is known: so sources on all sides of a reference go before several on one.  Limits:
     places without tie points, and what hides the object from a source.
     """
@@ -119,7 +119,7 @@ def _sources(block: Block, k: int, mine: list[Index], images_of: list[Index], mo
 
 
 def _pair(block: Block, k: int, j: int, at: Index, theirs: Index) -> tuple[PairOfImages, Array]:
-    """Two images, and what the second tells of the depths (n,) of the first's points, in units of the best pair.
+    """Two images, and what the second reports the depths (n,) of the first's points, in units of the best pair.
 
     Of a scene by its nominal viewpoint, from which its middle is seen as the scene does: what angles and sizes differ
     by over its width is less than a choice of pairs has to know.

@@ -42,7 +42,7 @@ class Reason(IntEnum):
     REFINED = 0
     NO_START = 1
     NO_TEXTURE = 2
-    """The window shows no more than noise, or does not tell depth from slopes"""
+    """The window shows no more than noise, or does not show depth from slopes"""
     LEFT_IMAGE = 3
     """The window leaves the reference or all sources, or the depth the range of the tables"""
     NO_CORRELATION = 4
@@ -136,8 +136,8 @@ class PixelGrid:
 class Refined:
     """Refined pixels, arrays (rows, columns); where `reason` is not REFINED numbers are those of the start or NaN.
 
-    What the variances do not tell: that the surface is not plane within the window (`response` says what it does), that
-    orientation and calibration are uncertain (`shift`), and that grey values hold more than surface and noise.
+    What the variances do not show: that the surface is not plane within the window (`response` states what it does),
+    that orientation and calibration are uncertain (`shift`), and that grey values hold more than surface and noise.
     """
 
     numbers: Array
@@ -149,7 +149,7 @@ class Refined:
     views: Index
     """int32, bit s: source s was used"""
     shift: Array
-    """(rows, columns, sources, 2) change of t where a source's table says one pixel further [t / px]: where those of
+    """(rows, columns, sources, 2) change of t where a source's table states one pixel further [t / px]: where those of
     all sources shift as by a larger t, it is smaller by as much"""
     left: Array
     """(1 + sources,) share of the variance of a view's grey values that is left when they are interpolated, by their

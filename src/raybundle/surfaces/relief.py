@@ -177,7 +177,7 @@ class Planes:
     """degrees of freedom"""
     right: Array
     down: Array
-    """rise from cell to cell; 0 where the heights tell none"""
+    """rise from cell to cell; 0 where the heights show none"""
     count: Array
     """of heights"""
 

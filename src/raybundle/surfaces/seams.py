@@ -2,7 +2,7 @@
 
 The choice is a Markov random field: each cell has a cost for each photograph that sees it, and neighbours that take
 different ones pay by how much the photographs differ there (Kwatra et al. 2003).  Messages between neighbours find the
-choice, by trees (Wainwright et al. 2005: on a grid each edge is in half of them), since plain belief propagation says
+choice, by trees (Wainwright et al. 2005: on a grid each edge is in half of them), since plain belief propagation states
 everything twice there and stays where it begins.  Messages go one cell a round: a cell knows nothing that is further
 than as many cells as there are rounds, so that parts with such a margin are chosen as the whole would be.
 """
@@ -20,16 +20,16 @@ ROUNDS = 48
 SHARE = np.float32(0.5)
 """Of the trees that an edge is in"""
 KEPT = np.float32(0.2)
-"""Of what was said before: without it black and white cells of a chess board answer each other in turn"""
+"""Of what was stated before: without it black and white cells of a chess board answer each other in turn"""
 UNSEEN = np.float32(1e4)
 """Cost of a photograph that does not see a cell."""
 LEAST_COST, OF_DIFFERENCE = 0.1, 0.05
 """Of a seam between two cells, in parts of a logarithm of the size of pixels: a tenth of resolution for a cell's side,
 and the same for each two grey values that the photographs differ by."""
 FEWEST = 30
-"""Places that two photographs have in common, to tell how their brightness differs."""
+"""Places that two photographs have in common, to show how their brightness differs."""
 DARK, BRIGHT = 8, 247
-"""Grey values beyond which brightness tells nothing."""
+"""Grey values beyond which brightness shows nothing."""
 PRIOR = 0.3
 """Standard deviation of the logarithms of gains before anything is known: a stop is 0.69 before gamma."""
 UNLIKE = 0.02
@@ -63,10 +63,10 @@ def chosen(cost: Array, across: Array, down: Array, rounds: int = ROUNDS) -> Ind
         total = own + SHARE * ((messages[0] + messages[1]) + (messages[2] + messages[3]))
         new = list[Array]()
         for k, (here, there) in enumerate(ends):
-            told = (total - messages[back[k]])[here]
-            told = np.minimum(told - told.min(axis=0), limits[k] / SHARE)
+            message = (total - messages[back[k]])[here]
+            message = np.minimum(message - message.min(axis=0), limits[k] / SHARE)
             made = np.zeros_like(own)
-            made[there] = told
+            made[there] = message
             new.append((1 - KEPT) * made + KEPT * messages[k])
         messages = new
     total = own + SHARE * ((messages[0] + messages[1]) + (messages[2] + messages[3]))

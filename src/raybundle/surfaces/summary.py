@@ -1,4 +1,4 @@
-"""What is told of a surface as a whole: how complete and how good it is, map by map, with small pictures of both."""
+"""A surface as a whole: how complete and how precise it is, map by map, with small pictures of both."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ class Start:
     """Depth parameters of a reduced reference."""
 
     t: Array
-    """(height, width) float32, of the middle of each reduced pixel; NaN where none is told"""
+    """(height, width) float32, of the middle of each reduced pixel; NaN where none is reported"""
     scale: int
     """Pixels of the photograph in one of the reduced"""
     levels: int
@@ -62,7 +62,7 @@ class Start:
 
 
 def reduction_for(width: int, height: int, moved: float, memory_bytes: float, least: int = 2) -> int:
-    """By how much photographs are reduced so that costs of a band of rows fit; moved: as `moved_px` says.
+    """By how much photographs are reduced so that costs of a band of rows fit; moved: as `moved_px` states.
 
     Raises InputError where that is more than 16 times.
     """
@@ -112,7 +112,7 @@ def swept(
     memory     bytes that costs may take: what takes more is done by bands of rows
     free       (height, width) of each source where it may be measured in, None: everywhere; (): of all everywhere
 
-    What is not told by one level alone, or by a patch of a few pixels, is NaN.  Limits: how good a depth
+    What is not given by one level alone, or by a patch of a few pixels, is NaN.  Limits: how good a depth
     is; it errs by a third of a reduced pixel at best.
     """
     if not sources:
@@ -149,7 +149,7 @@ def _of_band(
     image: Array, census: Array, sources: tuple[Sequence[Array], Sequence[Mask | None]], tables: Sequence[Transfer],
     at: tuple[int, int, Array],
 ) -> tuple[Array, Array]:  # fmt: skip
-    """Levels of the rows of a reduced reference, and whether one is told.
+    """Levels of the rows of a reduced reference, and whether one is reported.
 
     sources  reduced, and where they may be measured in
     at       scale, the band's first row, depth parameters of the levels

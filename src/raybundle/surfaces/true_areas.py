@@ -119,11 +119,11 @@ def _strip(model: HeightModel, box: tuple[slice, slice], w: Array, least: Array 
     whole = np.isfinite(wide).astype(float)
     several = _on_cells(whole)
     double = _of_squares(np.where(several > 0, w / np.maximum(4 * several, 1e-300), 0.0)) * 4 * whole
-    told = np.where(several > 0, w, 0.0)
-    fine = _faceted(h, w + told / 2, model.cell, 1, _noise(model, box, w > 0, 1))
+    weighted = np.where(several > 0, w, 0.0)
+    fine = _faceted(h, w + weighted / 2, model.cell, 1, _noise(model, box, w > 0, 1))
     coarse = _faceted(wide, double, model.cell, 2, _noise(model, box, w > 0, 2))
     gradient[box] += np.where(np.isfinite(h), fine.gradient - _on_cells(coarse.gradient) / 2, 0.0)
-    lost = float((told * fine.density).sum() - (double * coarse.density).sum()) / 2
+    lost = float((weighted * fine.density).sum() - (double * coarse.density).sum()) / 2
     rough = 0.0
     if least is not None:
         uneven = np.where(model.holes.filled[box], least[model.holes.number[box]], 0.0) if model.holes else 0.0

@@ -15,7 +15,7 @@ from raybundle.surfaces.sections import between_middles
 from raybundle.surfaces.true_areas import true_area
 
 FEWEST = 3
-"""Places along the outline that tell a plane."""
+"""Places along the outline that show a plane."""
 APART = 0.5
 """Cells from one of them to the next, at most."""
 
@@ -51,7 +51,7 @@ def volume(model: HeightModel, covered: Array, base: float | Sequence[Array]) ->
     covered  (rows, columns) 0 to 1
     base     a height that is exact; or the rings (n, 2) of the outline, columns and rows: the plane that fits the
              heights along them best, with its errors
-    raises   InputError where a cell within has no height, or the outline tells no plane
+    raises   InputError where a cell within has no height, or the outline shows no plane
 
     Above and below are linear in the heights as long as their signs are sure: where the surface runs along the base
     within its noise, each is too large by about 0.4 sigma of a height times that area, and the net volume is not.

@@ -171,7 +171,7 @@ def _as_arc(a: Array, xy: Array, L: Array, points: Array, near: float) -> Arc:
     at = (points[np.arange(RAYS), which] - c) @ L.T
     p = np.linalg.solve(frame(ellipse), at.T)
     turn = np.arctan2(p[1], p[0]) / (2 * np.pi) % 1
-    # a sector is as the nearest ray says, and as the rays beside it
+    # a sector is as the nearest ray states, and as the rays beside it
     angle = (np.arange(SECTORS) + 0.5) / SECTORS
     seen = agree & np.roll(agree, 1) & np.roll(agree, -1)
     gap = abs((angle[:, None] - turn + 0.5) % 1 - 0.5)

@@ -61,7 +61,7 @@ def fit_squares(image: Array, corners: Array, even: float, options: BorderOption
     corners  (n, 4, 2) approximate, in order round the square, pixel frame
     even     breadth of the dark border, and of the light around it, in units of a side
 
-    What the covariance does not tell: that sides are straight under the lens, and printed as they should be.
+    What the covariance does not show: that sides are straight under the lens, and printed as they should be.
     """
     o = options or BorderOptions()
     n = len(corners)

@@ -49,7 +49,7 @@ class DotOutcome(IntEnum):
     MOVED = 3
     UNSTEADY = 4
     COVERED = 5
-    """too much of it is covered: what is free does not tell where the centre is (see `covered`)"""
+    """too much of it is covered: what is free does not show where the centre is (see `covered`)"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -120,7 +120,7 @@ def fit_dots(image: Array, xy_px: Array, ellipse: Array, window: Array, options:
     ellipse  (n, 2, 2) approximate C
     window   (n,) radii to which the ground around the dot is free of anything else
 
-    What the covariance does not tell: that the dot is round, that its ground is even, that the optics blur alike to all
+    What the covariance does not show: that the dot is round, that its ground is even, that the optics blur alike to all
     sides.  Variance components of the block decide how much is to be added.
     """
     o = options or DotOptions()
@@ -237,7 +237,7 @@ def doubts_of(v: Array, Q: Array, place: tuple[slice, slice, Mask], e: Array, J:
 
     1. largest shift of a part of the edge, as a normal deviate (see `edge_shifts`);
     2. largest sum of squares of two neighbouring sectors, as a normal deviate (Wilson, Hilferty 1931);
-    3. rms residual over the noise, which the differences of neighbouring residuals tell: an ellipse through the
+    3. rms residual over the noise, which the differences of neighbouring residuals show: an ellipse through the
        outline of a covered dot is wrong all around, and no part of it stands out.
     The variance of a grey value in 1 and 2 is the median of that of all pairs of sectors.  An edge that is rough all
     around is no sign: 1 is in units of 3, and 2 in units of its own median, where these are more than 1.

@@ -5,7 +5,7 @@ as much around it as its own edge is blurred over; ellipse, blur and contrast ar
 again until nothing changes.  The covariance of the centre comes from the free pixels alone, and so grows as the arc
 shrinks.
 
-An ellipse that was fitted to a covered dot as a whole is wrong all around, and its residuals do not tell where.  So the
+An ellipse that was fitted to a covered dot as a whole is wrong all around, and its residuals do not show where.  So the
 judgement starts from an ellipse through the largest part of the edge that lies on one (see `arcs`).
 """
 
@@ -52,7 +52,7 @@ ROUNDS = 12
 STILL = 0.05
 """Change of the centre, in its standard deviations, below which what is covered is settled."""
 CURVED = 1.44
-"""Largest ratio of the growth of the sum of squares at two standard deviations to what the linear model says.
+"""Largest ratio of the growth of the sum of squares at two standard deviations to what the linear model states.
 
 The stated standard deviation is that of the linear model, and true to a fifth as long as the sum of squares grows by
 4 (1.2)^(+-2) variances two standard deviations off along the worst direction.  As the arc shrinks, that fails first:
@@ -64,7 +64,7 @@ LEAST_EDGE = 0.5
 """Least share of the edge that is free: of what is judged by the majority, the majority must be right (Rousseeuw 1984).
 """
 EVEN_PX = 0.12
-"""Distance up to which the outline of a dot is told to lie on an ellipse: four times what noise of a hundredth of the
+"""Distance up to which the outline of a dot is asked to lie on an ellipse: four times what noise of a hundredth of the
 contrast makes of an edge blurred by a pixel."""
 NO_OUTLINE = 0.65
 """Share of the outline that lies on its ellipse below which a spot that is suspect is refused.
@@ -84,7 +84,7 @@ SAME = -2 * math.log(FALSE)
 Where nothing lies on a dot, one estimate rests on a part of the pixels of the other, and the covariance of their
 difference is that of the part less that of the whole (Hausman 1978), so that the square exceeds this limit, the
 quantile of chi-square with two degrees of freedom, in less than FALSE of all dots.  Covariances are by the noise that
-differences of neighbouring residuals tell: the residuals of a wrong fit would excuse themselves."""
+differences of neighbouring residuals show: the residuals of a wrong fit would excuse themselves."""
 LOST = 3.0
 """rms residual over the noise from which a dot is refused of which no arc lies on an ellipse.
 
@@ -124,7 +124,7 @@ def measure_dots(
     surely  (n,) whether these are dots, and not spots of which some may be: None, all are
 
     A dot on which something lies is measured by what is free of it, or refused as COVERED.  What the covariance does
-    not tell: a thing of the colour that the dot or its ground has there is not seen, and does no harm; a bent edge
+    not show: a thing of the colour that the dot or its ground has there is not seen, and does no harm; a bent edge
     along the dot's own that hides less than its grey values would show at one false alarm in a hundred dots remains.
     """
     o = options or DotOptions()
@@ -327,7 +327,7 @@ def free_edge(j: _Judged) -> Mask:
 
 
 def _is_straight(image: Array, j: _Judged, fitted: MaskedDots, k: int, o: DotOptions) -> bool:
-    """Whether the sum of squares grows as the linear model says, along the worst direction of the centre."""
+    """Whether the sum of squares grows as the linear model states, along the worst direction of the centre."""
     cov, variance = fitted.cov[k][:2], fitted.residual[k] ** 2
     size, axes = np.linalg.eigh(cov[:, :2])
     step = 2 * axes[:, 1] @ cov / np.sqrt(size[1])

@@ -34,7 +34,7 @@ LEAST_RADIUS, LEAST_MAJOR = 2.3, 2.9
 PARTLY = 1.6
 """Least radius to which grey values are looked at where something lies on a dot: what else is there is found out."""
 GROUND_PX = 14.0
-"""Ground around a dot that is used where there is so much: it tells the slope of the light [px]."""
+"""Ground around a dot that is used where there is so much: it shows the slope of the light [px]."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -145,7 +145,7 @@ def detect_targets(image: Array, family: RingFamily | None, options: DetectionOp
     family  the rings in use: it must be named, since families share rings under different numbers; None: dots alone
 
     A number found twice keeps both places: which is wrong, if any, is for the network to say.
-    What the covariance does not tell stands in `covered.measure_dots`.
+    What the covariance does not show stands in `covered.measure_dots`.
     """
     o = options or DetectionOptions()
     eight, scale = eight_bits(image)

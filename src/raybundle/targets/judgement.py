@@ -83,12 +83,12 @@ def covered_pixels(v: Array, cov: Array, box: Box, free: Mask, e: Array, J: Arra
     """Pixels (h, w) of a box that something lies on, or near enough to be touched by its blurred edge.
 
     v, cov  (10,), (10, 10) values and their covariance
-    free    (h, w) the pixels that the fit rests on: they tell the noise
+    free    (h, w) the pixels that the fit rests on: they show the noise
     e, J    (h, w), (h, w, 10) residuals and derivatives of the model
 
     Means and squares of 3 x 3 pixels as normal deviates, in units of their own median, and shifts of parts of the edge
     in units of the rms residual, where these are more than 1 (unless strict).  Far from the free arc a residual may be
-    what the ellipse is wrong by there, which its covariance tells.
+    what the ellipse is wrong by there, which its covariance shows.
     """
     from scipy.ndimage import binary_dilation, uniform_filter  # noqa: PLC0415
 

@@ -108,7 +108,7 @@ class Sheet:
     spacing_mm: float = math.nan
     """of a board; side of square tags"""
     bits: int = 0
-    """sectors of rings by a table of one's own, whose codes must go with the sheet; 0: the family's name says all"""
+    """sectors of rings by a table of one's own, whose codes must go with the sheet; 0: the family's name states all"""
     pages: tuple[Page, ...]
     """as designed, before they are cut into tiles"""
     printed: tuple[Page, ...] = field(default=())

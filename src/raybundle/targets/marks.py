@@ -50,7 +50,7 @@ class Marks:
 
     @property
     def named(self) -> Mask:
-        """(n,) whether a point can be told from the others."""
+        """(n,) whether a point can be distinguished from the others."""
         return np.array([bool(n) for n in self.name], bool)
 
     def rows(self, chosen: Index | Mask) -> Marks:
@@ -95,7 +95,7 @@ class Target(Protocol):
 
     @property
     def turns(self) -> int:
-        """Positions of a board that nobody can tell apart: 1 at best.
+        """Positions of a board that nobody can show apart: 1 at best.
 
         With 2 or 4, names may run from another corner in another photograph: such a board must be taken for exact.
         """

@@ -1,4 +1,4 @@
-"""A whole target, drawn as the fit of its dot says it should look: a last test of what was read.
+"""A whole target, drawn as the fit of its dot states it should look: a last test of what was read.
 
 A ring is drawn as the dot is (see `centre`): the blurred image of a region is a sum along its edge.  The ellipse of the
 dot leaves open how the plane lies behind it: the turn, and the projective maps that take a circle to itself.  In
@@ -61,7 +61,7 @@ class _Window:
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """How the ring lies beyond what the ellipse of its dot tells: turn [rad], perspective (2,)."""
+    """How the ring lies beyond what the ellipse of its dot shows: turn [rad], perspective (2,)."""
 
     L: Array
     code: int

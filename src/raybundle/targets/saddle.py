@@ -5,7 +5,7 @@ Two straight edges cross at the corner; blurred by a Gaussian of standard deviat
     mean + half erf(d1 / (s sqrt 2)) erf(d2 / (s sqrt 2)) + g_x dx + g_y dy
 
 with the distances d1, d2 to the edges.  Nine unknowns: corner, directions of both normals, s, mean, half the contrast
-(its sign tells which squares are dark) and the slope of the light.  The product is exact where the edges cross at right
+(its sign shows which squares are dark) and the slope of the light.  The product is exact where the edges cross at right
 angles; at others it stays symmetric about the corner, which therefore does not move.
 
 The window must end before the next corner (Bradski's usual 11 px on each side does not, on small boards): pixels count
@@ -88,7 +88,7 @@ def fit_corners(image: Array, xy_px: Array, u: Array, v: Array, options: CornerO
     xy_px  (n, 2) approximate corners, pixel frame
     u, v   (n, 2) vectors to the next corners along the two edges [px]
 
-    What the covariance does not tell: that edges are straight and squares evenly dark; JPEG makes noise that hangs
+    What the covariance does not show: that edges are straight and squares evenly dark; JPEG makes noise that hangs
     together from pixel to pixel.
     """
     o = options or CornerOptions()

@@ -1,6 +1,6 @@
 """Which board or which tags a photograph shows, by its looks: tried where nobody named the family.
 
-Tags tell their dictionary, and those of a ChArUco board the numbers of its squares; the squares of a chessboard and the
+Tags show their dictionary, and those of a ChArUco board the numbers of its squares; the squares of a chessboard and the
 dots of a raster are counted.  What is returned is a name as `marks.target` understands it.
 """
 
@@ -33,7 +33,7 @@ SQUARES = range(3, 41)
 FITS = 0.2
 """Largest mean distance of a board's tags from their places, in squares."""
 TAGS_OF_A_BOARD = 5
-"""Tags in one photograph from which on the board is told."""
+"""Tags in one photograph from which on the board is reported."""
 DOTS = 12
 """Dots of a raster at least: fewer stand in rows on many things."""
 FULL = 0.9

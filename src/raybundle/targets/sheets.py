@@ -1,4 +1,4 @@
-"""Sheets of targets as PDF or SVG at true size, with a TOML file that says what is on them."""
+"""Sheets of targets as PDF or SVG at true size, with a TOML file that states what is on them."""
 
 from __future__ import annotations
 

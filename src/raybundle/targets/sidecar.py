@@ -1,6 +1,6 @@
 """What a sheet of targets shows, in a TOML file beside it: written with the sheet, read back by who measures it.
 
-    family = "aicon14"            as `raybundle targets detect` is told
+    family = "aicon14"            as `raybundle targets detect` is reported
     polarity = "dark"             or "light"
     dot_radius_mm = 5.0           the radius that eccentricity depends on; all lengths as designed, not as printed
     ring_radii_mm = [10.0, 15.0]
@@ -154,7 +154,7 @@ def read_sidecar(path: Path) -> PrintedSheet:
 
 
 def _own_rings(top: Json, entries: dict[str, Json], path: Path) -> RingFamily | None:
-    """The rings of a sheet that says their number of sectors."""
+    """The rings of a sheet that states their number of sectors."""
     if not top.has("bits"):
         return None
     bits = top.get("bits").whole(3, MOST_BITS)

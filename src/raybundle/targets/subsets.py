@@ -31,7 +31,7 @@ def choose_codes(family: RingFamily, count: int) -> Choice:
     """The `count` targets that bear the longest hidden arc.
 
     Found by taking rings that share the fewest runs with others first, so that now and then one sector more would
-    have been possible.  What the choice does not protect against: hidden parts in several places; `distance` tells.
+    have been possible.  What the choice does not protect against: hidden parts in several places; `distance` shows.
     Raises InputError where the family has not so many.
     """
     if not 1 <= count <= len(family):

@@ -8,7 +8,7 @@ place of a pixel in modules, by the homography of the four corners,
 
 s_u is the blur s and the breadth of a pixel (variance 1/12) over the length of a module along u, so that the image of
 a module that is smaller than a pixel is still its mean.  Thirteen unknowns: eight coordinates of the corners, s, dark,
-light, g_x, g_y.  Every edge within the tag tells of the corners, not only its rim.
+light, g_x, g_y.  Every edge within the tag reports the corners, not only its rim.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def fit_tags(image: Array, corners: Array, bits: Index, options: TagOptions | No
     corners  (n, 4, 2) of the black square, the upper left one first, clockwise as the tag is drawn, pixel frame
     bits     (n, m, m) modules of each tag, rim included, 1 light and 0 dark, row by row
 
-    What the covariance does not tell: that the tag is plane, and printed as it should be.
+    What the covariance does not show: that the tag is plane, and printed as it should be.
     """
     o = options or TagOptions()
     n = len(corners)

@@ -19,7 +19,7 @@ CLASSES = 10
 FEWEST = 20
 LEAST_FLOOR_PX2 = 0.01**2
 CONTROLLED = 0.2
-"""Redundancy of a point from which on its residuals tell of its variance."""
+"""Redundancy of a point from which on its residuals reports its variance."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,20 +75,20 @@ def estimate_weights(
     s = result.image_observations
     v2 = (s.residuals_px**2).sum(axis=1)
     r = np.nan_to_num(s.redundancy.sum(axis=1))
-    told = s.used & (r > CONTROLLED)
+    testable = s.used & (r > CONTROLLED)
 
     def component(mine: Mask, instead: float, least: float, most: float) -> float:
         return float(np.clip(v2[mine].sum() / r[mine].sum(), least, most)) if mine.sum() > FEWEST else instead
 
-    features = component(told & other, before.feature_px2, 0.02**2, MOST_FEATURE_PX**2)
-    mine = told & ~reference & ~other
+    features = component(testable & other, before.feature_px2, 0.02**2, MOST_FEATURE_PX**2)
+    mine = testable & ~reference & ~other
     if mine.sum() < FEWEST * CLASSES:
         return replace(before, feature_px2=features)
     factors, floors = _levels(v2[mine], r[mine], (grey[mine, 0] + grey[mine, 1]) / 2, level[mine], before)
     return Weights(
         factors=factors,
         floors_px2=floors,
-        reference_px2=component(told & reference, before.reference_px2, 0.02**2, 1.0),
+        reference_px2=component(testable & reference, before.reference_px2, 0.02**2, 1.0),
         feature_px2=features,
     )
 

@@ -1,7 +1,7 @@
 """Missing correspondences: photographs joined by points around which nothing else that both should show is common.
 
 Two equal panels far apart, which no photograph shows together, are taken for one: all that the photographs of both
-have in common agrees, and nothing contradicts it.  What tells is beside the panel: where the block predicts the points
+have in common agrees, and nothing contradicts it.  What shows is beside the panel: where the block predicts the points
 of one photograph onto the very surface of which the other has points of its own, none of them is the same (after Zach,
 Irschara and Bischof 2008; Jiang, Tan and Cheong 2012).  Occlusion does not look so: the surfaces lie at other depths.
 """
@@ -50,7 +50,7 @@ NEAR = np.radians(15.0)
 COMPARED = 400
 """Pairs within groups that are looked at."""
 CELLS = 10
-"""Barren cells between two groups that are enough to tell them apart."""
+"""Barren cells between two groups that are enough to show them apart."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -136,8 +136,8 @@ def candidate_pairs(block: Block) -> Iterator[tuple[int, int]]:
 def groups(block: Block) -> tuple[tuple[Index, ...], int, int]:
     """Groups of images that no sound pair joins, the largest first, and the barren and mixed cells between them.
 
-    Pairs are looked at only where no sound pair has joined their images yet.  Of one group where too little is told.
-    Limits: wrong photographs that a chain of right pairs joins to the others as well.
+    Pairs are looked at only where no sound pair has joined their images yet.  Of one group where too little is
+    reported. Limits: wrong photographs that a chain of right pairs joins to the others as well.
     """
     seen, n = seen_of(block), len(block.images)
     root = list(range(n))
@@ -159,12 +159,12 @@ def groups(block: Block) -> tuple[tuple[Index, ...], int, int]:
             root[find(j)] = find(i)
     group = np.array([find(i) for i in range(n)])
     between = [d for d in doubted if group[d[0]] != group[d[1]]]
-    # what too few cells tell apart is no group of its own; nor is what nothing was looked at between
-    told: dict[tuple[int, int], int] = {}
+    # what too few cells show apart is no group of its own; nor is what nothing was looked at between
+    counts: dict[tuple[int, int], int] = {}
     for i, j, barren, _ in between:
         key = (int(min(group[i], group[j])), int(max(group[i], group[j])))
-        told[key] = told.get(key, 0) + barren
-    apart = {k for key, barren in told.items() if barren >= CELLS for k in key}
+        counts[key] = counts.get(key, 0) + barren
+    apart = {k for key, barren in counts.items() if barren >= CELLS for k in key}
     found = sorted((np.flatnonzero(group == k) for k in apart), key=lambda g: (-len(g), int(g[0])))
     cut = [d for d in between if {int(group[d[0]]), int(group[d[1]])} <= apart]
     return tuple(found), sum(d[2] for d in cut), sum(d[3] for d in cut)

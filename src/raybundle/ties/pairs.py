@@ -134,7 +134,7 @@ class Rounds:
         return len(self.keys)
 
     def candidates(self, pairs: Index) -> Candidates:
-        """Pairs with what tells how likely they are; none that is matched already."""
+        """Pairs with what shows how likely they are; none that is matched already."""
         pairs = pairs[~choice.contained(pairs, self.matched)]
         shared = _shared(self.means, self.keys, self.method, pairs)
         return Candidates(pairs=pairs, shared=shared, likeness=likeness(self.signatures, pairs))
@@ -190,12 +190,12 @@ def pairs_of(
         means=means, photos=photos, store=store, method=method, place=place, keys=keys, signatures=signatures,
         matched=none, links=none,
     )  # fmt: skip
-    told = [Round(why="likely", pairs=_begin(rounds, None if positions is None else positions[place]))]
-    told.append(Round(why="neighbours in common", pairs=rounds.go_on(choice.COMMON * n)))
-    told.append(Round(why="between parts", pairs=rounds.join(choice.EACH * n)))
-    told[1] = Round(why=told[1].why, pairs=told[1].pairs + rounds.go_on(choice.EACH * n))
+    reported = [Round(why="likely", pairs=_begin(rounds, None if positions is None else positions[place]))]
+    reported.append(Round(why="neighbours in common", pairs=rounds.go_on(choice.COMMON * n)))
+    reported.append(Round(why="between parts", pairs=rounds.join(choice.EACH * n)))
+    reported[1] = Round(why=reported[1].why, pairs=reported[1].pairs + rounds.go_on(choice.EACH * n))
     names = choice.unique_pairs(place[rounds.matched])
-    return Chosen(pairs=tuple((int(i), int(j)) for i, j in names), rounds=tuple(told))
+    return Chosen(pairs=tuple((int(i), int(j)) for i, j in names), rounds=tuple(reported))
 
 
 def _begin(r: Rounds, positions: Array | None) -> int:

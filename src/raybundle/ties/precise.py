@@ -52,7 +52,7 @@ SURE = 0.95
 NEAR_PX = 2.0
 """Largest distance of such a point from its predicted place."""
 SURROUNDINGS = 0.03
-"""Share of the format's diagonal within which neighbours tell whether a point is seen."""
+"""Share of the format's diagonal within which neighbours show whether a point is seen."""
 MARGIN_PX = 20.0
 FEWEST_HELD = 6
 """Points that hold an image which the start has oriented: as many redundant coordinates as unknowns."""
@@ -134,7 +134,7 @@ def refine(
     match    least-squares matching of candidates
     threads  of the adjustments
 
-    An image in which matching measures less than its features tell, or too little to hold it, keeps the features as
+    An image in which matching measures less than its features show, or too little to hold it, keeps the features as
     well; one that even they do not hold is left out by name.
     """
     o = tie.block.observations
@@ -184,7 +184,7 @@ def refine(
 
 
 def _told_more_by_features(work: _Work, start: Block) -> list[int]:
-    """Oriented images of which all features together tell more than the few points that matching measured.
+    """Oriented images of which all features together show more than the few points that matching measured.
 
     Information is number over variance: by the weights before any residual is known, 25 features are worth a match.
     """

@@ -52,7 +52,7 @@ Join = Callable[[Sequence[VerifiedPair]], Tracks]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SoundPairs:
-    """Pairs whose matches are believed, their tracks, and what is to be told."""
+    """Pairs whose matches are believed, their tracks, and what is to be reported."""
 
     pairs: tuple[VerifiedPair, ...]
     tracks: Tracks
@@ -87,7 +87,7 @@ def sound_pairs(
         return SoundPairs(pairs=tuple(pairs), tracks=whole, notices=_notices([], names, share, share))
     share_met, astray = agreement(pairs, features_xy, tracks, parts, diagonals)
     left = [p for p, a in zip(pairs, share_met.tolist(), strict=True) if a < AGREEING]
-    # what nothing can be told of is believed of the strongest only
+    # what nothing can be determined of is believed of the strongest only
     kept = tuple(
         replace(p, matches=p.matches[~out])
         for p, a, out in zip(pairs, share_met.tolist(), astray, strict=True)
@@ -138,7 +138,7 @@ def agreement(
 ) -> tuple[Array, list[Mask]]:  # fmt: skip
     """How the matches of each pair meet the object points of tracks.
 
-    returns  (pairs,) share that meets them, NaN where too few can be told; the matches (k,) of each that go astray
+    returns  (pairs,) share that meets them, NaN for too few; the matches (k,) of each that go astray
     """
     offset = np.concatenate([[0], np.cumsum([len(xy) for xy in features_xy])])
     places = np.vstack(list(features_xy))
@@ -146,7 +146,7 @@ def agreement(
     pair = np.repeat(np.arange(len(pairs)), count)
     ends = np.array([(p.first, p.second) for p in pairs], int).reshape(-1, 2)[pair]
     rows = np.vstack([np.zeros((0, 2), int), *(p.matches for p in pairs)]) + offset[ends]
-    told, astray = np.zeros(len(rows), bool), np.zeros(len(rows), bool)
+    judged, astray = np.zeros(len(rows), bool), np.zeros(len(rows), bool)
     for part in parts:
         point_of = _points_of_features(part.block, tracks, offset)
         for source, target in ((0, 1), (1, 0)):
@@ -156,9 +156,9 @@ def agreement(
             met = _meets(
                 part.block, image, point_of[rows[known, source]], places[rows[known, target]], ASTRAY * diagonals[image]
             )
-            told[known] = True
+            judged[known] = True
             astray[known] |= ~met
-    n, out = np.bincount(pair, told, len(pairs)), np.bincount(pair, astray, len(pairs))
+    n, out = np.bincount(pair, judged, len(pairs)), np.bincount(pair, astray, len(pairs))
     with np.errstate(invalid="ignore"):
         share = np.where(n >= FEWEST, 1 - out / n, np.nan)
     return share, np.split(astray, np.cumsum(count)[:-1])

@@ -37,7 +37,7 @@ def same_pictures(
 ) -> dict[int, int]:
     """Photographs that repeat another, by their index, and the index of the one that is to stay.
 
-    Of each group stays what tells its camera and, of those, what has most bytes, the least compressed.  Empty where
+    Of each group stays what shows its camera and, of those, what has most bytes, the least compressed.  Empty where
     fewer than two photographs would stay.
 
     Limits: a copy from a second exposure by a camera that stood still.

@@ -43,8 +43,8 @@ FINDING_PX = 0.1
 NARROW = 2.0
 """Camera constant in longer sides of the format from which on both kinds are tried: the view is within 28 degrees.
 
-The poses of an image of which depth is told by little but the perspective come in twos, mirrored about the line of
-sight (Schweighofer and Pinz 2006), and a free camera constant takes up what tells them apart: an image that is added
+The poses of an image of which depth is given by little but the perspective come in twos, mirrored about the line of
+sight (Schweighofer and Pinz 2006), and a free camera constant takes up what shows them apart: an image that is added
 to others may take the wrong one, and the rays that contradict it leave.  All pairs at once outvote it.
 """
 
@@ -67,7 +67,7 @@ def start(
     method    growing: image by image; averaging: all pairs at once; parts: leaves that are grown by themselves; auto:
               parts where there are so many images that it is worth while, else growing, and others where images or
               many rays are left or the view is narrow: averaging, then growing with the camera constants that nothing
-              tells one standard deviation shorter or longer; the likeliest is taken (see `likelihood`)
+              shows one standard deviation shorter or longer; the likeliest is taken (see `likelihood`)
     in_parts  the way of leaves (`ties.parts.by_parts`); None: not in parts, whatever is asked
     """
     block = replace(raw, cameras=tuple(replace(c, estimate=free_at_start(c)) for c in raw.cameras))
@@ -116,7 +116,7 @@ def likelihood(found: Found) -> float:
     """Logarithm of the likelihood of all rays, but for what is the same for every start of a block.
 
     Rays that are kept are normally distributed about where they should be, with the standard deviation that their
-    median tells; the others lie anywhere in the format (Torr and Zisserman 2000, section 4).  A start that keeps a few
+    median shows; the others lie anywhere in the format (Torr and Zisserman 2000, section 4).  A start that keeps a few
     rays less, each far nearer, is the better one: the limit up to which rays are kept follows from their residuals.
     """
     block = found[0]
@@ -129,7 +129,7 @@ def likelihood(found: Found) -> float:
 
 
 def untold_constants(raw: Block) -> frozenset[str]:
-    """Cameras of which nothing tells the constant: nothing is stated, and pairs of their own images are too few."""
+    """Cameras of which nothing shows the constant: nothing is stated, and pairs of their own images are too few."""
     seen = np.bincount(raw.images.camera[np.unique(raw.observations.image)], minlength=len(raw.cameras))
     return frozenset(
         c.id

@@ -22,7 +22,7 @@ from raybundle.ties.points import FeatureStore
 STILL_PX = 1.0
 """Displacement up to which a match stands still: features are found again to some tenths of a pixel."""
 RING_PX = 5.0
-"""Displacements up to here tell how many stand still by chance: where displacements are spread smoothly, so many as the
+"""Displacements up to here show how many stand still by chance: where displacements are spread smoothly, so many as the
 circle has area."""
 FEWEST = 15
 """Matches that stand still, and matches with a motion of their own, in a pair."""

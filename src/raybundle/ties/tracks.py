@@ -1,7 +1,7 @@
 """Tracks of verified pairs by tasks: those that lie in a leaf of images by one of its own, the others by a last one.
 
-How images are cut changes nothing of the tracks (`matching.tracks`); it says what a killed run loses, and that the last
-step holds no more than the matches of tracks that reach out of their leaves.
+How images are cut changes nothing of the tracks (`matching.tracks`); it states what a killed run loses, and that the
+last step holds no more than the matches of tracks that reach out of their leaves.
 """
 
 from __future__ import annotations

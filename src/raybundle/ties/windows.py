@@ -1,6 +1,6 @@
 """Least-squares matching of photographs as tasks: the pairs of images whose references lie in one leaf are one task.
 
-Which pairs stand together changes nothing of what is measured in them; it says what a killed run loses, and which
+Which pairs stand together changes nothing of what is measured in them; it states what a killed run loses, and which
 photographs a worker has to read.
 """
 
@@ -38,7 +38,7 @@ VERSION = 2
 KINDS = ("candidates", "windows")
 """First words of the keys of what is kept"""
 SMALLEST, LARGEST, SHARE = 2, 16, 16
-"""Photographs of a leaf: a sixteenth of all, within these limits.  Few tasks tell no progress; small ones of a large
+"""Photographs of a leaf: a sixteenth of all, within these limits.  Few tasks show no progress; small ones of a large
 set read each photograph often where workers share no memory."""
 WINDOW_S = 4e-4
 """CPU seconds of a candidate, for the order and the time that is left."""

@@ -110,7 +110,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     if plain:
         # a large error has bent all others to it: what tests of single values say then is no measure
         bent = {"control_suspect"} if result.sigma0 > POOR_FIT else set[str]()
-        # it is the control that contradicts them, and that is said
+        # it is the control that contradicts them, and that is stated
         bent |= set() if doubt is None else {"image_contradicts", "control_not_located"}
         bent |= OF_CONTROL if doubt is not None and doubt.is_explained else set()
         others = [n for n in result.notices if n.code not in bent]
@@ -171,7 +171,7 @@ def _without(bars: BarDoubt | None, options: AdjustmentOptions, progress: Progre
 
 
 def _as_before(block: Block, options: AdjustmentOptions) -> AdjustmentOptions:
-    """The options, with what the block says of its adjustment before where nothing else is asked for."""
+    """The options, with what the block states of its adjustment before where nothing else is asked for."""
     noise = block.noise if options.noise == "auto" and block.noise else options.noise
     return replace(options, noise=noise, datum_over=options.datum_over or block.datum_over or "all")
 
@@ -192,7 +192,7 @@ def _held_calibrations(result: Adjustment, options: AdjustmentOptions) -> tuple[
 
 
 def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, ...]:
-    """Whether image points share errors, which white noise does not know: said wherever nobody asked for white noise.
+    """Whether image points share errors, which white noise does not know: stated wherever nobody asked for white noise.
 
     What was published stays comparable, so that blocks that are given are adjusted with white noise unless asked;
     `orient`, `calibrate` and `measure` carry shared errors into standard deviations.

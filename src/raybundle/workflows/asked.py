@@ -1,4 +1,4 @@
-"""What was asked for and can have no effect: refused where something is missing, said where nothing is harmed."""
+"""What was asked for and can have no effect: refused where something is missing, stated where nothing is harmed."""
 
 from __future__ import annotations
 
@@ -38,6 +38,6 @@ def check_asked(
         return ()
     if any(c.crs == crs for c in given.control):
         return ()
-    why = "no positions of a grid are given" if positions is None else f"{positions.path.name} tells its own"
+    why = "no positions of a grid are given" if positions is None else f"{positions.path.name} states its own"
     remark = f"the coordinate system {crs} has no effect: {why}, and no control file lacks one, nor is there a "
     return (remark + "satellite scene",)

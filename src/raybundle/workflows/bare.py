@@ -18,19 +18,19 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.workflows.orienting.start import cameras_of
 
 SMALL_PX = 100
-"""Side of a picture below which it is said that it is small: a mark of 0.5 px is then 1/200 of it."""
+"""Side of a picture below which it is stated that it is small: a mark of 0.5 px is then 1/200 of it."""
 
 
 def bare_block(
     inputs: Sequence[Path], name: str, *, calibration: Sequence[Camera] = (), separate: Sequence[str] = (),
-    library: Path | None = None, told: Callable[[str], object] = str, progress: Progress = silent,
+    library: Path | None = None, notify: Callable[[str], object] = str, progress: Progress = silent,
 ) -> Block:  # fmt: skip
     """The photographs in folders and files, each an image without orientation.
 
     calibration  cameras whose interior orientation is known
     separate     patterns of names of photographs that are of a camera apart
     library      camera library whose calibrations are taken; None: none
-    told         gets a line of each file that is no usable photograph, and of what else is to be said
+    stated         gets a line of each file that is no usable photograph, and of what else is to be stated
     raises       InputError where there is no photograph
     """
     found = find_photos(inputs, progress=progress)
@@ -41,9 +41,9 @@ def bare_block(
             file=", ".join(map(str, inputs)),
         )  # fmt: skip
     for line in (*(f"{n}: {why}" for n, why in refused), *found.remarks):
-        told(line)
+        notify(line)
     for line in small_pictures({p.name: (p.width_px, p.height_px) for p in found.photos}):
-        told(line)
+        notify(line)
     groups = camera_groups(found.photos, calibration, separate)
     groups = groups if library is None else with_library(found.photos, groups, library)
     cameras, of_photo = cameras_of(groups, len(found.photos))

@@ -47,9 +47,9 @@ def in_block_frame(block: Block) -> tuple[Block, LocalFrame | None, tuple[str, .
     _check_near(block, frame)
     _check_follows(block)
     at = ", ".join(f"{v:.3f}" for v in place.origin)
-    told = f"the block was brought from {system_name(place.name)} to the local east-north-up frame at {at}"
+    reported = f"the block was brought from {system_name(place.name)} to the local east-north-up frame at {at}"
     moved = replace(moved_to(block, frame), place=local_in(place.name, place.origin))
-    return moved, frame, (told, *frame.remarks)
+    return moved, frame, (reported, *frame.remarks)
 
 
 def moved_to(block: Block, frame: LocalFrame) -> Block:
@@ -136,7 +136,7 @@ class Brought:
     block: Block
     by: SimilarityTransform | None
     """None: it stood there, or the place of one on the earth is not known"""
-    told: Message | None = None
+    reported: Message | None = None
 
 
 def in_frame_of(block: Block, base: Block) -> Brought:
@@ -160,14 +160,14 @@ def in_frame_of(block: Block, base: Block) -> Brought:
         )  # fmt: skip
     (centre, R), (base_centre, base_R) = frames
     by = SimilarityTransform(rotation=base_R @ R.T, translation=base_R @ (centre - base_centre))
-    told = Message(
+    reported = Message(
         code="join.other_frame", severity=Severity.NOTE,
         values={
             "name": block.name, "base": base.name, "away_m": float(np.linalg.norm(by.translation)),
             **_frame_values(here),
         },
     )  # fmt: skip
-    return Brought(block=replace(_turned(replace(block, place=None), by), place=there), by=by, told=told)
+    return Brought(block=replace(_turned(replace(block, place=None), by), place=there), by=by, reported=reported)
 
 
 def _one_frame(here: Place, there: Place) -> bool:

@@ -1,7 +1,7 @@
 """Calibration of cameras from photographs of targets or boards: free network, circle centres, model, one camera or two.
 
 The steps: targets are measured; a board, or pairs of photographs, give the start; dots whose code could not be read are
-found where they must be; photographs of two cameras are told apart; the distortion model is chosen; the centres of
+found where they must be; photographs of two cameras are distinguished; the distortion model is chosen; the centres of
 ellipses are corrected; parameters are chosen by significance and determinability, blunders rejected.
 """
 
@@ -52,7 +52,7 @@ def calibrate(
 
 
 def _calibration(state: CalibrateState, records: Sequence[StageRecord]) -> Calibration:
-    """What the last state says."""
+    """What the last state states."""
     a, found, start = state.adjusted, state.found, state.start
     assert a is not None
     assert found is not None

@@ -53,8 +53,8 @@ class Calibration:
 
     def __repr__(self) -> str:
         """One line."""
-        told = "; ".join(f"camera {q.camera}: {q.headline}" for q in self.quality) or repr(self.adjustment)
-        return f"<Calibration by {self.used} of {counted(len(self.photos), 'photograph')}: {told}>"
+        line = "; ".join(f"camera {q.camera}: {q.headline}" for q in self.quality) or repr(self.adjustment)
+        return f"<Calibration by {self.used} of {counted(len(self.photos), 'photograph')}: {line}>"
 
     def _repr_html_(self) -> str:
         """For notebooks: that of its adjustment."""
@@ -102,7 +102,7 @@ class CalibrateState:
     found: Found | None = None
     refused: Reasons = ()
     shown: Recognised | None = None
-    """what was recognised where nobody said what was photographed"""
+    """what was recognised where nobody stated what was photographed"""
     targets: tuple[Target, ...] = ()
     groups: tuple[CameraGroup, ...] = ()
     marks: tuple[tuple[Marks, ...], ...] = ()

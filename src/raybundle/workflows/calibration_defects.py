@@ -18,7 +18,7 @@ FLAT = 0.01
 """Distance of points from a projective transformation between two photographs, as a share of their extent, up to which
 the object is called flat: ten times what distortion and measurement leave."""
 SQUARE = np.radians(15)
-"""Angle between views from which on they tell a camera constant from a distance at all."""
+"""Angle between views from which on they show a camera constant from a distance at all."""
 WORSE = 1.1
 """Ratio of image residuals, spline over the model it started from, from which it fits worse: it holds every other one,
 and can only fit as well or better if it was found."""

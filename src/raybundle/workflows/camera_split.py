@@ -1,4 +1,4 @@
-"""Photographs of cameras that are two told apart, and said where one camera was not stable."""
+"""Photographs of cameras that are two distinguished, and stated where one camera was not stable."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def cameras_apart(
     start: Block, first: Adjustment, settings: AdjustmentOptions, progress: Progress
 ) -> tuple[Block, Adjustment, tuple[Notice, ...]]:
     """Cameras that are two taken apart, as long as the adjustment gains by it."""
-    told: list[Notice] = []
+    found: list[Notice] = []
     tested: set[str] = set()
     given = len(start.cameras)
     scale = first.sigma0  # the start has standard deviations that are larger by it
@@ -57,11 +57,11 @@ def cameras_apart(
         after, trial, split = best
         two = trial.cameras[-1]
         if split.sought:
-            told.append(_unstable(camera, after.sigma0 * scale / first.sigma0, after, split))
+            found.append(_unstable(camera, after.sigma0 * scale / first.sigma0, after, split))
             continue
         n = [len(g) for g in split.groups]
         dc, dx, dy = split.difference
-        told.append(
+        found.append(
             Notice(
                 code="two_cameras",
                 values={
@@ -82,7 +82,7 @@ def cameras_apart(
         start, first, scale = with_values(trial, after.adjusted), after, 1.0
     if len(start.cameras) > given:
         start = reweighted(start, first.sigma0)
-    return start, first, tuple(told)
+    return start, first, tuple(found)
 
 
 def _promising(trial: Block, camera: Camera, first: Adjustment, settings: AdjustmentOptions, most: float) -> bool:
@@ -100,7 +100,7 @@ def _promising(trial: Block, camera: Camera, first: Adjustment, settings: Adjust
 
 
 def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> Notice:
-    """A notice that photographs differ in their interior orientation though neither names nor order tell them apart."""
+    """A notice that photographs differ in their interior orientation though neither names nor order show them apart."""
     dc, dx, dy = split.difference
     names = [after.given.images.ids[i] for i in split.groups[1]]
     n = len(split.groups[0]), len(names)

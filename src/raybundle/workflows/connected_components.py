@@ -97,7 +97,7 @@ def place_components(
         except InputError:
             placed = georeference(block, photos, Given(gps=False, up=given.up if "," not in given.up else "auto"))
         if placed.fixed and first.fixed and not placed.firm:
-            # nothing but how the photographs were held would tell its turn about the line of its positions
+            # nothing but how the photographs were held would show its turn about the line of its positions
             placed = georeference(block, photos, Given(gps=False, up=given.up if "," not in given.up else "auto"))
         (joined if placed.fixed and first.fixed else apart).append(placed)
     apart = [replace(p, block=without_idle(p.block)) for p in apart]
@@ -116,7 +116,7 @@ def place_components(
 
 
 def joined_notice(joined: Sequence[Sequence[str]], main: Block) -> tuple[Notice, ...]:
-    """What the result says of components that control or positions join, if photographs of them are left in it."""
+    """What the result states of components that control or positions join, if photographs of them are left in it."""
     there = set(_names(main))
     counts = [n for part in joined if (n := len(there.intersection(part)))]
     if len(counts) < 2:
@@ -139,7 +139,7 @@ def component_folder(k: int) -> str:
 
 
 def apart_notice(main: Block, apart: Sequence[Georeferenced], folders: Sequence[str]) -> Notice:
-    """What the result of the main component says of the others."""
+    """What the result of the main component states of the others."""
     names = [_names(p.block) for p in apart]
     blocks = [main, *(p.block for p in apart)]
     every = {kind for b in blocks for kind in _count(b)}

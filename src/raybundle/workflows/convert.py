@@ -59,7 +59,7 @@ def placed(
 ) -> tuple[Export, tuple[str, ...]]:
     """The block in a local frame of a coordinate system, and remarks; without an origin it stands in the system.
 
-    A result that knows its frame is told in another projection of the same datum.
+    A result that knows its frame is reported in another projection of the same datum.
     """
     if origin is not None:
         frame = local_frame(crs, origin, undulation_m=undulation)
@@ -86,7 +86,7 @@ def placed(
 
 
 def _place(block: Block, frame: LocalFrame) -> Place | None:
-    """What block.toml tells of a frame; of a block with scenes, or in millimetres, what it was told before."""
+    """What block.toml reports a frame; of a block with scenes, or in millimetres, what it was reported before."""
     if block.length_unit != "m" or any(c.is_scene for c in block.cameras):
         return block.place
     return local_in(frame.crs, frame.origin, frame.undulation_m)
@@ -139,11 +139,11 @@ def fit_for(export: Export, target: str) -> tuple[Export, tuple[str, ...]]:
         return export, ()
     names = names_of_scenes(export.block)
     if target in MAPS:
-        told = f"of satellite scenes ({names}) the points are written; their stations, 600 km up, are not"
-        return replace(export, block=with_viewpoints(export.block), nominal=scene_images(export.block)), (told,)
+        line = f"of satellite scenes ({names}) the points are written; their stations, 600 km up, are not"
+        return replace(export, block=with_viewpoints(export.block), nominal=scene_images(export.block)), (line,)
     if target in POINTS:
-        told = f"satellite scenes ({names}) give points; their stations are nominal viewpoints, 600 km up"
-        return replace(export, block=with_viewpoints(export.block)), (told,)
+        line = f"satellite scenes ({names}) give points; their stations are nominal viewpoints, 600 km up"
+        return replace(export, block=with_viewpoints(export.block)), (line,)
     if target in STATIONS and not scene_images(export.block).all():
         return replace(export, block=without_scenes(export.block)), (f"satellite scenes are left out: {names}",)
     raise InputError("format.no_scenes", format=target, scenes=names, whole=[BLOCK, RPC], points=[*MAPS, *POINTS])

@@ -49,7 +49,7 @@ class Dropped:
         return lost / max(self.matched + self.added, 1)
 
     def as_mapping(self, adjustment: Adjustment) -> dict[str, object]:
-        """What result.json says of it."""
+        """What result.json states of it."""
         rejected = sum(1 for r in adjustment.image_observations.rejected if r)
         return {
             "features": self.features, "matched": self.matched, "added": self.added,

@@ -14,7 +14,7 @@ from raybundle.io.reading.trees import read_json
 def less_fixed(folder: Path, adjustment: Adjustment) -> Notice | None:
     """The caution that a result replaces one whose scale or place was known; None where nothing is lost.
 
-    folder  of the earlier result; without one that can be read nothing is said
+    folder  of the earlier result; without one that can be read nothing is stated
     """
     try:
         earlier: Any = read_json(folder / "result.json").value

@@ -36,7 +36,7 @@ TOO_SMALL = {"interior_least": 1.7, "interior_most": 18.0, "points_least": 1.1, 
 median chi-square per value, 2.9 to 330 and 1.2 to 12 (`interior_white`, `points_white` of
 benchmarks/results/real_sigmas.json; the latter of eight)."""
 COARSE = 1e-2
-"""The same where that is not reached: still far below what a standard deviation can tell."""
+"""The same where that is not reached: still far below what a standard deviation can show."""
 
 
 def final_adjustment(
@@ -67,7 +67,7 @@ def final_adjustment(
     placed, result = _held(placed, options, progress, notices)
     if noise == "auto" and chosen == "white":
         reason = (
-            f"{photographs} photographs are too few for smooth errors of their own; at least {FEWEST_IMAGES} tell them"
+            f"{photographs} photographs are too few for smooth errors of their own; at least {FEWEST_IMAGES} are needed"
         )
         result = replace(result, noise=replace(result.noise, reason=reason))
     first = [
@@ -97,7 +97,7 @@ def _lost_marks(asked: Georeferenced, result: Adjustment) -> list[Notice]:
     placed = (rays > 1) | np.asarray(given.points.is_control).any(axis=1)
     left = {n for n, p in zip(given.points.ids, placed.tolist(), strict=True) if p}
     before = asked.block.ray_count
-    left |= {name for n in result.notices if n.code == "control_left_out" for name in n.ids}  # which that tells
+    left |= {name for n in result.notices if n.code == "control_left_out" for name in n.ids}  # which that shows
     return [
         Notice(
             code="marked_lost",
@@ -118,25 +118,25 @@ def left_out(adjustment: Adjustment, parts: Sequence[ConnectedComponent]) -> lis
 def _held(
     placed: Georeferenced, options: AdjustmentOptions, progress: Progress, notices: Sequence[Notice]
 ) -> tuple[Georeferenced, Adjustment]:
-    """The adjustment of what can be adjusted: what it names as not determined leaves, and is told.
+    """The adjustment of what can be adjusted: what it names as not determined leaves, and is reported.
 
     First images and points that are named, then the cameras' freedom, then control, with everything else as it was,
     then the image with the fewest points: a defect ends the run only where it would leave fewer than two images.
-    Where control leaves, everything else returns, and nothing of what was tried with it is told.
+    Where control leaves, everything else returns, and nothing of what was tried with it is reported.
     """
-    whole, told = placed, list[Notice]()
+    whole, found = placed, list[Notice]()
     while True:
         try:
-            return placed, _decided(placed.block, options, progress, (*notices, *told, *placed.notices))
+            return placed, _decided(placed.block, options, progress, (*notices, *found, *placed.notices))
         except NotSolvable as error:
             less = _without_images(placed, error) or _without_points(placed, error) or _with_held_cameras(placed)
             if less is None and (less := _without_control(placed, whole, error)) is not None:
-                told.clear()
+                found.clear()
             less = less or _without_smallest(placed)
             if less is None or not len(less[0].block.observations):
                 raise
             placed, more = less
-            told += more
+            found += more
 
 
 def _decided(block: Block, options: AdjustmentOptions, progress: Progress, notices: tuple[Notice, ...]) -> Adjustment:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 ROUNDING_CELLS, ROUNDING = 1e-3, 1e-9
 """By which a place in a raster may differ from heights.toml: of a cell, and of the coordinate itself"""
 OF_ORIENTATION = "orientation_sha256"
-"""Key of heights.toml: check sum of the file that says how orientation moves the heights"""
+"""Key of heights.toml: check sum of the file that states how orientation moves the heights"""
 OF_HEIGHTS, OF_SIGMAS = "heights_sha256", "heights_sigma_sha256"
 """The same of the values of the two rasters, which a lossless copy of them in another form keeps"""
 WHOLE_SIGMA, STEP_SIGMA = "sigma", "sigma of steps"
@@ -38,7 +38,7 @@ SAME_PLACE = 0.1
 
 
 def check_place(tree: Json) -> None:
-    """Raise InputError where heights.toml tells no place that a grid can have."""
+    """Raise InputError where heights.toml shows no place that a grid can have."""
     for name in ("pixel", "length_cells"):
         if not tree.get(name).number() > 0:
             tree.get(name).fail("number.too_small", entry=name, value=tree.get(name).number(), limit=0.0)
@@ -67,27 +67,27 @@ def _units_of(tree: Json) -> tuple[str, ...]:
 def raster(library: Any, path: Path) -> Generator[Any]:
     """A raster that is open; raises InputError, naming it, where it cannot be read or is cut off."""
     with raster_errors(path), warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of the library, about rasters without a place: that is told here
+        warnings.simplefilter("ignore")  # of the library, about rasters without a place: that is reported here
         with library.open(path) as file:
             yield file
 
 
 def check_raster(file: Any, path: Path, tree: Json) -> None:
-    """Raise InputError, with the numbers, where a raster does not lie where heights.toml says.
+    """Raise InputError, with the numbers, where a raster does not lie where heights.toml states.
 
     file  that rasterio has opened
     tree  heights.toml
     """
     about = tree.file.name
-    told = tuple(tree.get(name).whole() for name in ("width_px", "height_px"))
-    if (file.width, file.height) != told:
+    stated = tuple(tree.get(name).whole() for name in ("width_px", "height_px"))
+    if (file.width, file.height) != stated:
         raise InputError(
             "surface_files.size_differs",
             columns=file.width,
             rows=file.height,
             about=about,
-            needed_columns=told[0],
-            needed_rows=told[1],
+            needed_columns=stated[0],
+            needed_rows=stated[1],
             file=path,
         )
     left, top, pixel = (tree.get(name).number() for name in ("left", "top", "pixel"))
@@ -98,28 +98,28 @@ def check_raster(file: Any, path: Path, tree: Json) -> None:
         "width": (pixel, t.a),
         "height": (pixel, -t.e),
     }
-    for what, (said, found) in wanted.items():
-        allowed = max(ROUNDING_CELLS * pixel / (1 if what in {"left", "top"} else max(told)), ROUNDING * abs(said))
-        if not abs(found - said) <= allowed:
+    for what, (named, found) in wanted.items():
+        allowed = max(ROUNDING_CELLS * pixel / (1 if what in {"left", "top"} else max(stated)), ROUNDING * abs(named))
+        if not abs(found - named) <= allowed:
             raise InputError(
                 "surface_files.place_differs",
                 quantity=what,
                 value=found,
                 about=about,
-                needed=said,
+                needed=named,
                 file=path,
             )
     if abs(t.b) > 0 or abs(t.d) > 0:
         raise InputError("surface_files.rotated", about=about, file=path)
     if file.crs and tree.has("system"):
-        corners = np.array([[left, top], [left + told[0] * pixel, top - told[1] * pixel]])
+        corners = np.array([[left, top], [left + stated[0] * pixel, top - stated[1] * pixel]])
         _check_system(file.crs.to_wkt(), path, tree.get("system").text(), about, corners, pixel)
 
 
 def _check_system(wkt: str, path: Path, system: str, about: str, corners: Array, pixel: float) -> None:
-    """Raise InputError where a raster is in another system than heights.toml says."""
-    mine, told = plan_of(wkt), plan_system(system)
-    same = told is not None and _one_plan(mine, told, corners, pixel)
+    """Raise InputError where a raster is in another system than heights.toml states."""
+    mine, stated = plan_of(wkt), plan_system(system)
+    same = stated is not None and _one_plan(mine, stated, corners, pixel)
     if same and parse_crs(wkt).is_compound and parse_crs(system).is_compound:
         codes = [parse_crs(s).sub_crs_list[1].to_epsg() for s in (wkt, system)]
         same = None in codes or codes[0] == codes[1]
@@ -129,18 +129,18 @@ def _check_system(wkt: str, path: Path, system: str, about: str, corners: Array,
         )
 
 
-def _one_plan(mine: CRS, told: CRS, corners: Array, pixel: float) -> bool:
+def _one_plan(mine: CRS, stated: CRS, corners: Array, pixel: float) -> bool:
     """Whether two texts mean one plan system: a GeoTIFF keeps no name and no datum that nobody registered."""
-    if mine.equals(told, ignore_axis_order=True):
+    if mine.equals(stated, ignore_axis_order=True):
         return True
-    codes = [s.to_epsg(min_confidence=100) for s in (mine, told)]
+    codes = [s.to_epsg(min_confidence=100) for s in (mine, stated)]
     if None not in codes:
         return codes[0] == codes[1]
     if not mine.is_projected:
         return False
     from pyproj import Proj  # noqa: PLC0415  (only where a coordinate system is used)
 
-    there = Proj(mine)(*Proj(told)(*corners.T, inverse=True))
+    there = Proj(mine)(*Proj(stated)(*corners.T, inverse=True))
     apart = np.abs(np.stack(there, axis=1) - corners).max()
     return bool(apart <= SAME_PLACE * pixel)
 
@@ -154,7 +154,7 @@ def check_sum(path: Path) -> str:
 def check_belongs(path: Path, tree: Json) -> None:
     """Raise InputError where what orientation does was not written with these heights.
 
-    tree  heights.toml; of earlier versions it has no check sum, and nothing is told
+    tree  heights.toml; of earlier versions it has no check sum, and nothing is reported
     """
     if tree.has(OF_ORIENTATION) and check_sum(path) != tree.get(OF_ORIENTATION).text():
         raise InputError("surface_files.other_surface", about=tree.file.name, file=path)
@@ -194,7 +194,7 @@ def _add(found: Any, values: Array) -> None:
 
 
 def check_values(heights: Path, height: Array, sigmas: Path, bands: Mapping[str, Array], tree: Json) -> tuple[str, ...]:
-    """Raise InputError where standard deviations are not of these heights, or are none; what is to be told else.
+    """Raise InputError where standard deviations are not of these heights, or are none; what is to be reported else.
 
     height  (rows, columns) of the file `heights`
     bands   (rows, columns) each, all of the file `sigmas`, in its order: standard deviations by what they are of, and

@@ -34,10 +34,10 @@ EVERY = 5
 
 def _attributes(name: str, rule: str) -> str:
     """A rule of the style sheet for programs that heed none, as MuPDF, and draw all in black."""
-    told = [r.split(":") for r in rule.split(";")]
-    told = [(k, v.removesuffix("px")) for k, v in told if name != "name" or k not in RIM]
-    font = [FONT] if any(k == "font-size" for k, _ in told) else []
-    return " ".join([*font, *(f'{k}="{v}"' for k, v in told)])
+    entries = [r.split(":") for r in rule.split(";")]
+    entries = [(k, v.removesuffix("px")) for k, v in entries if name != "name" or k not in RIM]
+    font = [FONT] if any(k == "font-size" for k, _ in entries) else []
+    return " ".join([*font, *(f'{k}="{v}"' for k, v in entries)])
 
 
 ATTRIBUTES = {name: _attributes(name, rule) for name, rule in re.findall(r"\.(\w+)\{([^}]*)\}", STYLE)}
@@ -118,11 +118,11 @@ def _panel(s: Section, name: str, unit: str, top: float) -> str:
     out.append(f'<text x="{middle}" y="{bottom + 38:.0f}" text-anchor="middle">distance{name_of_unit}</text>')
     y = (top + TOP + bottom) / 2
     out.append(f'<text transform="translate(18 {y:.0f}) rotate(-90)" text-anchor="middle">height{name_of_unit}</text>')
-    told = f"band: {BAND} sigma"
+    entries = f"band: {BAND} sigma"
     if high - low > 0 and length > 0:
         stretch = (PANEL - TOP - BOTTOM) / (f.high - f.low) / ((right - LEFT) / length)
-        told += f"; heights {stretch:.3g} times as large as distances"
-    out.append(f'<text class="small" x="{right}" y="{top + 22:.0f}" text-anchor="end">{told}</text>')
+        entries += f"; heights {stretch:.3g} times as large as distances"
+    out.append(f'<text class="small" x="{right}" y="{top + 22:.0f}" text-anchor="end">{entries}</text>')
     return "".join(out)
 
 
@@ -158,14 +158,14 @@ def contours_svg(
                     f'text-anchor="middle" dy="3">{c.height:.{decimals}f}</text>'
                 )
     name_of_unit = f" {escape(unit)}" if unit else " (no unit: the scale is free)"
-    told = (
+    entries = (
         f"left {corner[0]:.10g}, top {corner[1]:.10g}, width {columns * cell:.6g}{name_of_unit}; "
         f"interval {interval:.6g}{name_of_unit}"
     )
     body = (
         f'<path class="thin" d="{"".join(thin)}"/><path class="thick" d="{"".join(thick)}"/>{"".join(names)}'
         f'<rect class="axis" width="{WIDTH}" height="{height:.1f}"/>'
-        f'<text class="small" x="4" y="{height + 18:.0f}">{told}</text>'
+        f'<text class="small" x="4" y="{height + 18:.0f}">{entries}</text>'
     )
     return _sheet(WIDTH, height + 28, body)
 

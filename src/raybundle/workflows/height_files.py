@@ -1,4 +1,4 @@
-"""Heights on a grid as files: two GeoTIFFs, what says where they lie, and how orientation moves them together."""
+"""Heights on a grid as files: two GeoTIFFs, what states where they lie, and how orientation moves them together."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ KEPT = ("", "local", "step", "orientation", "point", "points", "image")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeightFile:
-    """What heights.toml says."""
+    """What heights.toml states."""
 
     left: float
     top: float
@@ -80,7 +80,7 @@ class HeightFile:
     plane: Mapping[str, Any]
     """where it lies"""
     cautions: tuple[str, ...] = ()
-    """what is to be told of the files beside it, with their names"""
+    """what is to be reported of the files beside it, with their names"""
 
     @classmethod
     def of(cls, grid: HeightGrid, plane: Plane, unit: str, block: str) -> HeightFile:
@@ -99,7 +99,7 @@ class HeightFile:
     def new(self, path: Path, names: Sequence[str]) -> AbstractContextManager[Write]:
         """A GeoTIFF of these cells with bands of floats, NaN where nothing was measured.
 
-        That of the heights has the system with what they count from, where anything says it.
+        That of the heights has the system with what they count from, where anything states it.
         """
         system = self.with_heights if names == ONLY_HEIGHT else None
         if system is not None and not system.is_compound:  # GDAL keeps no third dimension in the file itself
@@ -112,12 +112,12 @@ class HeightFile:
 
     @property
     def system(self) -> str:
-        """Text of the system of a map, with what heights count from where it says so; empty: nothing tells it."""
+        """Text of the system of a map, with what heights count from where it states it; empty: nothing shows it."""
         return str(self.plane.get("system", "")) if self.wkt else ""
 
     @property
     def with_heights(self) -> CRS | None:
-        """The system of a map with what heights count from; None where nothing says it."""
+        """The system of a map with what heights count from; None where nothing states it."""
         return system_with_heights(self.system) if self.system else None
 
     def as_mapping(self) -> dict[str, Any]:
@@ -168,7 +168,7 @@ class _Whole:
 
 
 def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, ...]:
-    """Write the files of the heights of a surface tile by tile; what is to be told of them."""
+    """Write the files of the heights of a surface tile by tile; what is to be reported of them."""
     measured, whole = surface.heights, _Whole()
     assert measured is not None
     with new_files(*(out / f for f in FILES)) as (heights, sigmas, about, moved):
@@ -192,9 +192,9 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
     share = sum(whole.cells) / (file.width * file.height)
     sigma = float(np.median(np.concatenate(whole.sigma)))
     unit = f" {file.unit}" if file.unit else ""
-    told = f"{file.width} x {file.height} cells of {file.cell:g}{unit}, {share:.0%} of them with a height"
+    stated = f"{file.width} x {file.height} cells of {file.cell:g}{unit}, {share:.0%} of them with a height"
     factor, of = precision_unit(sigma, file.unit)
-    return (f"{told}; standard deviation {significant(factor * sigma, 2)} {of}".rstrip() + " in the median",)
+    return (f"{stated}; standard deviation {significant(factor * sigma, 2)} {of}".rstrip() + " in the median",)
 
 
 def _about(file: HeightFile, beside: tuple[Path, Path, Path], length: float, apart: float) -> str:
@@ -299,12 +299,12 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         apart=tree.optional("between_maps", BETWEEN_MAPS), holes=holes, errors=errors, adjustment=adjustment,
         blocks=blocks,
     )  # fmt: skip
-    told = {k: v.value for k, v in tree.mapping().items()}
-    plane = {k: v for k, v in told.items() if k not in {"left", "top", "pixel", "width_px", "height_px", "block"}}
+    stated = {k: v.value for k, v in tree.mapping().items()}
+    plane = {k: v for k, v in stated.items() if k not in {"left", "top", "pixel", "width_px", "height_px", "block"}}
     return model, HeightFile(
         left=numbers["left"], top=numbers["top"], cell=numbers["pixel"], width=height.shape[1],
-        height=height.shape[0], unit=str(told.get("unit", "")), block=str(told.get("block", "")), wkt=wkt, plane=plane,
-        cautions=cautions,
+        height=height.shape[0], unit=str(stated.get("unit", "")), block=str(stated.get("block", "")), wkt=wkt,
+        plane=plane, cautions=cautions,
     )  # fmt: skip
 
 

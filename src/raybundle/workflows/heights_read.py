@@ -50,7 +50,7 @@ class Opened:
 
     @property
     def cautions(self) -> tuple[str, ...]:
-        """What is to be told of its files and of the result that it was measured of, a sentence each."""
+        """What is to be reported of its files and of the result that it was measured of, a sentence each."""
         since = adjusted_since(self.folder, str(self.file.plane.get(FINGERPRINT, "")))
         return (*self.file.cautions, *([f"{self.folder}: {since}"] if since else []))
 
@@ -225,7 +225,7 @@ def lines_of(o: Opened, given: str) -> list[Array]:
 def _in_plane(wkt: str, xy: Array, crs: str, *, typed: bool, path: Path) -> Array:
     """Coordinates of a file in those of a map, or of a plane of the object as they are."""
     if typed or not wkt:
-        if not typed and crs and crs != GEOGRAPHIC:  # what says nothing is of the plane
+        if not typed and crs and crs != GEOGRAPHIC:  # what states nothing is of the plane
             raise InputError(
                 "outline.heights_in_no_map",
                 system=system_name(crs),

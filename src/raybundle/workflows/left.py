@@ -17,7 +17,7 @@ from raybundle.pipeline.running import works
 from raybundle.pipeline.store import Folder
 
 NOTES, STORES = "notes", "stores"
-"""Store of the numbers of sweeps; its text that says where else parts lie: a line for each store, number and URL"""
+"""Store of the numbers of sweeps; its text that states where else parts lie: a line for each store, number and URL"""
 OF_STAGES = "adjustment"
 """Within a project, beside what the parts of its own adjustments stand, as beside a result"""
 
@@ -42,10 +42,10 @@ def part_store(folder: Path, number: int, url: str, token: str) -> Folder:
 
 def note_store(notes: Folder, number: int, url: str) -> None:
     """Note that parts lie at a URL, for whoever removes them."""
-    said = notes.place.text(STORES) or ""
+    stated = notes.place.text(STORES) or ""
     line = f"{number} {url}\n"
-    if line not in said:
-        notes.place.keep_text(STORES, said + line)
+    if line not in stated:
+        notes.place.keep_text(STORES, stated + line)
 
 
 def left_beside(out: Path) -> tuple[Left, ...]:

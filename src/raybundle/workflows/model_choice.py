@@ -37,7 +37,7 @@ def choose_models(start: Block, first: Adjustment, settings: AdjustmentOptions) 
     start  a block with approximate values; first  what came of it
     BIC = m ln(v'Pv) + u ln m (Schwarz 1978).  A model with more parameters is taken only if sigma0 falls by 5 % too.
     """
-    told: list[Notice] = []
+    found: list[Notice] = []
     best, sigma0 = start, 1.0
     rejected = first.image_observations.rejected
     for k, camera in enumerate(start.cameras):
@@ -60,14 +60,14 @@ def choose_models(start: Block, first: Adjustment, settings: AdjustmentOptions) 
             if _bic(trial) < _bic(now) - 10 and (simpler or gain < GAIN):
                 best, now, sigma0 = with_values(changed, trial.adjusted), trial, trial.sigma0
         if best.cameras[k].model != known:
-            told.append(
+            found.append(
                 Notice(
                     code="model",
                     values={"camera": camera.id, "model": best.cameras[k].model, "other": known, "sigma0": now.sigma0},
                     ids=(camera.id,),
                 )
             )
-    return reweighted(best, sigma0), tuple(told)
+    return reweighted(best, sigma0), tuple(found)
 
 
 def half_angle(camera: Camera) -> float:

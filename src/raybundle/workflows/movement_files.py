@@ -48,27 +48,27 @@ def write_movements(
             write(0, 0, np.stack(bands, axis=2).astype(np.float32))
         rows = [_row(o, k, r) for k, r in enumerate(found.regions, 1)]
         unit = o.unit or "no unit: the scale is free"
-        told = [f"# lengths in {unit}", TOLD, ",".join(COLUMNS), *(",".join(f"{v:.8g}" for v in row) for row in rows)]
-        (new / TABLE).write_text("\n".join(told) + "\n", encoding="utf-8")
+        lines = [f"# lengths in {unit}", TOLD, ",".join(COLUMNS), *(",".join(f"{v:.8g}" for v in row) for row in rows)]
+        (new / TABLE).write_text("\n".join(lines) + "\n", encoding="utf-8")
         drawn = [d for row, r in zip(rows, found.regions, strict=True) for d in _areas(o, row, r)]
         write_geojson(new / LINES, drawn, o.file.wkt)
         if drawn:
             write_gpkg(new / LAYER, drawn, "moved", o.file.wkt)
         else:
             names.remove(LAYER)
-        (new / SMALLEST).write_text("\n".join([*told[:1], *_would(smallest)]) + "\n", encoding="utf-8")
+        (new / SMALLEST).write_text("\n".join([*lines[:1], *_would(smallest)]) + "\n", encoding="utf-8")
         write_picture(str(new / PICTURE), o, model, found, smallest)
     return tuple(out / n for n in names)
 
 
 def _would(smallest: tuple[SmallestMovement, ...]) -> list[str]:
-    """What the table of the smallest movements says."""
+    """What the table of the smallest movements states."""
     rows = [",".join("" if np.isnan(v) else f"{v:.4g}" for v in (s.side, s.amount, s.best)) for s in smallest]
     return [TOLD_SMALLEST, "side,amount,amount_best_quarter", *rows]
 
 
 def _row(o: Opened, number: int, r: Region) -> list[float]:
-    """What the table says of a region."""
+    """What the table states of a region."""
     rows, columns = np.nonzero(r.cells)
     x, y = o.places(np.array([[columns.mean() + 0.5, rows.mean() + 0.5]]))[0]
     numbers = (

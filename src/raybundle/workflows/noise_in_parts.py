@@ -1,4 +1,4 @@
-"""What is said of noise where the normal equations were in parts, which noise fields cannot use."""
+"""What is stated of noise where the normal equations were in parts, which noise fields cannot use."""
 
 from __future__ import annotations
 

@@ -89,7 +89,7 @@ class Lean:
     """standard deviation [rad]; NaN: not known"""
 
     @property
-    def told(self) -> bool:
+    def reported(self) -> bool:
         """Whether it is more than its standard deviation."""
         return abs(self.angle) > self.sigma
 
@@ -101,7 +101,7 @@ class Lean:
 
     @property
     def words(self) -> str:
-        """As a sentence says it."""
+        """As a sentence states it."""
         degrees = abs(float(np.degrees(self.angle)))
         sigma = f" ± {np.degrees(self.sigma):.2g}" if np.isfinite(self.sigma) else ""
         return f"{'back' if self.angle >= 0 else 'forward'} by {degrees:.2g}{sigma} degrees"
@@ -145,38 +145,38 @@ class Plane:
         if self.kind != "vertical" or self.lean is None or not self.lean.of_no_wall:
             return ()
         by = self.plumb.words if self.plumb else phrase("plumb.block")
-        told = (
+        reported = (
             f"its points lean {self.lean.words}, and no wall leans by more than {np.degrees(BATTER):.0f} degrees, the "
             f"batter of a rampart: do they lie in one wall, and is the vertical ({by}) right? Look at them one by one"
         )
-        return (told,)
+        return (reported,)
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What is to be told of it."""
-        if self.kind != "vertical" or self.lean is None or not self.lean.told or self.cautions:
+        """What is to be reported of it."""
+        if self.kind != "vertical" or self.lean is None or not self.lean.reported or self.cautions:
             return ()
         by = self.plumb.words if self.plumb else phrase("plumb.block")
-        told = f"the wall is not plumb by more than its standard deviation: its points lean {self.lean.words}"
-        return (f"{told} (vertical: {by}); the plane was made plumb as asked for",)
+        reported = f"the wall is not plumb by more than its standard deviation: its points lean {self.lean.words}"
+        return (f"{reported} (vertical: {by}); the plane was made plumb as asked for",)
 
     def as_mapping(self) -> dict[str, Any]:
-        """What NAME.toml says of it."""
-        told: dict[str, Any] = {
+        """What NAME.toml states of it."""
+        reported: dict[str, Any] = {
             "origin": self.origin.tolist(), "right": self.axes[0].tolist(), "up": self.axes[1].tolist(),
             "normal": self.axes[2].tolist(), "axes_by": self.axes_by or "", "plane": self.kind,
             "points": self.points, "points_of": self.of, "points_rms": self.rms,
         }  # fmt: skip
         if self.axes_by is not None:
-            told["axes_by_message"] = json.dumps(self.axes_by.message.json())
+            reported["axes_by_message"] = json.dumps(self.axes_by.message.json())
         if self.plumb is not None:
-            told["vertical_by"] = self.plumb.words
-            told["vertical_by_message"] = json.dumps(self.plumb.words.message.json())
+            reported["vertical_by"] = self.plumb.words
+            reported["vertical_by_message"] = json.dumps(self.plumb.words.message.json())
         if self.lean is not None:
-            told["lean_deg"] = float(np.degrees(self.lean.angle))
+            reported["lean_deg"] = float(np.degrees(self.lean.angle))
             if np.isfinite(self.lean.sigma):
-                told["lean_sigma_deg"] = float(np.degrees(self.lean.sigma))
-        return told
+                reported["lean_sigma_deg"] = float(np.degrees(self.lean.sigma))
+        return reported
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -216,7 +216,7 @@ class MapLevel(Plane):
         return self.frame.local_from_crs(there) / self.metres
 
     def as_mapping(self) -> dict[str, Any]:
-        """What NAME.toml says of it."""
+        """What NAME.toml states of it."""
         return {
             "system": self.frame.crs, "height": self.height, "plane": "horizontal", "points": self.points,
             "points_of": self.of, "points_rms": self.rms,
@@ -253,7 +253,7 @@ def plane_of(
 
     sigma       (p, 3) standard deviations of the object points; a point lies in a plane within what they allow, or
                 within the size of a photograph's pixel there, which a picture does not show; None: within the latter
-    about       what the result.json says, of which `upright` tells where Z comes from
+    about       what the result.json states, of which `upright` shows where Z comes from
     covariance  of named points; without it the lean of a plane by names has no standard deviation of its measurement
     raises      InputError for unknown points, for too few and where they lie on a line
     The lean's standard deviation holds the errors of named points, or of unnamed ones the scatter about the plane as
@@ -378,7 +378,7 @@ def _lean(
         return None
     size = np.linalg.svd(mine - mine.mean(axis=0), compute_uv=False)
     if size[1] < IN_LINE * size[0]:
-        return None  # in a line: they tell no lean
+        return None  # in a line: they show no lean
     angle = lean_of(mine, plumb.up, normal)
     variance = _by_scatter(mine, plumb.up) if len(mine) > LEAST else 0.0 if asked.points else np.nan
     if asked.points:
@@ -404,7 +404,7 @@ def _by_scatter(points: Array, up: Array) -> float:
 
 
 def _by_errors(block: Block, asked: PlaneAsked, plumb: Plumb, normal: Array, covariance: Covariance) -> float:
-    """Variance [rad^2] of the lean by the errors of named points, those that tell the vertical among them."""
+    """Variance [rad^2] of the lean by the errors of named points, those that show the vertical among them."""
     names = tuple(dict.fromkeys((*asked.points, *plumb.points)))
     C = covariance(names)
     if C is None:

@@ -65,7 +65,7 @@ class Orientation:
     scene_pairs: tuple[ScenePair, ...] = ()
     remarks: tuple[str, ...] = field(default=())
     upright: Upright | None = None
-    """how the vertical was found, where neither control nor positions tell it"""
+    """how the vertical was found, where neither control nor positions show it"""
     dropped: Dropped | None = None
     """what became of the photographs' features before the adjustment"""
 
@@ -99,7 +99,7 @@ class Orientation:
         return len(names) + len(self.refused)
 
     def additions(self) -> dict[str, object]:
-        """What result.json says beside the adjustment."""
+        """What result.json states beside the adjustment."""
         lost = [{"file": f, "reason": r, **text_json(r)} for f, r in (*self.refused, *self.not_oriented)]
         return {
             "images": {
@@ -190,7 +190,7 @@ def _to_be_redone(title: str) -> tuple[Stage[OrientState, Any, Any], ...]:
 
 
 def _orientation(state: OrientState, records: Sequence[StageRecord]) -> Orientation:
-    """What the last state says."""
+    """What the last state states."""
     assert state.adjustment is not None
     assert state.placed is not None
     scenes, adjustment = state.scenes, state.adjustment
@@ -212,5 +212,5 @@ def _orientation(state: OrientState, records: Sequence[StageRecord]) -> Orientat
         other_components=state.other_components,
         scenes=() if scenes is None else scenes.images,
         scene_pairs=() if scenes is None else scenes.pairs,
-        remarks=(*state.remarks, *state.told),
+        remarks=(*state.remarks, *state.reported),
     )

@@ -60,6 +60,6 @@ class OrientOptions:
     """errors of image coordinates: white; fields: smooth ones that differ from image to image, and a floor; auto:
     fields where there are five photographs or more"""
     read_out_s: float | None = None
-    """read-out time of rolling shutters [s]; 0: there are none; None: what the photographs tell decisively"""
+    """read-out time of rolling shutters [s]; 0: there are none; None: what the photographs show decisively"""
     redo_from: str = ""
     """stage, as `raybundle status` names it, from which on everything is done again"""

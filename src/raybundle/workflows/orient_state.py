@@ -86,7 +86,7 @@ class OrientState:
     lost: Reasons = ()
     """photographs that take no part though they could be read"""
     remarks: tuple[str, ...] = ()
-    told: tuple[str, ...] = ()
+    reported: tuple[str, ...] = ()
     """remarks of what was measured"""
     notices: tuple[Notice, ...] = ()
     masks: Masks | None = None

@@ -84,9 +84,9 @@ def _tile(surface: Surface, tile: int) -> TileOfOrthophoto:
 
 
 def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path, state: str = "") -> tuple[str, ...]:
-    """Write the files tile by tile; what is to be told of them.
+    """Write the files tile by tile; what is to be reported of them.
 
-    state  why the result is not to be used yet, which orthophoto.toml tells
+    state  why the result is not to be used yet, which orthophoto.toml shows
     """
     made = surface.orthophoto
     assert made is not None
@@ -122,7 +122,7 @@ def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path, state
 
 
 def _told(surface: Surface, pixels: dict[int, int], sigma: list[Array], of: str) -> tuple[str, ...]:
-    """What is to be said: how much of it is seen and why not more, how far pixels are off, and how many by far."""
+    """What is to be stated: how much of it is seen and why not more, how far pixels are off, and how many by far."""
     made, heights = surface.orthophoto, surface.heights
     assert made is not None
     assert heights is not None
@@ -139,20 +139,20 @@ def _told(surface: Surface, pixels: dict[int, int], sigma: list[Array], of: str)
     beyond = float((off > g.pixel).mean())
     seen = f"{size}, {share:.0%} of them seen, by {counted(len(pixels), 'photograph')}"
     good = f"{half} in the median, below {most} for 95 % of them, above a pixel for {beyond:.1%}"
-    told = [f"{seen}; standard deviation of a place in plan {good}"]
+    lines = [f"{seen}; standard deviation of a place in plan {good}"]
     if share < MOST_SEEN:
-        told.append(
+        lines.append(
             f"{known:.0%} of the cells of its heights were measured, gaps of a few cells are closed, and beyond "
             "these no pixel is seen"
             + (f"; a finer {option('density')} may fill some of the others" if surface.options.density > 1 else "")
         )
     if any(c.is_scene for c in surface.block.cameras):
-        told.append("grey values of scenes are stretched to 8 bits: their radiometry is not kept")
-    return tuple(told)
+        lines.append("grey values of scenes are stretched to 8 bits: their radiometry is not kept")
+    return tuple(lines)
 
 
 def _about(surface: Surface, plane: Plane, unit: str, pixels: dict[int, int]) -> dict[str, object]:
-    """What orthophoto.toml says."""
+    """What orthophoto.toml states."""
     made = surface.orthophoto
     assert made is not None
     assert surface.heights is not None

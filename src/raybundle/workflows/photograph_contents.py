@@ -25,7 +25,7 @@ def other_contents(photos: Iterable[Photo], known: Mapping[str, str]) -> str:
     """A remark that photographs are not those that were oriented; empty: they are, or nothing is known of them.
 
     known  of `contents_of`
-    A photograph whose metadata alone were changed has other bytes and the same pixels: it is told and used.
+    A photograph whose metadata alone were changed has other bytes and the same pixels: it is reported and used.
     """
     others = [p for p in photos if known.get(p.name, p.sha256) != p.sha256]
     if not others:

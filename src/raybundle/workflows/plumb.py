@@ -27,11 +27,11 @@ class Plumb:
     sigma: float = float("nan")
     """standard deviation [rad] that the covariances of points do not hold; NaN: not known"""
     lines: tuple[tuple[str, ...], ...] = ()
-    """points of the lines that tell it; (): the Z axis"""
+    """points of the lines that show it; (): the Z axis"""
 
     @property
     def points(self) -> tuple[str, ...]:
-        """By which it is told."""
+        """By which it is reported."""
         return tuple(dict.fromkeys(n for line in self.lines for n in line))
 
     def up_of(self, places: Mapping[str, Array]) -> Array:
@@ -54,7 +54,7 @@ def told_plumb(block: Block, way: str, about: Mapping[str, Any]) -> Plumb:
     """The vertical that is asked for.
 
     way     z: the Z axis; lines: the plumb lines that were measured; A,B: two points, the second above the first
-    about   what result.json says: `upright` tells where Z comes from
+    about   what result.json states: `upright` shows where Z comes from
     raises  InputError for another way, for points that have no place, and where no plumb line was measured
     """
     if way.lower() == "z":

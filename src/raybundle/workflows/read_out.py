@@ -1,4 +1,4 @@
-"""Rolling shutters: told by the photographs, or known, and then in the model of the camera.
+"""Rolling shutters: given by the photographs, or known, and then in the model of the camera.
 
 A frame that is read row by row from a moving place shows a shear (motion along the rows) and an affinity (across them)
 that change with the velocity in the camera's axes and with the distance of the object; those of the pixels do not.
@@ -42,7 +42,7 @@ HELD = 1e-6
 FEWEST = 4
 """Photographs with a velocity."""
 KNOWN = 0.1
-"""Relative standard deviation of a read-out time that is given: lamps that blink tell it to a few milliseconds."""
+"""Relative standard deviation of a read-out time that is given: lamps that blink show it to a few milliseconds."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,7 +68,7 @@ class ReadOut:
         return self.by_read_out - self.by_shape > DECISIVE
 
     @property
-    def told(self) -> bool:
+    def reported(self) -> bool:
         """Whether one of the two is decisively likelier."""
         return abs(self.by_read_out - self.by_shape) > DECISIVE
 
@@ -104,7 +104,7 @@ def rolling_shutters(
 ) -> Rolling:
     """The block, as it was given to the adjustment, with the read-out of the cameras that have a rolling shutter.
 
-    known_s  read-out time of all cameras [s]; 0: none has one; None: what the photographs tell decisively
+    known_s  read-out time of all cameras [s]; 0: none has one; None: what the photographs show decisively
     Limits: the rotation of a camera during the read-out, which shows as a velocity does.
     """
     if known_s == 0:
@@ -126,7 +126,7 @@ def rolling_shutters(
         if known_s is None and (found is None or not found.rolling):
             continue
         r = 0.0 if found is None else found.r
-        if known_s is not None:  # which way the rows are read, the photographs tell if they tell anything
+        if known_s is not None:  # which way the rows are read, the photographs show if they show anything
             r = float(np.copysign(known_s / float(camera.size_mm[1]), r))
         block = _rolling(block, at, _of_images(block, result.adjusted, velocity), r, observed=known_s is not None)
         images = int(((result.adjusted.images.camera == k) & result.adjusted.images.oriented).sum())
@@ -167,14 +167,14 @@ def _of_images(block: Block, adjusted: Block, velocity: Array) -> Array:
 def with_cause(result: Adjustment, photos: Sequence[Photo]) -> Adjustment:
     """The result in which an affinity or shear that no sensor has names a rolling shutter, where that is the cause.
 
-    Of cameras whose read-out is not in the model: without times, or a scale, or where the two cannot be told apart.
+    Of cameras whose read-out is not in the model: without times, or a scale, or where the two cannot be distinguished.
     """
     strange = {n.ids[0] for n in result.notices if n.code == "pixel_shape"}
     when = {p.name: p.metadata.taken for p in photos}
     notices = list(result.notices)
     for camera in sorted(strange):
         found = read_out(result, camera, when)
-        if found is None or not (found.rolling or not found.told):
+        if found is None or not (found.rolling or not found.reported):
             continue
         at = next(k for k, n in enumerate(notices) if n.code == "pixel_shape" and n.ids[0] == camera)
         mine = [n for n in notices if n.code == "pixel_shape" and n.ids[0] == camera]

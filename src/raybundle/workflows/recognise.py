@@ -1,4 +1,4 @@
-"""What was photographed: the family of targets or the board that some photographs show, where nobody said it.
+"""What was photographed: the family of targets or the board that some photographs show, where nobody stated it.
 
 Coded rings, square tags and ChArUco boards, PhotoModeler's sheet, rasters of dots, chessboards, in this order.  What
 none of them explains is left to natural points.
@@ -51,7 +51,7 @@ class Recognised:
 def recognised(photos: Sequence[Photo], progress: Progress = silent) -> Recognised:
     """The family that the photographs show, by a few of them.
 
-    Raises InputError where more than one can be meant, or where a board is seen that cannot be told.
+    Raises InputError where more than one can be meant, or where a board is seen that cannot be determined.
     """
     asked = [photos[i] for i in np.unique(np.linspace(0, len(photos) - 1, ASKED).astype(int))]
     names, few = tuple(p.name for p in asked), set[str]()
@@ -156,7 +156,7 @@ def _chessboard(grey: list[Array], few: set[str]) -> str | None:
 def _agreed(
     grey: list[Array], few: set[str], look: Callable[[Array], str | None], board: Literal["raster", "chessboard"]
 ) -> str | None:
-    """The board that most photographs show; raises InputError where most show one, but none that can be told."""
+    """The board that most photographs show; raises InputError where most show one, but none that can be determined."""
     names = [name for g in grey if (name := look(g)) is not None]
     if not names:
         return None

@@ -39,11 +39,11 @@ BEFORE = 0.02
 """Distance before the plane, as a share of the photograph's, at which one that looks past it with pixels twice as large
 is preferred: the relief of a facade is below, a tree before it far beyond."""
 NEAREST, AROUND = 5, 0.03
-"""Object points that tell what a photograph shows at a place, and how near they are [diagonals of the format]"""
+"""Object points that show what a photograph shows at a place, and how near they are [diagonals of the format]"""
 STRAIGHT, FEWEST_OFF = 1e-3, 3
 """Width of points in shares of their length below which they lie on a line, and how many must be left for that."""
 WORTH_A_WORD = 0.02
-"""Share of the picture from which on it is said that something stands before the plane."""
+"""Share of the picture from which on it is stated that something stands before the plane."""
 FEW = 0.5
 """Share of the points in a plane below which most of what the picture shows is not in it."""
 
@@ -252,8 +252,8 @@ def _before(block: Block, rows: Index, plane: Plane, at: Array, camera: Camera) 
     off = np.maximum((xyz - plane.origin) @ plane.axes[2], 0.0)
     tree = KDTree(block.observations.xy_px[rows])
     reach = AROUND * float(np.hypot(camera.width_px, camera.height_px))
-    told = tree.query(at, k=NEAREST, distance_upper_bound=reach)
-    distance, nearest = np.asarray(told[0]), np.asarray(told[1])
+    reported = tree.query(at, k=NEAREST, distance_upper_bound=reach)
+    distance, nearest = np.asarray(reported[0]), np.asarray(reported[1])
     there = np.isfinite(distance).all(axis=1)
     found = np.zeros(len(at))
     found[there] = np.median(off[nearest[there]], axis=1)
@@ -265,12 +265,12 @@ def _hidden(before: Array) -> list[str]:
     share = float(np.mean(before > 2 * BEFORE)) if len(before) else 0.0
     if share < WORTH_A_WORD:
         return []
-    told = (
+    found = (
         f"{share:.0%} of the picture shows what stands before the plane by more than {2 * BEFORE:.0%} of the distance, "
         f"as trees or another wall, and is displaced: no photograph looks past it there; a smaller {option('extent')} "
         f"leaves it out, {option('only')} takes photographs by name"
     )
-    return [told]
+    return [found]
 
 
 def _within(inside: Array) -> Array:

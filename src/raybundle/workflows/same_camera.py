@@ -1,10 +1,10 @@
 """One sensor behind photographs stored in several ways: turned by a program, or reduced; joined where they agree.
 
-Files do not tell that a program turned their pixels, nor which way.  Photographs that may be of one sensor are oriented
+Files do not show that a program turned their pixels, nor which way.  Photographs that may be of one sensor are oriented
 as of two cameras; then each possible turn is adjusted with one interior orientation.  By how much the weighted square
 sum grows is the likelihood ratio of that hypothesis, chi-square distributed with as many degrees of freedom as
 parameters were saved (Wilks 1938): it takes the parameters' difference under their full covariance, common object
-points included.  Where errors are smooth fields, the parameters scatter by more than white noise says, and the square
+points included.  Where errors are smooth fields, the parameters scatter by more than white noise states, and the square
 sum counts by the variance that they have.
 """
 
@@ -97,8 +97,8 @@ def shared_sensors(
         for two in order[k + 1 :]:
             if {one.id, two.id} & taken or not _candidates(one, two, photos, reduced=reduced):
                 continue
-            join, told = _tested(result, one, two)
-            notices.append(told)
+            join, found = _tested(result, one, two)
+            notices.append(found)
             if join is not None:
                 joins.append(join)
                 taken.add(two.id)
@@ -196,10 +196,10 @@ def _adjusted(result: Adjustment, shared: Shared, free: dict[str, tuple[str, ...
 
 def _may_be_upside_down(result: Adjustment, groups: Sequence[CameraGroup], photos: Sequence[Photo]) -> bool:
     """Whether it is worth while to look: one camera that contradicts what is known, of photographs that say nothing."""
-    said = any(p.metadata.make or p.metadata.model for p in photos)
+    stated = any(p.metadata.make or p.metadata.model for p in photos)
     free = any(i.free for i in result.interior)
     strange = any(n.code == "camera_contradicts" for n in result.notices)
-    return strange and free and not said and len(groups) == 1 and len(photos) >= FEWEST_HALVES
+    return strange and free and not stated and len(groups) == 1 and len(photos) >= FEWEST_HALVES
 
 
 def against_gimbal(block: Block, photos: Sequence[Photo]) -> tuple[str, ...]:
@@ -220,8 +220,8 @@ def against_gimbal(block: Block, photos: Sequence[Photo]) -> tuple[str, ...]:
     east = np.linalg.svd(up[None])[2][1]
     north = np.cross(up, east)
     direction = np.arctan2(R[:, 1] @ north, R[:, 1] @ east)
-    told = np.radians([(g[0] + (180 if abs(g[2]) > 90 else 0)) for g in stated if g is not None])
-    both = direction + told  # headings grow clockwise
+    found = np.radians([(g[0] + (180 if abs(g[2]) > 90 else 0)) for g in stated if g is not None])
+    both = direction + found  # headings grow clockwise
     middle = np.angle(np.exp(2j * both).mean()) / 2
     off = np.angle(np.exp(1j * (both - middle)))
     turned = np.abs(off) > np.pi / 2
@@ -242,8 +242,8 @@ def _half_turned_by(result: Adjustment, names: tuple[str, ...]) -> Shared | None
         return None
     n = int(result.given.images.oriented.sum())
     values = {"n": len(names), "others": n - len(names), "gain": gain}
-    told = Notice(code="camera_joined.gimbal", values=values, ids=names)
-    return Shared(half_turned=names, notices=(told,))
+    found = Notice(code="camera_joined.gimbal", values=values, ids=names)
+    return Shared(half_turned=names, notices=(found,))
 
 
 def _half_turned(result: Adjustment, photos: Sequence[Photo]) -> Shared | None:
@@ -273,5 +273,5 @@ def _half_turned(result: Adjustment, photos: Sequence[Photo]) -> Shared | None:
         return None
     few = names[best:] if 2 * best >= n else names[:best]
     values = {"n": len(few), "first": few[0], "last": few[-1], "others": n - len(few), "gain": gain}
-    told = Notice(code="camera_joined.half_turned", values=values, ids=tuple(few))
-    return Shared(half_turned=tuple(few), notices=(told,))
+    found = Notice(code="camera_joined.half_turned", values=values, ids=tuple(few))
+    return Shared(half_turned=tuple(few), notices=(found,))

@@ -19,8 +19,8 @@ def sections_csv(o: Opened, sections: Sequence[Section], names: Sequence[str]) -
     lines = [f"section,distance [{unit}],x,y,height [{unit}],sigma [{unit}],filled"]
     for s, name in zip(sections, names, strict=True):
         for d, (x, y), h, q, f in zip(s.distance, o.places(s.place), s.height, s.sigma, s.filled, strict=True):
-            told = f"{h:.7g},{q:.3g},{int(f)}" if np.isfinite(h) else ",,"
-            lines.append(f"{name},{d:.7g},{x:.10g},{y:.10g},{told}")
+            line = f"{h:.7g},{q:.3g},{int(f)}" if np.isfinite(h) else ",,"
+            lines.append(f"{name},{d:.7g},{x:.10g},{y:.10g},{line}")
     return "\n".join(lines) + "\n"
 
 

@@ -78,7 +78,7 @@ def result_within(source: Path) -> Path:
 
 
 def recognised(source: Path) -> str:
-    """The format of a file or folder by its contents; raises InputError where it cannot be told."""
+    """The format of a file or folder by its contents; raises InputError where it cannot be determined."""
     if not source.exists():
         raise InputError("file.missing", file=source)
     if any((source / name).exists() for name in ("block.toml", "result.json")):
@@ -104,8 +104,8 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
     rows = np.array([position[p] for p in result.points.text["point"]], int)
     # the block holds adjusted values with all digits, images too, but of control and check points what was given
     adjusted = result.points.numbers("X", "Y", "Z")
-    told = np.isfinite(adjusted) & (np.asarray(block.points.role)[rows] != Role.TIE)[:, None]
-    xyz[rows] = np.where(told, adjusted, xyz[rows])
+    stated = np.isfinite(adjusted) & (np.asarray(block.points.role)[rows] != Role.TIE)[:, None]
+    xyz[rows] = np.where(stated, adjusted, xyz[rows])
     sigma[rows] = result.points.numbers("sX", "sY", "sZ")
     station_sigma, angle_sigma = _image_sigma(block.images, result.images.text["image"], result.images)
     given = _given(result, position)
@@ -120,7 +120,7 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
     there = points_left(block, kept)
     block = replace(
         block,
-        # results of versions that did not write it into the block tell it, too
+        # results of versions that did not write it into the block show it, too
         free_scale="scale" in result.result.get("datum_defect", ()) and not block.nominal_scale,
         points=replace(block.points, xyz=xyz),
     )
@@ -144,12 +144,12 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
     return _with_map_sigma(export, folder / MAP), remarks
 
 
-def _interior(told: Mapping[str, Any]) -> dict[str, tuple[tuple[str, ...], Array]]:
+def _interior(stated: Mapping[str, Any]) -> dict[str, tuple[tuple[str, ...], Array]]:
     """Camera -> symbols of its free parameters and their covariance, of those whose numbers are all there."""
     found: dict[str, tuple[tuple[str, ...], Array]] = {}
-    for camera, rows in told.get("correlations", {}).items():
+    for camera, rows in stated.get("correlations", {}).items():
         symbols = tuple(rows)
-        values = told.get("cameras", {}).get(camera, {})
+        values = stated.get("cameras", {}).get(camera, {})
         std = [values.get(s, {}).get("std") for s in symbols]
         table = [[rows[s].get(t) for t in symbols] for s in symbols]
         if symbols and None not in std and not any(None in row for row in table):
@@ -166,7 +166,7 @@ def _given(result: ResultFolder, position: Mapping[str, int]) -> Array:
 
 
 def _with_map_sigma(export: Export, table: Path) -> Export:
-    """With the standard deviations along the axes of the map, as the result's map.csv tells them, where it is there."""
+    """With the standard deviations along the axes of the map, as the result's map.csv shows them, where it is there."""
     if export.frame is None or not table.is_file():
         return export
     columns = [Column(name=n, kind="text") for n in ("kind", "id")]
@@ -193,8 +193,8 @@ def with_adjusted_cameras(block: Block, source: Path) -> Block:
     """
     if not (source / "result.json").is_file():
         return block
-    told = Json(source / "result.json", read_result(source).result).get("cameras")
-    own = {c.id: told.get(c.id) for c in block.cameras if told.has(c.id)}
+    stated = Json(source / "result.json", read_result(source).result).get("cameras")
+    own = {c.id: stated.get(c.id) for c in block.cameras if stated.has(c.id)}
 
     def adjusted(camera: Camera) -> Camera:
         if camera.id not in own:

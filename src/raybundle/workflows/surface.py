@@ -58,7 +58,7 @@ class Surface:
     lost: tuple[Lost, ...] = ()
     """the first of these: photographs that were adjusted, and are not there or do not fit"""
     others: str = ""
-    """that photographs are not those that were oriented, in words; empty: nothing says so"""
+    """that photographs are not those that were oriented, in words; empty: nothing states it"""
     pointless: tuple[tuple[str, str], ...] = ()
     """photographs whose depths give no point, and why, where that is not because others know their places better"""
     remarks: tuple[str, ...] = ()
@@ -136,7 +136,7 @@ def surface(
         return Surface(
             adjustment=adjustment, store=project.products, clouds=clouds, counts=counts, options=options,
             maps=state.maps, sigmas=state.sigmas, heights=state.heights, orthophoto=state.orthophoto,
-            left_out=(*(one.told for one in lost), *state.left_out), lost=lost, others=others,
+            left_out=(*(one.reported for one in lost), *state.left_out), lost=lost, others=others,
             remarks=(*_remarks(worn), *_beyond(state, memory)),
             pointless=pointless(state.block, state.clouds, project.products, region=options.region is not None),
             records=tuple(project.records),
@@ -146,9 +146,9 @@ def surface(
 
 
 def _checked(made: Adjustment, source: Path, *, free_scale: bool) -> Adjustment:
-    """An adjustment whose block says whether its scale is free; raises InputError where that is not wanted.
+    """An adjustment whose block states whether its scale is free; raises InputError where that is not wanted.
 
-    Whatever a folder tells of it: a block says nothing, and observations of a result may be gone.
+    Whatever a folder reports it: a block states nothing, and observations of a result may be gone.
     """
     free = made.free_scale
     if free and not free_scale:

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from raybundle.workflows.surface import Surface
 
 POINTS = 2.0
-"""Points of a depth map along the side of a cell, where nobody says how large cells are: most have some then."""
+"""Points of a depth map along the side of a cell, where nobody states how large cells are: most have some then."""
 EDGE, LOOKED_AT = 1e-3, 5
-"""Share of the points beyond each edge of the area that is proposed, and one in so many that tell it."""
+"""Share of the points beyond each edge of the area that is proposed, and one in so many that show it."""
 TEXTURE_PX = 8192
 """Longer side of the picture on a mesh, where no other is asked for: what graphics cards take."""
 
@@ -35,7 +35,7 @@ class Grids:
     plane: Plane | None = None
     heights: HeightGrid | None = None
     orthophoto: Grid | None = None
-    told: tuple[str, ...] = ()
+    reported: tuple[str, ...] = ()
     """remarks"""
 
 
@@ -58,7 +58,7 @@ def area_of_points(surface: Surface, grid: HeightGrid) -> tuple[int, Array]:
 
 def grids_over(
     block: Block, plane: Plane, extent: Array | None, *, density: int, heights: float | None,
-    orthophoto: float | None, mesh: float | None, told: tuple[str, ...],
+    orthophoto: float | None, mesh: float | None, reported: tuple[str, ...],
 ) -> Grids:  # fmt: skip
     """The grids over a part of a plane.
 
@@ -74,7 +74,10 @@ def grids_over(
         name = "ortho" if orthophoto is not None else "mesh"
         cell = two_digits(max(POINTS * density * pixel, orthophoto or 0.0))
     elif cell < 0.75 * least:
-        told = (*told, phrase("surface_remark.fine_cells", cell=cell, density=density, pixel=pixel, least=least))
+        reported = (
+            *reported,
+            phrase("surface_remark.fine_cells", cell=cell, density=density, pixel=pixel, least=least),
+        )
     grid_over(area, cell, setting=name)  # as asked for, before it is made whole cells
     grid = grid_over(whole_pixels(area, cell) if extent is None else area, cell, setting=name)
     picture = None
@@ -86,4 +89,6 @@ def grids_over(
         picture = grid_over(whole, max(pixel, float(longest) / TEXTURE_PX), setting="mesh")
     if mesh is not None:
         grid_over(whole, mesh, most=MOST_VERTICES, setting="mesh")
-    return Grids(plane=plane, heights=HeightGrid(plane=HeightPlane.of(plane), grid=grid), orthophoto=picture, told=told)
+    return Grids(
+        plane=plane, heights=HeightGrid(plane=HeightPlane.of(plane), grid=grid), orthophoto=picture, reported=reported
+    )

@@ -19,7 +19,7 @@ from raybundle.workflows.surface_grids import MOST_VERTICES, TEXTURE_PX
 
 STEEPEST = 3.0
 """Rise of an edge, in sides of a cell, from which its triangle is left out: 72 degrees, beyond which heights above a
-plane tell nothing of what is there."""
+plane show nothing of what is there."""
 ROOM = 2
 """Cells around a tile from which its vertices are made."""
 UNSEEN = 128

@@ -51,5 +51,5 @@ def _check(given: str) -> None:
     if there or not (whole and len(corners) > 2):
         words = re.findall(r"[^;,\s]+", given)
         if words and not there and not any(number_of(w) is not None or w.lower() in NO_NUMBERS for w in words):
-            return  # a name, of which it is told that there is no such file
+            return  # a name, of which it is reported that there is no such file
         raise InputError("surface.region_not_readable", given=given, rectangle=whole and len(corners) == 2)

@@ -26,7 +26,7 @@ class Lost:
     why: str
 
     @property
-    def told(self) -> tuple[str, str]:
+    def reported(self) -> tuple[str, str]:
         """The image, and why it takes no part."""
         return self.image, Text.of(named(self.name, self.why))
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from raybundle.pipeline.store import Folder
 
 MOST = 8
-"""Photographs of which it is told."""
+"""Photographs of which it is reported."""
 
 
 def pointless(
@@ -23,16 +23,16 @@ def pointless(
     clouds  key of what each reference gives, as the fusion keeps it
     region  points of a part of the object alone were asked for
     """
-    told = list[tuple[str, str]]()
+    reported = list[tuple[str, str]]()
     for k, key in sorted(clouds.items()):
         if len(store.wanted(key, ("image",))["image"]):
             continue
         found = store.wanted(key, ("depths", "share"))
         if why := _why(found["depths"].item(), found["share"].item(), region=region):
-            told.append((block.images.ids[k], why))
-        if len(told) == MOST:
+            reported.append((block.images.ids[k], why))
+        if len(reported) == MOST:
             break
-    return tuple(told)
+    return tuple(reported)
 
 
 def _why(depths: int, share: float, *, region: bool) -> str:

@@ -53,8 +53,8 @@ class Written:
     """Of a product."""
 
     files: tuple[Path, ...]
-    told: tuple[str, ...]
-    """what is to be said of it, a line each"""
+    reported: tuple[str, ...]
+    """what is to be stated of it, a line each"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

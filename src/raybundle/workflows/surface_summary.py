@@ -1,4 +1,4 @@
-"""What is told of a surface: from what a run has kept, one map after the other."""
+"""What is reported of a surface: from what a run has kept, one map after the other."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from raybundle.workflows.orthophoto_files import tiles_of
 from raybundle.workflows.surface import Surface
 
 SAMPLE = 7
-"""One in so many points tells the quantiles."""
+"""One in so many points shows the quantiles."""
 LAGS_PX = np.arange(0.0, 25.0)
 SHOWN, LOOKED_AT = 250_000, 12
 """Points of a page (16 bytes each), and how many times as many are looked at for them"""
@@ -33,7 +33,7 @@ PICTURE_CELLS = 900
 
 
 def summary_of(surface: Surface, unit: str, file: HeightFile | None = None, written: int = 0) -> SurfaceSummary:
-    """All that a page of a surface tells.
+    """All that a page of a surface shows.
 
     file     what the heights lie on; None: there are none
     written  points in the files, where they were thinned
@@ -47,8 +47,8 @@ def summary_of(surface: Surface, unit: str, file: HeightFile | None = None, writ
     squares, of_axes = (np.concatenate(x) ** 2 if x else np.zeros((0, 3)) for x in (parts, axes))
     maps, correlation = list[MapSummary](), list[Array]()
     for (image, _), given in zip(surface.clouds, surface.counts, strict=True):
-        told, found = _of_map(surface, image, given)
-        maps.append(told)
+        summary, found = _of_map(surface, image, given)
+        maps.append(summary)
         correlation.append(found)
     return SurfaceSummary(
         points=len(surface), written=written, of_part=surface.options.region is not None, unit=unit,
@@ -83,7 +83,7 @@ def _quantiles(values: Array) -> tuple[float, ...]:
 
 
 def _of_map(surface: Surface, image: int, given: int) -> tuple[MapSummary, Array]:
-    """What is told of a map, and how its errors are correlated by distance."""
+    """What is reported of a map, and how its errors are correlated by distance."""
     store: Folder = surface.store
     place = store.wanted(dict(surface.clouds)[image], ("place",))["place"]
     found = DepthMap.of_arrays(store.wanted(surface.maps[image])).sure(place)
@@ -91,12 +91,12 @@ def _of_map(surface: Surface, image: int, given: int) -> tuple[MapSummary, Array
     with np.errstate(divide="ignore", invalid="ignore"):
         length = sigma / np.square(found.t, dtype=float)
     known = np.isfinite(length)
-    told = MapSummary(
+    summary = MapSummary(
         name=surface.block.images.ids[image], sources=len(found.sources), pixels=known.size,
         measured=int(known.sum()), given=given,
         sigma=float(np.median(length[known])) if known.any() else float("nan"), picture=reduced(length)[0],
     )  # fmt: skip
-    return told, found.correlation_between(LAGS_PX)
+    return summary, found.correlation_between(LAGS_PX)
 
 
 def _heights(surface: Surface, file: HeightFile) -> HeightSummary | None:

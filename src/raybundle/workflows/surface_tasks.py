@@ -63,7 +63,7 @@ def stored_together(
     there = set(references)
     mine = sorted({j for s in chosen if s.reference in there for j in (s.reference, *s.sources)})
     every = np.flatnonzero(adjustment.adjusted.images.oriented).tolist()
-    # more unknowns than errors that are kept: each surface keeps its own, which tell more of it
+    # more unknowns than errors that are kept: each surface keeps its own, which show more of it
     for images in (every, mine) if len(every) <= MOST_ERRORS // 6 else (mine,):
         key = key_of(TOGETHER, VERSION, about, images)
         if means.store.has(key):

@@ -63,7 +63,7 @@ class Wanted:
 
 
 def wanted(given: Target) -> Wanted | None:
-    """A target as plain data; None for one that a program made and no name tells."""
+    """A target as plain data; None for one that a program made and no name shows."""
     if isinstance(given, Rings):
         r = given.rings
         if r is None or families.get(r.name) is r:

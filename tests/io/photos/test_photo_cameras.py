@@ -280,9 +280,9 @@ def test_a_panorama_is_remarked():
     assert (stated.code, stated.values["kind"]) == ("camera_start.panorama", "equirectangular")
     assert stated_projection(Metadata()) == ""
     (group,) = camera_groups([photo(metadata=replace(BODY, xmp={"GPano:ProjectionType": "equirectangular"}))])
-    assert group.said[0] == group.projection  # as `photos` and the report print it
+    assert group.stated[0] == group.projection  # as `photos` and the report print it
     assert next(n.code for n in camera_notices([group])) == "camera_projection"
-    assert with_calibration(group, stored("mine")).said == ()
+    assert with_calibration(group, stored("mine")).stated == ()
 
 
 @pytest.mark.parametrize(("folder", "count", "truth_px"), [("sceaux-castle", 11, 2905.88), ("copr-uav", 41, 2843.0)])

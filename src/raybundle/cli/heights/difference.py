@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 MOST_SHOWN = 12
 UNSURE = 2.0
-"""Standard deviations below which the amount of a region is told to be unsure"""
+"""Standard deviations below which the amount of a region is called unsure"""
 
 
 @click.command("difference", cls=Command)
@@ -120,19 +120,19 @@ def _times(r: Region) -> float:
 
 def _smallest(found: MeasuredDifference) -> list[str]:
     """How small a movement could have been and still be found."""
-    told = list[str]()
+    lines = list[str]()
     for s in found.smallest:
         of = f"{plain(s.side, 3)} x {plain(s.side, 3)}"
         half, quarter = (two_digits(v) if math.isfinite(v) else "" for v in (s.amount, s.best))
         if half and half != quarter:
-            told.append(f"{half} over {of} ({quarter} where heights are best, in a quarter of it)")
+            lines.append(f"{half} over {of} ({quarter} where heights are best, in a quarter of it)")
         elif half:
-            told.append(f"{half} over {of}")
+            lines.append(f"{half} over {of}")
         elif quarter:
-            told.append(f"{quarter} over {of} in the best quarter, none however large in the median")
-    if not told:
+            lines.append(f"{quarter} over {of} in the best quarter, none however large in the median")
+    if not lines:
         return ["no movement of squares of up to half of the surface would be found: too few heights, or all at steps"]
     unit = f" [{found.unit}]" if found.unit else ""
     return [f"smallest movement that would be found with a chance of 80 %, in the median over the surface{unit}:"] + [
-        f"  {line}" for line in told
+        f"  {line}" for line in lines
     ]

@@ -10,7 +10,7 @@ from raybundle.cli.common import grouped, significant
 MOST_PLACES = 9
 GROUPED = 1e4
 LEAST_TOLD = 5e-5
-"""Share that is told: less is 0.00 %."""
+"""Share that is reported: less is 0.00 %."""
 FREE = "the scale is free: lengths have no unit"
 
 
@@ -27,9 +27,9 @@ def measured(value: float, sigma: float, unit: str, power: int = 1) -> str:
     )
 
 
-def cautions(told: Sequence[str]) -> list[str]:
-    """What is to be told of a surface itself, as lines."""
-    return [f"warning: {one}" for one in told]
+def cautions(lines: Sequence[str]) -> list[str]:
+    """What is to be reported of a surface itself, as lines."""
+    return [f"warning: {one}" for one in lines]
 
 
 def two_digits(sigma: float) -> str:

@@ -52,20 +52,20 @@ def command(plan: Path, photos: tuple[Path, ...], progress: str, **given: Any) -
     values = values_of(PlanCheckSettings, given)
     settings = made(PlanCheckSettings, {"plan": plan, "photos": photos, **values})
     if is_list(plan):
-        with reporting(progress) as tell:
-            listed = run_list_check(settings, tell)
+        with reporting(progress) as notify:
+            listed = run_list_check(settings, notify)
         facts(missing=len(listed.ticked.missing))
         click.echo("\n".join(list_lines(listed)))
         return REFLY if len(listed.ticked.missing) else 0
-    with reporting(progress) as tell:
-        done = run_plan_check(settings, tell)
+    with reporting(progress) as notify:
+        done = run_plan_check(settings, notify)
     facts(refly=done.check.refly, files=done.files, refused=[{"file": p, "reason": r} for p, r in done.refused])
     click.echo("\n".join(lines(done)))
     return REFLY if done.check.refly else 0
 
 
 def lines(done: CheckedFlight) -> list[str]:
-    """What is told of a flight."""
+    """What is reported of a flight."""
     c, m = done.check, done.mission
     planned, taken = len(c.planned), len(c.flown.names)
     here = f"{planned - len(c.missing)} where they were planned, {len(c.missing)} missing"
@@ -87,7 +87,7 @@ def lines(done: CheckedFlight) -> list[str]:
 
 
 def list_lines(done: CheckedList) -> list[str]:
-    """What is told of a list."""
+    """What is reported of a list."""
     t = done.ticked
     n = len(done.numbers)
     beside = [done.names[k] for k in (t.of < 0).nonzero()[0]]

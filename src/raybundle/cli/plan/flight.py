@@ -43,8 +43,8 @@ def command(progress: str, **given: Any) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(FlightSettings, values_of(FlightSettings, given))
-    with reporting(progress) as tell:
-        plan, done, table = run_plan_flight(settings, tell)
+    with reporting(progress) as notify:
+        plan, done, table = run_plan_flight(settings, notify)
     shown = {"planned": done.planned, "without_rtk": done.without_rtk}
     facts(**{n: None if f is None else _fact(f) for n, f in shown.items()}, remedies=[_fact(f) for f in done.remedies])
     click.echo("\n".join(_head(plan)))
@@ -106,8 +106,8 @@ def _brings(f: Forecast, done: FlightPlan) -> str:
         return "-"
     gains = done.gains(f)
     least = min(gains, key=lambda p: gains[p]) if gains else None
-    told = [_times("Z", done.gain(f)), *([] if least is None else [_times(least, gains[least])])]
-    return ", ".join(told)
+    reported = [_times("Z", done.gain(f)), *([] if least is None else [_times(least, gains[least])])]
+    return ", ".join(reported)
 
 
 def _times(what: str, gain: float) -> str:

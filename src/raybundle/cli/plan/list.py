@@ -37,8 +37,8 @@ def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noq
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(ListSettings, {"kind": kind, "object": object, **values_of(ListSettings, given)})
-    with reporting(progress) as tell:
-        plan = run_plan_list(settings, tell)
+    with reporting(progress) as notify:
+        plan = run_plan_list(settings, notify)
     lines = [f"{counted(len(plan.design.stations), 'photograph')} listed", *facts_of(settings, plan)]
     if words := free_camera_words(plan):
         lines.append(f"warning: {words}")

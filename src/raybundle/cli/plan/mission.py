@@ -42,7 +42,7 @@ def command(area: str, **given: Any) -> None:
 
 
 def lines(done: PlannedMission) -> list[str]:
-    """What is told of a plan."""
+    """What is reported of a plan."""
     m, f = done.mission, done.facts
     flown = (
         f"{counted(f.photographs, 'photograph')} on {counted(f.lines, 'line')}, {counted(f.way_points, 'way point')}"

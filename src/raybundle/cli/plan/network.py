@@ -10,7 +10,7 @@ from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, s
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import notice_line
 from raybundle.commands.planning.network import NetworkSettings, run_plan_network
-from raybundle.commands.planning.network_files import free_camera_words, purpose_words, side_words, told
+from raybundle.commands.planning.network_files import free_camera_words, purpose_words, reported, side_words
 from raybundle.errors import note, warning
 from raybundle.settings import made
 
@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from raybundle.planning.network_plan import NetworkPlan
 
 SEEN = 0.98
-"""Share of the object from which on nothing is said of the rest"""
+"""Share of the object from which on nothing is stated of the rest"""
 SHOWN = 12
-"""Stations that are told one by one; the others stand in stations.csv"""
+"""Stations that are reported one by one; the others stand in stations.csv"""
 
 
 @click.command("network", cls=Command)
@@ -46,13 +46,13 @@ def command(object: str, progress: str, **given: Any) -> None:  # noqa: A002  (t
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(NetworkSettings, {"object": object, **values_of(NetworkSettings, given)})
-    with reporting(progress) as tell:
-        plan = run_plan_network(settings, tell)
+    with reporting(progress) as notify:
+        plan = run_plan_network(settings, notify)
     click.echo("\n".join(f" {line}" for line in _lines(plan, settings)))
 
 
 def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
-    t = told(plan)
+    t = reported(plan)
     n = t["photographs"]
     reached = f"{plan.aim.words} " + (
         f"{plan.figure:.3g} px" if plan.aim.unit == "px" else f"{t['least_redundancy']:.2f}"

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from raybundle.planning.next_plan import NextPlan
 
 SHOWN = 12
-"""Proposals that are told one by one; the others stand in next.csv"""
+"""Proposals that are reported one by one; the others stand in next.csv"""
 HARDLY = 0.99
 """Share of what is to be lowered, of which a remark is made where it stays"""
 
@@ -43,13 +43,13 @@ def command(result: Path, progress: str, **given: Any) -> None:
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(NextSettings, {"result": result, **values_of(NextSettings, given)})
-    with reporting(progress) as tell:
-        plan = run_plan_next(settings, tell)
+    with reporting(progress) as notify:
+        plan = run_plan_next(settings, notify)
     click.echo("\n".join(f" {line}" for line in lines(plan, settings)))
 
 
 def lines(plan: NextPlan, settings: NextSettings) -> list[str]:
-    """What is told of the proposals."""
+    """What is reported of the proposals."""
     import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
 
     from raybundle.planning.next_words import figure_words, goal_words, instruction  # noqa: PLC0415
@@ -60,10 +60,10 @@ def lines(plan: NextPlan, settings: NextSettings) -> list[str]:
     judged = f"{counted(plan.judged, 'candidate')} of {plan.reached} within reach show enough"
     text = [f"{judged}; {goal_words(plan)} {falls}"]
     for k in range(min(n, SHOWN)):
-        told = instruction(plan, k)
-        text += [f"{plan.names[k]}  {told}", f"        {told.brings}"]
-        if told.frees:
-            text.append(f"        with it {', '.join(told.frees)} can be determined")
+        reported = instruction(plan, k)
+        text += [f"{plan.names[k]}  {reported}", f"        {reported.brings}"]
+        if reported.frees:
+            text.append(f"        with it {', '.join(reported.frees)} can be determined")
     if n > SHOWN:
         text.append(f"... {n - SHOWN} more in next.csv")
     if n < plan.wanted:

@@ -1,7 +1,7 @@
 """Sets of photographs that are made on the spot, for tutorials: one file in `sets/` is one set.
 
 A module there has ABOUT, a line for the help, and make(folder, progress), which writes the set into an empty folder and
-returns what is to be told of it.
+returns what is to be reported of it.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ class MadeSet(Protocol):
     ABOUT: str
 
     def make(self, folder: Path, progress: Progress) -> tuple[str, ...]:
-        """Write the set into an empty folder; lines to be told of it."""
+        """Write the set into an empty folder; lines to be reported of it."""
         ...
 
 

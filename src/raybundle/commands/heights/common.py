@@ -8,7 +8,7 @@ from pathlib import Path
 from raybundle.settings import NOT_NEGATIVE, setting
 
 CELLS_FILLED = 10
-"""Width in cells of the holes that are filled where nobody says how wide."""
+"""Width in cells of the holes that are filled where nobody states how wide."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -40,7 +40,7 @@ class DrawnContours:
     sigma: float
     """median standard deviation of a height by noise, that neighbours do not share"""
     cautions: tuple[str, ...]
-    """what is to be told of the surface itself, a sentence each"""
+    """what is to be reported of the surface itself, a sentence each"""
     files: tuple[Path, ...]
 
 

@@ -47,7 +47,7 @@ class MeasuredDifference:
     orientations: str
     """what is known of both together, in words; empty: they are independent"""
     cautions: tuple[str, ...]
-    """what is to be told of the surfaces themselves, a sentence each"""
+    """what is to be reported of the surfaces themselves, a sentence each"""
     files: tuple[Path, ...]
 
 

@@ -10,12 +10,12 @@ from raybundle.errors import InputError
 from raybundle.settings import POSITIVE, setting
 
 SHARE = 0.1
-"""Of the longer side, that the largest thing on the ground is taken for where nobody says so"""
+"""Of the longer side, that the largest thing on the ground is taken for where nobody states it"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeightsGroundSettings(HeightsSettings):
-    """How the ground is told from what stands on it."""
+    """How the ground is distinguished from what stands on it."""
 
     largest: float | None = setting(
         None, "Width of the largest object on the ground, in the unit of the heights.  [default: a tenth of the "
@@ -40,7 +40,7 @@ class MadeGround:
     filled_sigma: float
     """of the spanned one"""
     cautions: tuple[str, ...]
-    """what is to be told of the surface itself, a sentence each"""
+    """what is to be reported of the surface itself, a sentence each"""
 
 
 def run_ground(settings: HeightsGroundSettings) -> MadeGround:

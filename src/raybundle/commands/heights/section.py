@@ -59,7 +59,7 @@ class MeasuredSections:
     sections: tuple[MeasuredSection, ...]
     unit: str
     cautions: tuple[str, ...]
-    """what is to be told of the surface itself, a sentence each"""
+    """what is to be reported of the surface itself, a sentence each"""
     files: tuple[Path, ...]
 
 

@@ -51,7 +51,7 @@ class MeasuredVolume:
     base: str
     """from where it counts, in words"""
     cautions: tuple[str, ...]
-    """what is to be told of the surface itself, a sentence each"""
+    """what is to be reported of the surface itself, a sentence each"""
 
 
 def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:

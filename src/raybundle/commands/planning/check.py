@@ -92,14 +92,14 @@ def run_plan_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
     if not found.photos:
         raise InputError("photograph.none", file=s.photos[0])
     photos, remarks = _placed(s, found.photos)
-    ground, told = _ground(s, mission)
+    ground, reported = _ground(s, mission)
     flown, more = flown_of(photos, mission, sharp=s.sharpness, progress=progress)
     result = check(
         mission, flown, ground, Limits(blur_px=s.blur_tolerance, tilt=math.radians(s.tilt_tolerance), seen=s.seen)
     )
     files = () if s.out is None else _write(s.out, mission, result)
     return CheckedFlight(
-        mission=mission, check=result, remarks=(*remarks, *told, *more), refused=found.refused, files=files
+        mission=mission, check=result, remarks=(*remarks, *reported, *more), refused=found.refused, files=files
     )
 
 

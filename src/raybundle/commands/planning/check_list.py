@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CheckedList:
-    """A list, what came of it, and the files that tell."""
+    """A list, what came of it, and the files that show."""
 
     numbers: tuple[str, ...]
     """Of the photographs of the list"""
@@ -99,8 +99,8 @@ def _oriented(settings: PlanCheckSettings, out: Path, progress: Progress) -> Pat
     """The result of the photographs, by targets or by what they show."""
     from raybundle.io.reading.trees import read_json  # noqa: PLC0415
 
-    told = read_json(settings.plan / "plan.json")
-    if told.has("list") and told.get("list").text() == "calibration":
+    plan = read_json(settings.plan / "plan.json")
+    if plan.has("list") and plan.get("list").text() == "calibration":
         from raybundle.commands.calibrate import calibrate  # noqa: PLC0415
 
         calibrate(settings.photos, out, progress=progress)
@@ -172,13 +172,13 @@ def _printed(plan: Path) -> PhotographList:
     path = plan / PRINTED
     if not path.is_file():
         raise InputError("plan.list_missing", file=path)
-    told = read_json(path)
-    edges = [np.concatenate([end.numbers(3) for end in edge.items()]) for edge in told.get("edges").items()]
+    reported = read_json(path)
+    edges = [np.concatenate([end.numbers(3) for end in edge.items()]) for edge in reported.get("edges").items()]
     if not edges or any(len(e) != 6 for e in edges):
-        told.get("edges").fail("plan.list_edges")
+        reported.get("edges").fail("plan.list_edges")
     return PhotographList(
-        title=told.get("title").text(), facts=tuple(f.text() for f in told.get("facts").items()),
-        rules=tuple(r.text() for r in told.get("rules").items()), photographs=(),
+        title=reported.get("title").text(), facts=tuple(f.text() for f in reported.get("facts").items()),
+        rules=tuple(r.text() for r in reported.get("rules").items()), photographs=(),
         edges=np.array(edges).reshape(-1, 2, 3),
-        table=tuple(tuple(c.text() for c in row.items()) for row in told.get("table").items()),
+        table=tuple(tuple(c.text() for c in row.items()) for row in reported.get("table").items()),
     )  # fmt: skip

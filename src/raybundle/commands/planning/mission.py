@@ -80,7 +80,7 @@ class MissionSettings:
     side: Literal["left", "right"] = setting("right", "Side of a facade's line for the flight, seen along the line.")
     dem: Path | None = setting(None, "Raster of ground heights to follow.", metavar="FILE")
     dem_unit: Literal["", "m", "ft", "us-ft"] = setting(
-        "", "Unit of its heights, if the raster defines none.", unsaid=True
+        "", "Unit of its heights, if the raster defines none.", unstated=True
     )
     dem_band: int = setting(1, "Band of the raster.", limits=Range(low=1, high=1000))
     follow: float = setting(1.0, "Tolerance of heights above ground [m].", limits=METRES)
@@ -180,9 +180,9 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
     found = warnings(mission, facts, limit_m=s.height_limit, sight_m=s.sight)
     routes = routes_of(mission, lenient if s.dem is not None else None)
     forecast = _forecast(s, mission, lenient) if s.predict else None
-    files, told = _write(s, mission, facts, routes, forecast)
+    files, line = _write(s, mission, facts, routes, forecast)
     return PlannedMission(
-        mission=mission, facts=facts, warnings=found, files=files, remarks=(*mission.remarks, *told), forecast=forecast
+        mission=mission, facts=facts, warnings=found, files=files, remarks=(*mission.remarks, *line), forecast=forecast
     )
 
 
@@ -351,8 +351,8 @@ def _holes(grid: HeightGrid, outline: Array, kind: str) -> tuple[str, ...]:
     h = holes[0]
     share = 100 * sum(hole.cells for hole in holes) / max(int(wanted.sum()), 1)
     size = f"{h.size_m[0]:.0f} x {h.size_m[1]:.0f} m at {h.xy[0]:.0f}, {h.xy[1]:.0f}"
-    told = f"{counted(len(holes), 'hole')} in the heights of the ground, {share:.1f} % of the area, the largest {size}"
-    return (f"{told}: what is told of overlaps there is not known",)
+    line = f"{counted(len(holes), 'hole')} in the heights of the ground, {share:.1f} % of the area, the largest {size}"
+    return (f"{line}: overlaps there are unknown",)
 
 
 def _write(
@@ -364,7 +364,7 @@ def _write(
     from raybundle.io.missions.mission_file import NAME, write_mission  # noqa: PLC0415
     from raybundle.report.figures.mission import plan_view  # noqa: PLC0415
 
-    told: list[str] = []
+    line: list[str] = []
     names = [NAME, "mission.svg"]
     with new_folder(s.out) as folder:
         write_mission(mission, folder / NAME)
@@ -381,8 +381,8 @@ def _write(
                 entry.write(route, folder / names[-1])
                 if entry.most is not None and len(route) > entry.most:
                     taken = f"{entry.about.split(',')[0]} takes {entry.most}"
-                    told.append(
+                    line.append(
                         f"{names[-1]} has {len(route)} way points, {taken}: follow "
                         f"the ground less closely ({option('follow')}), or divide the area"
                     )
-    return tuple(s.out / n for n in names), tuple(told)
+    return tuple(s.out / n for n in names), tuple(line)

@@ -155,14 +155,14 @@ def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> 
 
 
 def title_of(text: str) -> str:
-    """What an object is called: a file or folder by its name, a kind as it is told."""
+    """What an object is called: a file or folder by its name, a kind as it is reported."""
     return Path(text).resolve().name if Path(text).exists() else text
 
 
 def site_of(settings: NetworkSettings, *, taken: bool = False) -> Site:
     """The object, the camera and where one may stand.
 
-    taken  stations are given: without a focus that is told their photographs are sharp everywhere
+    taken  stations are given: without a focus that is reported their photographs are sharp everywhere
     """
     from raybundle.commands.planning.objects import surface_of  # noqa: PLC0415
     from raybundle.objects.surface import spread  # noqa: PLC0415

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 VISIBLE = "visible.csv"
 """Where points are not always found: what each photograph shows, and the probability that it is found"""
 TIMES, HARDLY = 3.0, 100.0
-"""Ratios of standard deviations told in times rather than per cent, and as hardly determined"""
+"""Ratios of standard deviations stated in times rather than per cent, and as hardly determined"""
 
 
 def write_network_plan(
@@ -36,7 +36,7 @@ def write_network_plan(
     from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
     from raybundle.io.block.tables import named  # noqa: PLC0415
     from raybundle.io.digits import COUNT, EVERY, SETTING, SHORT, STD, by_sigma, of_places  # noqa: PLC0415
-    from raybundle.io.digits import told as in_digits  # noqa: PLC0415
+    from raybundle.io.digits import reported as in_digits  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
     from raybundle.planning.planned_block import planned_block  # noqa: PLC0415
@@ -108,7 +108,8 @@ def write_network_plan(
                 {"length_m": by_sigma(bars.sigma), "sigma_mm": STD},
             )  # fmt: skip
         (folder / "plan.json").write_text(
-            json.dumps(clean(in_digits({**told(plan), **({"list": kind} if kind else {})}, SHORT)), indent=1) + "\n",
+            json.dumps(clean(in_digits({**reported(plan), **({"list": kind} if kind else {})}, SHORT)), indent=1)
+            + "\n",
             encoding="utf-8",
         )
         planned = Planned(
@@ -125,7 +126,7 @@ def write_network_plan(
             more(folder)
 
 
-def told(plan: NetworkPlan) -> dict[str, Any]:
+def reported(plan: NetworkPlan) -> dict[str, Any]:
     """The figures of a plan, metres and degrees."""
     import numpy as np  # noqa: PLC0415
 
@@ -190,7 +191,7 @@ AIMED = {
 
 
 def frame_words(plan: NetworkPlan) -> str:
-    """In what frame the standard deviations of a plan's points are told."""
+    """In what frame the standard deviations of a plan's points are reported."""
     h = plan.held
     if h is None:
         return "relative to all points together. A scale bar or control gives the scale, and its own error."
@@ -233,14 +234,14 @@ def purpose_words(plan: NetworkPlan, k: int) -> str:
         return f"{len(p.unseen)} points {side} would be found less than twice without it"
     if not p.ratio < HARDLY:
         return "without it the network is not determined"
-    said = list[str]()
+    stated = list[str]()
     if p.ratio > 1.02:
-        said.append(f"{AIMED[plan.aim.name]} {_larger(p.ratio)} without it")
+        stated.append(f"{AIMED[plan.aim.name]} {_larger(p.ratio)} without it")
     side = side_words(where.normal[p.worst])
-    said.append(f"{side} up to {_larger(p.worst_ratio)}" + ("" if said else " without it"))
+    stated.append(f"{side} up to {_larger(p.worst_ratio)}" + ("" if stated else " without it"))
     if p.parameters and p.parameters[0][1] > 1.05:
-        said.append(", ".join(f"{s} {_larger(r)}" for s, r in p.parameters[:2]))
-    return "; ".join(said)
+        stated.append(", ".join(f"{s} {_larger(r)}" for s, r in p.parameters[:2]))
+    return "; ".join(stated)
 
 
 def _larger(ratio: float) -> str:

@@ -181,7 +181,7 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
     """Write FOLDER/next.csv, next.json, block and network.html, whole or not at all."""
     from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
     from raybundle.io.digits import SHORT  # noqa: PLC0415
-    from raybundle.io.digits import told as in_digits  # noqa: PLC0415
+    from raybundle.io.digits import reported as in_digits  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
     from raybundle.planning.next_words import instruction  # noqa: PLC0415
@@ -193,12 +193,14 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
     block = plan.extended()
     unit = plan.result.length_unit
     about = f"{block.about}; {len(words)} photographs proposed, their image points are where they would be".lstrip("; ")
-    told, columns = next_told(plan), next_table(plan)
+    reported, columns = next_told(plan), next_table(plan)
     with new_folder(settings.out) as folder:
         (folder / "block").mkdir()
         write_block_files(replace(block, about=about), folder / "block")
         write_table(folder / "next.csv", columns, next_digits(columns))
-        (folder / "next.json").write_text(json.dumps(clean(in_digits(told, SHORT)), indent=1) + "\n", encoding="utf-8")
+        (folder / "next.json").write_text(
+            json.dumps(clean(in_digits(reported, SHORT)), indent=1) + "\n", encoding="utf-8"
+        )
         n = len(block.images) - len(words)
         planned = Planned(
             covariance=plan.promised(after), proposed=tuple(range(n, n + len(words))), length_unit=unit,
@@ -277,7 +279,7 @@ def next_told(plan: NextPlan) -> dict[str, Any]:
     def figure(value: float) -> float | None:
         return value if np.isfinite(value) else None
 
-    def told(k: int) -> dict[str, Any]:
+    def reported(k: int) -> dict[str, Any]:
         c, w = plan.proposals[k], instruction(plan, k)
         ranked = c.ranked[np.isfinite(c.ranked)]
         return {
@@ -307,5 +309,5 @@ def next_told(plan: NextPlan) -> dict[str, Any]:
         "points_regarded": len(plan.outlook.joint.points),
         "sigma0": plan.result.sigma0,
         "vertical_known": plan.vertical is not None,
-        "proposals": [told(k) for k in range(len(plan.proposals))],
+        "proposals": [reported(k) for k in range(len(plan.proposals))],
     }

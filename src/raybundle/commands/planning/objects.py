@@ -1,4 +1,4 @@
-"""Objects of a plan as they are told: a kind with its size or line, a mesh, a raster of heights, a result."""
+"""Objects of a plan as they are reported: a kind with its size or line, a mesh, a raster of heights, a result."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from raybundle.objects.surface import Surface
 
 STEP = 0.02
-"""Extent below which an object is rather told in another unit [m]"""
+"""Extent below which an object is rather stated in another unit [m]"""
 RASTERS = (".tif", ".tiff", ".vrt", ".asc", ".img")
 
 

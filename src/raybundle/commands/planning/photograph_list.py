@@ -195,11 +195,11 @@ def write_list(folder: Path, printed: PhotographList, listed: Sequence[ListedPho
         },
         {},
     )  # fmt: skip
-    told = {
+    entry = {
         "title": printed.title, "facts": printed.facts, "rules": printed.rules, "table": printed.table,
         "edges": printed.edges[:MOST_EDGES].tolist(),
     }  # fmt: skip
-    (folder / PRINTED).write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
+    (folder / PRINTED).write_text(json.dumps(entry, indent=1) + "\n", encoding="utf-8")
 
 
 def photographs_of(shots: Shots, plan: NetworkPlan) -> tuple[ListedPhotograph, ...]:

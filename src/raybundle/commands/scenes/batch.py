@@ -132,7 +132,7 @@ def run_batch(s: RpcBatchSettings, progress: Progress = silent) -> Batch:
 
 
 def scenes_among(given: Sequence[Path]) -> Iterator[Path]:
-    """The scenes among files and folders: pictures with an RPC, and files that tell one without a picture."""
+    """The scenes among files and folders: pictures with an RPC, and files that show one without a picture."""
     from raybundle.io.scenes.control import scene_key  # noqa: PLC0415
 
     for path in given:
@@ -150,7 +150,7 @@ def scenes_among(given: Sequence[Path]) -> Iterator[Path]:
 
 
 def _scene_of(files: Sequence[Path]) -> Path | None:
-    """Of files of one name the picture with an RPC, else the file that tells one."""
+    """Of files of one name the picture with an RPC, else the file that shows one."""
     from raybundle.io.scenes import is_scene  # noqa: PLC0415
     from raybundle.workflows.scenes.images import model_of  # noqa: PLC0415
 
@@ -160,7 +160,7 @@ def _scene_of(files: Sequence[Path]) -> Path | None:
             if model_of(picture) is not None:
                 return picture
         except RaybundleError:
-            return picture  # damaged: it is told when it is read
+            return picture  # damaged: it is reported when it is read
     others = [f for f in files if f not in pictures and f.suffix.lower() not in {".csv", ".geojson", ".gpkg"}]
     return next((f for f in others if is_scene(f)), None)
 

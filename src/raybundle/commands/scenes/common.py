@@ -25,7 +25,7 @@ def check_new(out: Path) -> None:
 
 
 def size_of(s: Scene) -> tuple[int, int]:
-    """Of the image; of what the RPC covers where the file does not tell."""
+    """Of the image; of what the RPC covers where the file does not show."""
     if s.width_px and s.height_px:
         return s.width_px, s.height_px
     assert s.rpc is not None

@@ -1,4 +1,4 @@
-"""`raybundle rpc correct`: the RPC of a scene corrected on control points, with what it then says of its errors."""
+"""`raybundle rpc correct`: the RPC of a scene corrected on control points, with what it then states of its errors."""
 
 from __future__ import annotations
 
@@ -166,7 +166,7 @@ def _check_target(s: RpcCorrectSettings, given: SceneInput) -> None:
 
 
 def correction_on(given: SceneInput, control: SceneControl, s: ControlSettings) -> Correction:
-    """What control of one scene says of its RPC."""
+    """What control of one scene states of its RPC."""
     import numpy as np  # noqa: PLC0415
 
     from raybundle.scenes.bias_choice import choose_bias, point_covariance  # noqa: PLC0415
@@ -262,7 +262,7 @@ def check_correction(found: Correction, s: ControlSettings) -> None:
 
 
 def with_corrected(found: Correction, heights: tuple[float, float] | None) -> Correction:
-    """With the corrected RPC, which says its own errors."""
+    """With the corrected RPC, which states its own errors."""
     from raybundle.scenes.rpc_fit import corrected_rpc  # noqa: PLC0415
 
     fit, errors = found.fit, found.errors

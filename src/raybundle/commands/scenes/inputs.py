@@ -52,8 +52,8 @@ def scene_input(given: Any, rpc: Any = None) -> SceneInput:
 
     given  path of a scene file or a picture, with an RPC in its tag or a file beside it; an opened dataset of rasterio;
            a DataArray of rioxarray that stands for a whole file
-    rpc    what tells the RPC in place of that: a path, an `Rpc`, or a `rasterio.rpc.RPC`
-    raises InputError where nothing tells the geometry, or picture and RPC do not belong together
+    rpc    what shows the RPC in place of that: a path, an `Rpc`, or a `rasterio.rpc.RPC`
+    raises InputError where nothing shows the geometry, or picture and RPC do not belong together
     """
     if is_object(given):
         return _of_object(given, rpc)
@@ -105,7 +105,7 @@ def _scene_of(path: Path, width: int, height: int, rpc: Any) -> Scene:
 
 
 def _model(path: Path) -> Path:
-    """The file that tells the geometry of a picture: one beside it, else the picture itself, as GDAL goes about it."""
+    """The file that shows the geometry of a picture: one beside it, else the picture itself, as GDAL goes about it."""
     from raybundle.io.reading.tiff import is_tiff  # noqa: PLC0415
     from raybundle.io.scenes import is_scene  # noqa: PLC0415
     from raybundle.workflows.scenes.images import model_of  # noqa: PLC0415

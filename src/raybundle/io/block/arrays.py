@@ -21,7 +21,7 @@ from raybundle.numerics.records import Records
 from raybundle.observations import tables
 
 ELSEWHERE = {"place", "scene"}
-"""Fields of a block with satellite scenes, which `scene_arrays` tells."""
+"""Fields of a block with satellite scenes, which `scene_arrays` shows."""
 SCENES = "scenes"
 OWN: Mapping[str, type[Records]] = {"images": Images, "observations": Observations, "points": Points}
 """Parts of a block that every block has; beside them stand the tables of observations."""
@@ -59,10 +59,10 @@ def _text_of_scenes(block: Block) -> str:
     return text_of_scenes(block)
 
 
-def _with_scenes(block: Block, told: Mapping[str, Any]) -> Block:
+def _with_scenes(block: Block, entry: Mapping[str, Any]) -> Block:
     from raybundle.io.block.scene_arrays import with_scenes  # noqa: PLC0415
 
-    return with_scenes(block, told)
+    return with_scenes(block, entry)
 
 
 def arrays_of_records(table: Records) -> Iterator[tuple[str, Array]]:
@@ -129,6 +129,6 @@ def _told(thing: Any) -> dict[str, Any]:
     return {name: msgspec.to_builtins(getattr(thing, name)) for name in _plain(type(thing))}
 
 
-def _known(kind: type, told: Mapping[str, Any]) -> dict[str, Any]:
+def _known(kind: type, entry: Mapping[str, Any]) -> dict[str, Any]:
     """The fields that `_told` was given."""
-    return {name: msgspec.convert(told[name], _hints(kind)[name]) for name in _plain(kind)}
+    return {name: msgspec.convert(entry[name], _hints(kind)[name]) for name in _plain(kind)}

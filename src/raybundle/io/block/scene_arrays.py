@@ -35,10 +35,10 @@ def text_of_scenes(block: Block) -> str:
     return json.dumps({"place": _told(block.place), "sensors": sensors})
 
 
-def with_scenes(block: Block, told: Mapping[str, Any]) -> Block:
-    """A block with the scenes that `text_of_scenes` told; files that they were read from are not among them."""
-    place = _made(told["place"])
-    sensors = {int(k): _sensor(place, s) for k, s in told["sensors"].items()}
+def with_scenes(block: Block, entry: Mapping[str, Any]) -> Block:
+    """A block with the scenes that `text_of_scenes` stated; files that they were read from are not among them."""
+    place = _made(entry["place"])
+    sensors = {int(k): _sensor(place, s) for k, s in entry["sensors"].items()}
     cameras = tuple(replace(c, scene=sensors.get(k)) for k, c in enumerate(block.cameras))
     return replace(block, place=place, cameras=cameras)
 
@@ -53,12 +53,12 @@ def _of_sensor(sensor: RpcSensor | LineSensor) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _sensor(place: Any, told: Mapping[str, Any]) -> RpcSensor | LineSensor:
-    if "rpc" in told:
-        width, height = told["size"]
-        return RpcSensor(_made(told["rpc"]), place, (width, height), told["bias"])
+def _sensor(place: Any, entry: Mapping[str, Any]) -> RpcSensor | LineSensor:
+    if "rpc" in entry:
+        width, height = entry["size"]
+        return RpcSensor(_made(entry["rpc"]), place, (width, height), entry["bias"])
     return LineSensor(
-        _made(told["line"]), place, _made(told["corrections"]), told["height_m"], smooth=told["smooth"]
+        _made(entry["line"]), place, _made(entry["corrections"]), entry["height_m"], smooth=entry["smooth"]
     )  # fmt: skip
 
 
@@ -74,13 +74,13 @@ def _told(value: Any) -> Any:
     return value
 
 
-def _made(told: Any) -> Any:
+def _made(entry: Any) -> Any:
     """The inverse of `_told`."""
-    if isinstance(told, list):
-        return tuple(cast("list[Any]", told))
-    if not isinstance(told, dict):
-        return told
-    values = cast("dict[str, Any]", told)
+    if isinstance(entry, list):
+        return tuple(cast("list[Any]", entry))
+    if not isinstance(entry, dict):
+        return entry
+    values = cast("dict[str, Any]", entry)
     kind = values[KIND]
     if kind == ARRAY:
         return np.array(values["values"], float).reshape(values["shape"])

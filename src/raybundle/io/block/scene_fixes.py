@@ -1,4 +1,4 @@
-"""Orientation fixes of a line scene in block.toml: at equal distances, at given times, or as a file tells.
+"""Orientation fixes of a line scene in block.toml: at equal distances, at given times, or as a file shows.
 
 attitude_fixes = 5                        at equal distances, from the first line to the last
 attitude_fixes = [300.0, 302.5, 309.1]    at these times [s] of the clock of the scene's trajectory
@@ -32,7 +32,7 @@ TABLE = "table"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GivenFixes:
-    """Fixes, and what a file tells of the corrections there."""
+    """Fixes, and what a file reports the corrections there."""
 
     curve: Curve
     values: dict[str, float] = field(default_factory=dict[str, float])

@@ -66,7 +66,7 @@ def read_frame(section: Section) -> Place | None:
 
 
 def local_in(crs: str, origin: tuple[float, float, float], undulation_m: float | None = None) -> Local:
-    """The local east-north-up frame at a point of a coordinate system, which it is told in; raises InputError."""
+    """The local east-north-up frame at a point of a coordinate system, which it is reported in; raises InputError."""
     from raybundle.io.geo.coordinate_systems import local_frame  # noqa: PLC0415  (pyproj only where it is used)
 
     frame = local_frame(crs, origin, undulation_m=undulation_m)
@@ -149,9 +149,9 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
         section.fail("estimate", "estimate.no_list", known=sensor.symbols)
     stated = section.section("sigma") if "sigma" in section.values else None
     sigma = None if stated is None else _sigma(stated, sensor)
-    told = {s: v for g in known for s, v in g.sigma.items()}
-    if told:  # what block.toml states stands before what the file of the fixes does
-        sigma = told | (sensor.priors() | told if sigma is None else sigma)
+    sigmas = {s: v for g in known for s, v in g.sigma.items()}
+    if sigmas:  # what block.toml states stands before what the file of the fixes does
+        sigma = sigmas | (sensor.priors() | sigmas if sigma is None else sigma)
     before = {s: v for g in known for s, v in g.values.items()}
     values = {s: section.number(s, before.get(s, 0.0)) for s in sensor.symbols}
     named = None if estimate is None else [m for s in cast("list[Any]", estimate) for m in _members(sensor, str(s))]

@@ -35,7 +35,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Head:
-    """What block.toml says."""
+    """What block.toml states."""
 
     name: str
     about: str

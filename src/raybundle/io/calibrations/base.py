@@ -45,11 +45,11 @@ class Calibration:
     camera: Camera | ForwardCamera
     """`Camera` where the file corrects the measured point (mm), `ForwardCamera` where it distorts the ideal one."""
     pixel_mm: tuple[float, float] | None = None
-    """Size of a pixel; None where the file does not tell it."""
+    """Size of a pixel; None where the file does not show it."""
     free: tuple[str, ...] = ()
     """Symbols of the parameters whose covariance is known."""
     covariance: Array | None = None
-    """(u, u) of `free`; diagonal where the file tells standard deviations alone."""
+    """(u, u) of `free`; diagonal where the file shows standard deviations alone."""
     remarks: tuple[str, ...] = ()
     """What was assumed or left out."""
 
@@ -88,7 +88,7 @@ class Conversion:
 
 
 Reader = Callable[[Path, tuple[int, int] | None], tuple[Calibration, ...]]
-"""Reads a file; the format in pixels serves where the file does not tell it."""
+"""Reads a file; the format in pixels serves where the file does not show it."""
 Writer = Callable[[Sequence[Conversion], str], str]
 """The text of the file, by the suffix of its name."""
 
@@ -131,7 +131,7 @@ def format_named(name: str) -> CalibrationFormat:
 
 
 def recognised(path: Path) -> str:
-    """The format of a file by its contents; raises InputError where it cannot be told."""
+    """The format of a file by its contents; raises InputError where it cannot be determined."""
     text = _text(path)
     names = [n for n, f in sorted(calibration_formats.items()) if f.recognises(text, path.suffix.lower())]
     if len(names) == 1:
@@ -154,7 +154,7 @@ def read_calibrations(
     """The calibrations in a file.
 
     name     of the format; None: recognised by the contents
-    size_px  width and height, for files that do not tell them; held against those that do
+    size_px  width and height, for files that do not show them; held against those that do
     raises   InputError with file and place for anything that cannot be read
     """
     path = Path(path)
@@ -184,7 +184,7 @@ def convert_calibration(
     """A calibration in the model of a format: exactly where that can be, else fitted over the whole format.
 
     variant   name of the distortion model; None: the simplest that is exact, or within 0.01 px, or else the best
-    pixel_mm  size of a pixel where neither says it; None: a nominal one, 36 mm over the longer side
+    pixel_mm  size of a pixel where neither states it; None: a nominal one, 36 mm over the longer side
     raises    InputError where the format has no such model, or cannot show what the camera sees
     """
     format_ = format_named(name)

@@ -20,7 +20,7 @@ LEAST_WORDS = 5
 
 def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
     """The cameras of a cameras.txt, in its order."""
-    del size_px  # every line tells it
+    del size_px  # every line shows it
     found: list[Calibration] = []
     for number, line in enumerate(read_text(path).split("\n"), 1):
         if line.startswith("#") or not line.strip():

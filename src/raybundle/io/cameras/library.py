@@ -1,4 +1,4 @@
-"""The camera library: calibrations kept in the user's folder, found again by what a photograph's EXIF says.
+"""The camera library: calibrations kept in the user's folder, found again by what a photograph's EXIF states.
 
 Each entry is a folder with two files: `camera.toml`, which orient takes as its calibration, and `entry.toml` with
 the key (make, model, serial, lens, focal length, focus), the covariance and where the calibration comes from.
@@ -37,14 +37,14 @@ from raybundle.sensors import sensor_models
 
 VARIABLE = "RAYBUNDLE_CAMERAS"
 POOR = ("weak", "not determinable")
-"""Verdicts that are told where such a calibration is used."""
+"""Verdicts that are reported where such a calibration is used."""
 SAME_FOCAL = 5e-4
 """Relative difference of EXIF focal lengths that is rounding."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CameraKey:
-    """What EXIF tells of a camera; empty or None where it is not known."""
+    """What EXIF reports a camera; empty or None where it is not known."""
 
     make: str = ""
     model: str = ""
@@ -361,8 +361,8 @@ def _zoomed(zoom: ZoomCalibration, own: CameraKey) -> tuple[Camera, tuple[str, .
     camera = observed_jointly(at.camera, at.free, at.covariance)
     if zoom.resolution_mm > 0 and "c" in at.free:
         sigma = float(np.sqrt(at.covariance[at.free.index("c"), at.free.index("c")]))
-        told = f"EXIF rounds the focal length to {zoom.resolution_mm:g} mm: c is estimated from {sigma:.2g} mm"
-        return camera, (*at.remarks, told)
+        line = f"EXIF rounds the focal length to {zoom.resolution_mm:g} mm: c is estimated from {sigma:.2g} mm"
+        return camera, (*at.remarks, line)
     return camera, at.remarks
 
 
@@ -390,7 +390,7 @@ def with_library(
 ) -> tuple[CameraGroup, ...]:
     """The cameras of some photographs, those without a stored calibration with the best one that the library has.
 
-    What is taken is said in the remarks; the reasons are told by `find_calibrations`.
+    What is taken is stated in the remarks; the reasons are given by `find_calibrations`.
     """
     result: list[CameraGroup] = []
     for group in groups:
@@ -401,12 +401,12 @@ def with_library(
             result.append(group)
             continue
         taken = with_calibration(group, best.camera)
-        told = phrase(
+        line = phrase(
             "camera_library.taken", name=best.entry.name, dated=bool(best.entry.date), date=best.entry.date,
             observed=best.camera.calibrated is not None, poor=best.entry.grade in POOR,
             grade=best.entry.grade.replace(" ", "_"),
         )  # fmt: skip
-        result.append(replace(taken, remarks=(*group.remarks, *taken.remarks, told)))
+        result.append(replace(taken, remarks=(*group.remarks, *taken.remarks, line)))
     return tuple(result)
 
 

@@ -21,7 +21,7 @@ class Certificate:
     symmetry_mm: tuple[float, float] = (0.0, 0.0)
     """Principal point of best symmetry, about which the distortion is given, from the fiducial centre."""
     autocollimation_mm: tuple[float, float] | None = None
-    """Principal point of autocollimation; None: not told."""
+    """Principal point of autocollimation; None: not stated."""
     radius_mm: tuple[float, ...] = ()
     distortion_um: tuple[float, ...] = ()
     """Mean radial distortion at these radii, positive outwards: measured minus ideal radius."""
@@ -32,7 +32,7 @@ def certificate_camera(certificate: Certificate, *, pixel_mm: float) -> tuple[Ca
 
     The principal point of best symmetry becomes x0, y0: the distortion belongs to it.  Where that of autocollimation
     differs, the difference acts as a small turn of the camera, which the exterior orientation takes up but for
-    r^2 |difference| / c^2; the remark tells how much.
+    r^2 |difference| / c^2; the remark shows how much.
     raises  InputError for a table of distortion that does not fit
     """
     width, height = (round(side / pixel_mm) for side in certificate.format_mm)

@@ -1,4 +1,4 @@
-"""Fiducial marks that do not lie as their certificate says: which of them seem exchanged."""
+"""Fiducial marks that do not lie as their certificate states: which of them seem exchanged."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ Reseau = Literal["none", "bilinear", "affine"]
 LEAST: Mapping[Model, int] = {"similarity": 2, "affine": 3, "projective": 4}
 LARGEST_PX, LARGEST_MM = 1e7, 1000.0
 SIGMA_PX = 0.2
-"""Standard deviation of a measured mark where the file tells none."""
+"""Standard deviation of a measured mark where the file shows none."""
 CRITICAL_W = 3.29
 """Two-sided test of a mark at 0.1 %."""
 NEAREST = 6
@@ -77,7 +77,7 @@ class Marks:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Film:
-    """The transformation of one scan, and what it says about its film."""
+    """The transformation of one scan, and what it states about its film."""
 
     image: str
     model: Model
@@ -100,7 +100,7 @@ class Film:
     sigma0: float
     """A posteriori against 1; NaN without redundancy."""
     misfit: float = 1.0
-    """sigma0 where a test at 1 % says that the residuals are larger than stated, else 1."""
+    """sigma0 where a test at 1 % states that the residuals are larger than stated, else 1."""
     reseau: Reseau = "none"
     crosses_mm: Array = field(default_factory=lambda: np.zeros((0, 2)))
     """(n, 2) calibrated positions of the crosses of a reseau."""
@@ -467,7 +467,7 @@ def straight_points(points: Marks, films: Mapping[str, Film], camera: Camera) ->
 
     films   by image; raises InputError for an image without one
     The covariances are those of the measurement.  The error of the marks' transformation is common to all points of an
-    image and is not in them: `Film.covariance_of` tells it.
+    image and is not in them: `Film.covariance_of` shows it.
     """
     xy = np.zeros((len(points.image), 2))
     cov = np.zeros((len(points.image), 3))

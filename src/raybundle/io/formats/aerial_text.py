@@ -87,7 +87,7 @@ class Photograph:
     name: str
     camera: str
     c_mm: float | None
-    """None: the file does not tell it."""
+    """None: the file does not show it."""
     points: tuple[str, ...]
     xy_mm: Array
     """(k, 2)"""
@@ -118,7 +118,7 @@ class Contents:
     control_sigma: Mapping[str, tuple[float, float, float]] = field(
         default_factory=dict[str, tuple[float, float, float]]
     )
-    """Standard deviations of control points, where the files tell them."""
+    """Standard deviations of control points, where the files show them."""
     readings: Sequence[str]
     """Names of the readings of an orientation; `import.orientation_convention` has the words."""
 
@@ -336,9 +336,9 @@ def _roles(
         elif number in contents.control:
             known = np.isfinite(contents.control[number])
             role[k] = Role.CONTROL
-            told = contents.control_sigma.get(number)
-            assumed += told is None
-            sigma[k] = np.where(known, told or (DEFAULTS.plan, DEFAULTS.plan, DEFAULTS.height), np.nan)
+            reported = contents.control_sigma.get(number)
+            assumed += reported is None
+            sigma[k] = np.where(known, reported or (DEFAULTS.plan, DEFAULTS.plan, DEFAULTS.height), np.nan)
     if assumed:
         remarks.append(note("import.control_sigma_assumed", n=assumed, plan_m=DEFAULTS.plan, height_m=DEFAULTS.height))
     return role, sigma
@@ -392,5 +392,5 @@ def _best_reading(
             off = np.where((local[:, 2] < 0) & np.isfinite(gap), np.minimum(gap, LARGEST_MM), LARGEST_MM)
             misfit[j] += float(off.sum())
     best = int(np.argmin(misfit))
-    # only a plain advantage changes what the format says
+    # only a plain advantage changes what the format states
     return best if misfit[best] < 0.2 * misfit[0] else 0

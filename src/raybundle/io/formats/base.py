@@ -25,7 +25,7 @@ SENSOR_FROM_CV = np.diag([1.0, -1.0, -1.0])
 """Computer vision's camera axes are x right, y down, z forward; ours x right, y up, the view along -Z."""
 GREY = 128
 SIGMA_PX = 1.0
-"""Standard deviation given to image observations of formats that tell none."""
+"""Standard deviation given to image observations of formats that show none."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,13 +72,13 @@ class Export:
     given: Array | None = None
     """(p, 3) coordinates that were given of control and check points; NaN where none."""
     record: Mapping[str, str] = field(default_factory=dict[str, str])
-    """What is said of the delivery: title, client, rights and the like; its state, where it is not to be used yet."""
+    """What is stated of the delivery: title, client, rights and the like; its state, where it is not to be used yet."""
     within: PlaneAxes | None = None
     """Axes of a plane in which it is written; then `frame` is None."""
     interior: Mapping[str, tuple[tuple[str, ...], Array]] = field(
         default_factory=dict[str, tuple[tuple[str, ...], "Array"]]
     )
-    """Camera -> symbols of its free parameters and their covariance, in their units, where a result tells it."""
+    """Camera -> symbols of its free parameters and their covariance, in their units, where a result shows it."""
     unread: Mapping[str, int] = field(default_factory=dict[str, int])
     """Number of elements of the file it comes from that the reader passed over, by kind."""
 
@@ -110,7 +110,7 @@ class Written:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Draft:
-    """What a writer says about what it wrote into its folder."""
+    """What a writer states about what it wrote into its folder."""
 
     remarks: tuple[str, ...] = ()
     deviation_px: float = 0.0
@@ -133,7 +133,7 @@ class Format:
     write: Writer | None = None
     read: Reader | None = None
     looks: Callable[[Path], bool] | None = None
-    """Whether an existing file or folder looks like one; None: nothing tells."""
+    """Whether an existing file or folder looks like one; None: nothing shows."""
     needs_frame: bool = False
     """Whether it can only be written where the block's coordinate system is known."""
     colours: bool = False
@@ -215,16 +215,16 @@ def write_format(
     check_ids_of(export.block, path)
     if export.block.free_scale and format_.metric and not free_scale:
         raise InputError("format.free_scale", format=name, file=path)
-    told = (f"{FREE_SCALE}: lengths in what is written are in no unit",) if export.block.free_scale else ()
+    remarks = (f"{FREE_SCALE}: lengths in what is written are in no unit",) if export.block.free_scale else ()
     if format_.kind == "folder":
         with new_folder(path) as folder:
             draft = format_.write(export, folder)
             check_deviation(draft.deviation_px, path, approximate=approximate, undistort=True)
             names = sorted(p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
         files = tuple(path / n for n in names)
-        return Written(files=files, remarks=(*told, *draft.remarks), deviation_px=draft.deviation_px)
+        return Written(files=files, remarks=(*remarks, *draft.remarks), deviation_px=draft.deviation_px)
     written = _write_files(format_.write, export, path, approximate=approximate)
-    return replace(written, remarks=(*told, *written.remarks))
+    return replace(written, remarks=(*remarks, *written.remarks))
 
 
 FREE_SCALE = "the scale of the block is free, for no length fixes it"

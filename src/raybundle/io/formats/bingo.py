@@ -11,7 +11,7 @@ geoin.dat   CONT point X Y Z [sX sY sZ]               control, full
 
 The names of the three files are those that CATALYST OrthoEngine's help states; the records are written as BINGO's
 practice has them, in gon and with phi first.  Where the image points fit omega-phi-kappa alone, they are read so, and
-that is said.  C or # in the first column is a comment; other records are passed over and counted.
+that is stated.  C or # in the first column is a comment; other records are passed over and counted.
 """
 
 from __future__ import annotations
@@ -206,7 +206,7 @@ def _read_itera(path: Path) -> tuple[dict[str, Orientation], Known]:
 
 
 def _read_geoin(path: Path) -> tuple[Known, Known, Known]:
-    """Control, its standard deviations where they are told, and check points."""
+    """Control, its standard deviations where they are reported, and check points."""
     control, sigma, check = Known(), Known(), Known()
     for line in lines(path):
         kind = line.name.upper()

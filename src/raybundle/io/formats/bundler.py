@@ -1,7 +1,7 @@
 """Bundler bundle.out and its list of images, written.
 
 The camera frame is ours (x right, y up, the view along -z); the principal point is the image centre, so what a
-calibrated principal point or decentring distortion moves is lost, and said.
+calibrated principal point or decentring distortion moves is lost, and stated.
 """
 
 from __future__ import annotations

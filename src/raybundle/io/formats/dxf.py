@@ -86,11 +86,11 @@ class _Sheet:
     def point(self, layer: str, name: str, xyz: Array, data: dict[str, float]) -> None:
         """A point with its name and further numbers as extended data."""
         found = self.space.add_point(xyz.tolist(), dxfattribs={"layer": layer})
-        told: list[tuple[int, Any]] = [(1000, _text(f"name={name}"))]
+        reported: list[tuple[int, Any]] = [(1000, _text(f"name={name}"))]
         for key, value in data.items():
             if np.isfinite(value):
-                told += [(1000, key), (1040, float(value))]
-        found.set_xdata(APPLICATION, told)
+                reported += [(1000, key), (1040, float(value))]
+        found.set_xdata(APPLICATION, reported)
 
     def words(self, layer: str, text: str, xyz: Array) -> None:
         """Words beside a place."""
@@ -104,10 +104,10 @@ class _Sheet:
             found = self.space.add_line(*xyz.tolist(), dxfattribs={"layer": layer})
         else:
             found = self.space.add_polyline3d(xyz.tolist(), close=closed, dxfattribs={"layer": layer})
-        told: list[tuple[int, Any]] = [(1000, _text(f"name={name}"))]
+        data: list[tuple[int, Any]] = [(1000, _text(f"name={name}"))]
         if np.isfinite(sigma):
-            told += [(1000, "sigma"), (1040, float(sigma))]
-        found.set_xdata(APPLICATION, told)
+            data += [(1000, "sigma"), (1040, float(sigma))]
+        found.set_xdata(APPLICATION, data)
 
 
 def _add_points(sheet: _Sheet, s: Surveyed) -> None:
@@ -175,7 +175,7 @@ def _set_view(drawing: Any, s: Surveyed) -> None:
 
 
 def _height_unit(s: Surveyed) -> list[str]:
-    """What is to be said where heights are in another unit than plan coordinates."""
+    """What is to be stated where heights are in another unit than plan coordinates."""
     if s.system is None or not s.system.is_compound:
         return []
     plan, height = (one.axis_info[0] for one in s.system.sub_crs_list[:2])

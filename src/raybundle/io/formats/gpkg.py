@@ -63,7 +63,7 @@ def write(export: Export, path: Path) -> Draft:
 
 
 def system_of(s: Surveyed) -> str:
-    """WKT of the system, with its heights where it tells them; of a local one an engineering system with its unit."""
+    """WKT of the system, with its heights where it shows them; of a local one an engineering system with its unit."""
     if s.system is not None:
         return s.system.to_wkt()
     word, metres = METRES.get(s.unit, ("unknown", 1.0))

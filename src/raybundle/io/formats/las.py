@@ -140,7 +140,7 @@ def _steps(xyz: Array, offsets: Array, *, degrees: bool) -> Array:
 
 
 def _wkt(system: CRS) -> str:
-    """OGC 01-009, as LAS 1.4 wants it; systems that it cannot tell, in its successor ISO 19162."""
+    """OGC 01-009, as LAS 1.4 wants it; systems that it cannot show, in its successor ISO 19162."""
     from pyproj.exceptions import CRSError  # noqa: PLC0415
 
     try:

@@ -124,8 +124,8 @@ def _reference(export: Export, p: int) -> str:
     if not np.isfinite(given).any():
         given = points.xyz[p]
     known = np.isfinite(points.sigma[p])
-    told = known if known.any() else np.isfinite(given)
-    words = [f'{n}="{exact(v)}"' for n, v, t in zip("xyz", given.tolist(), told.tolist(), strict=True) if t]
+    reported = known if known.any() else np.isfinite(given)
+    words = [f'{n}="{exact(v)}"' for n, v, t in zip("xyz", given.tolist(), reported.tolist(), strict=True) if t]
     words += [f's{n}="{exact(v)}"' for n, v in zip("xyz", points.sigma[p].tolist(), strict=True) if np.isfinite(v)]
     return " ".join(words)
 

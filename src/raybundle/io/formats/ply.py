@@ -103,12 +103,12 @@ def write(export: Export, path: Path) -> Draft:
     red = np.tile(np.array(STATION_COLOUR, np.uint8), (len(centre), 1))
     stations = path.with_name(f"{path.stem}-stations{path.suffix}")
     write_vertices(stations, centre, red, {n: sigma[:, k] for k, n in enumerate(names)}, comments)
-    told = (f"PLY: {c}" for c in comments if c.startswith("crs"))
-    return Draft(remarks=(*s.remarks, *told))
+    reported = (f"PLY: {c}" for c in comments if c.startswith("crs"))
+    return Draft(remarks=(*s.remarks, *reported))
 
 
 def _system(view: Surveyed) -> tuple[str, ...]:
-    """What the head says of the coordinate system, in ASCII."""
+    """What the head states of the coordinate system, in ASCII."""
     frame = view.frame
     if frame is None:
         return ()

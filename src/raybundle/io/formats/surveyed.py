@@ -258,7 +258,7 @@ class Surveyed:
 
     @cached_property
     def figures(self) -> tuple[Figure, ...]:
-        """Distances, lines and outlines that were observed, as adjusted points tell them."""
+        """Distances, lines and outlines that were observed, as adjusted points show them."""
         b = self.block
         known: Mask = np.all(np.isfinite(b.points.xyz), axis=1)
         found: list[Figure] = []
@@ -287,20 +287,20 @@ class Surveyed:
     @property
     def remarks(self) -> tuple[str, ...]:
         """What was left out, and in what system everything is."""
-        told = list(self.scene.remarks)
+        reported = list(self.scene.remarks)
         if self.export.within is not None:
-            told.append(
+            reported.append(
                 f"coordinates are written in the axes of the plane [{self.unit or 'no unit'}]: X to the right, Y up, Z "
                 "out of it; their standard deviations leave out the correlations between the block's coordinates"
             )
         elif self.frame is None:
-            told.append(
+            reported.append(
                 f"the block has no coordinate system; its own axes are written [{self.unit or 'no unit'}], and the "
-                "file says that they are local"
+                "file states that they are local"
             )
         else:
-            told += [f"coordinates are written in {self.system_name}", *self.frame.remarks]
-        return tuple(told)
+            reported += [f"coordinates are written in {self.system_name}", *self.frame.remarks]
+        return tuple(reported)
 
     @property
     def footprint_remarks(self) -> tuple[str, ...]:
@@ -349,7 +349,7 @@ def _median_heights(s: Scene, everywhere: float) -> Array:
 
 
 def _border(camera: Camera) -> Array | None:
-    """(k, 3) rays in the sensor frame along the border of the format; None where they cannot be told."""
+    """(k, 3) rays in the sensor frame along the border of the format; None where they cannot be determined."""
     w, h = float(camera.width_px), float(camera.height_px)
     t = np.arange(SIDE) / SIDE
     zero, one = np.zeros(SIDE), np.ones(SIDE)

@@ -85,7 +85,7 @@ class Measurements:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlFile:
-    """What a file says about control and check points."""
+    """What a file states about control and check points."""
 
     path: Path
     crs: str | None
@@ -94,9 +94,9 @@ class ControlFile:
     xyz: Array
     """(n, 3) in that system, x east or longitude; NaN where not known."""
     sigma: Array
-    """(n, 3) 0 = held; NaN where the coordinate is not known; assumed ones in metres, others see `told`."""
+    """(n, 3) 0 = held; NaN where the coordinate is not known; assumed ones in metres, others see `stated`."""
     role: Index
-    """(n,) `Role`; CONTROL unless the file says otherwise."""
+    """(n,) `Role`; CONTROL unless the file states otherwise."""
     measurements: Measurements
     remarks: tuple[str, ...] = ()
     """What was assumed."""
@@ -106,7 +106,7 @@ class ControlFile:
     """(n, 3) unit vectors square to round targets, in the axes of the coordinates; NaN: not known."""
     stated: Mask | None = None
     """(n,) whose standard deviations in plan stand in the file; None: of no point"""
-    told: Mask | None = None
+    reported: Mask | None = None
     """(n, 3) whose standard deviation stands in the file, in the unit of its coordinates; None: all are in metres"""
     stem: str = ""
     """What names that were made for points without any begin with; empty where they are the file's"""
@@ -114,12 +114,12 @@ class ControlFile:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlDefaults:
-    """Standard deviations where a file tells none: of coordinates in a system of the earth, in metres."""
+    """Standard deviations where a file shows none: of coordinates in a system of the earth, in metres."""
 
     plan: float = 0.01
     height: float = 0.02
     unit: str = ""
-    """of the two, for remarks; empty: not said"""
+    """of the two, for remarks; empty: not stated"""
     role: Literal["control", "check"] = "control"
 
 
@@ -152,7 +152,7 @@ def read_control(
 def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> ControlFile:
     """A gcp_list.txt: lines with the same name are one point; without names, lines with the same X Y Z.
 
-    Heights that are 0 throughout, or all the same, are taken as unknown, and a remark says so.
+    Heights that are 0 throughout, or all the same, are taken as unknown, and a remark states it.
     """
     path = Path(path)
     lines = content_lines(path)
@@ -259,7 +259,7 @@ def named_apart(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
 
 
 def assumed_words(defaults: ControlDefaults) -> str:
-    """What is said of coordinates whose file states no standard deviation."""
+    """What is stated of coordinates whose file states no standard deviation."""
     unit = defaults.unit or "none"
     return phrase("control_file.sigma_assumed", plan=defaults.plan, height=defaults.height, unit=unit)
 
@@ -365,7 +365,7 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
         radius=table.numbers("radius")[:, 0],
         normal=normal / np.where(length > 0, length, np.nan)[:, None],
         stated=np.asarray(given[:, :2].any(axis=1), bool),
-        told=given,
+        reported=given,
     )
     return _with_unknown_heights(control, given[:, 2])
 
@@ -436,7 +436,7 @@ def _read_block_points(folder: Path, defaults: ControlDefaults) -> ControlFile:
     """Control and check points of a block folder, with their image observations."""
     from raybundle.io.block.folder import read_block  # noqa: PLC0415  (a whole block, which the other ways do not need)
 
-    del defaults  # a block says everything
+    del defaults  # a block states everything
     block = in_file_frames(read_block(folder))
     named = np.flatnonzero(block.points.role != Role.TIE)
     if len(named) == 0:

@@ -21,9 +21,9 @@ MAP_M = 1e5
 def in_one_system(files: Sequence[ControlFile], crs: str | None = None) -> tuple[ControlFile, ...]:
     """The files, of which those that name no coordinate system stand in that of the others, or else in `crs`.
 
-    crs     the system that the user names, also of heights of which a file with the same plan says nothing; None: none
-    raises  InputError for coordinates that no use of `crs` has
-    A remark says in what they are taken, beside files with a system where their coordinates do not lie among the
+    crs     the system that the user names, also of heights of which a file with the same plan states nothing; None:
+    none raises  InputError for coordinates that no use of `crs` has
+    A remark states in what they are taken, beside files with a system where their coordinates do not lie among the
     others', by which one sees that it is the same.
     """
     if crs is not None:
@@ -52,15 +52,15 @@ def sigma_in_metres(control: ControlFile) -> Array:
 
     Of longitude and latitude they are metres already.
     """
-    if control.crs is None or control.told is None or parse_crs(control.crs).is_geographic:
+    if control.crs is None or control.reported is None or parse_crs(control.crs).is_geographic:
         return control.sigma
     at = np.nanmean(np.where(np.isfinite(control.xyz), control.xyz, np.nan)[:, :2], axis=0)
     plan, height = local_frame(control.crs, (*at.tolist(), 0.0)).units_m
-    return np.where(control.told, control.sigma * [plan, plan, height], control.sigma)
+    return np.where(control.reported, control.sigma * [plan, plan, height], control.sigma)
 
 
 def _with_heights(file: ControlFile, crs: str) -> ControlFile:
-    """A file that names a system in plan alone, in `crs` where that is the same and says what heights count from."""
+    """A file that names a system in plan alone, in `crs` where that is the same and states what heights count from."""
     if file.crs is None or file.crs == crs or is_plan(crs) or not is_plan(file.crs):
         return file
     return replace(file, crs=crs) if plan_of(crs).equals(plan_of(file.crs)) else file

@@ -49,7 +49,7 @@ class LocalFrame:
 
     Heights: `crs_from_local` gives back heights of the kind that went in.  Heights above a geoid need its grid, or an
     undulation; a constant one neglects the slope of the geoid, which tilts the frame (to 1 : 10 000 in mountains).
-    A system that says nothing about heights is taken to count them from the ellipsoid.
+    A system that states nothing about heights is taken to count them from the ellipsoid.
     """
 
     crs: str
@@ -189,7 +189,7 @@ def local_frame(
     """The local frame at a point of a coordinate system.
 
     crs           "EPSG:25832", "EPSG:25832+7837" (plan + heights), a PROJ string, WKT or "WGS84 UTM 32N"
-    origin        x, y, z there (longitude before latitude); a height of NaN counts as 0, and is said in a remark
+    origin        x, y, z there (longitude before latitude); a height of NaN counts as 0, and is stated in a remark
     undulation_m  height of the geoid above the ellipsoid, that of WGS 84 where the system's is an older one; None: by
                   pyproj's grid
     raises        InputError for an unknown system, an origin outside its area, or a geoid whose grid is missing
@@ -207,7 +207,7 @@ def local_frame(
 
 
 def in_other_projection(frame: LocalFrame, crs: str) -> LocalFrame:
-    """The same local frame, its coordinates told in another projection of the same datum.
+    """The same local frame, its coordinates stated in another projection of the same datum.
 
     raises  InputError where the system has another datum or other heights: that takes a transformation, whose
             accuracy is the user's to choose
@@ -418,7 +418,7 @@ def _converted(transformer: Transformer, *columns: Array, inverse: bool = False)
     words = {"direction": TransformDirection.INVERSE} if inverse else {}
     count = len(columns[0])
     given = (np.repeat(c, 2) if count == 1 else c for c in columns)
-    transform: Any = transformer.transform  # its overloads do not tell how many columns are unpacked
+    transform: Any = transformer.transform  # its overloads do not show how many columns are unpacked
     return np.stack(transform(*given, **words), axis=1)[:count]
 
 

@@ -192,16 +192,18 @@ def _ground(
     plan = own.sub_crs_list[0] if own.is_compound else own.to_2d() if len(own.axis_info) == 3 else own
     assert plan is not None
     heights = _with_heights(path, own, plan, geoid, undulation)
-    told = height_remarks(heights, undulation) if undulation is not None or not parse_crs(heights).is_compound else ()
+    reported = (
+        height_remarks(heights, undulation) if undulation is not None or not parse_crs(heights).is_compound else ()
+    )
     if len(own.axis_info) == 3 and not own.is_compound:
-        told = ()  # it says that they are ellipsoidal
-    if told or geoid is not None:  # each says it
+        reported = ()  # it states that they are ellipsoidal
+    if reported or geoid is not None:  # each states it
         remarks = [r for r in remarks if "taken in metres" not in r]
     ground = Ground(
         file=path, plan=plan.to_wkt(), heights=heights, undulation_m=undulation, metres=metres, shape=shape,
-        transform=(a, b, c, d, e, f), window=window, remarks=(*remarks, *(f"{path.name}: {r}" for r in told)),
+        transform=(a, b, c, d, e, f), window=window, remarks=(*remarks, *(f"{path.name}: {r}" for r in reported)),
     )  # fmt: skip
-    ground.separation(np.array([shape], float) / 2)  # a geoid that is not there is told before anything is done
+    ground.separation(np.array([shape], float) / 2)  # a geoid that is not there is reported before anything is done
     return ground
 
 

@@ -1,4 +1,4 @@
-"""Coordinate systems as texts name them, and as people are told of them."""
+"""Coordinate systems as texts name them, and as people are reported of them."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def _above_ellipsoid(plan: str) -> CRS:
 
 
 def is_plan(crs: str) -> bool:
-    """Whether a system tells nothing of heights."""
+    """Whether a system shows nothing of heights."""
     system = parse_crs(crs)
     return len(system.axis_info) == 2 and not system.is_compound
 
@@ -91,7 +91,7 @@ def plan_of(crs: str) -> CRS:
 
 @lru_cache(maxsize=64)
 def code_of(crs: str) -> str:
-    """EPSG:code of a system, or of its plan where it says nothing else; empty where it has none."""
+    """EPSG:code of a system, or of its plan where it states nothing else; empty where it has none."""
     system = parse_crs(crs)
     if len(system.axis_info) == 3 and not (system.is_compound or system.is_geocentric):
         system = system.to_2d()
@@ -140,8 +140,8 @@ def told_grid(crs: str) -> str:
 def of_older_datum(crs: str) -> bool:
     """Whether the ellipsoid of a system is none of the Earth's centre (Bessel, Airy, Clarke, Krassovsky ...).
 
-    Heights of the geoid are told above GRS 80 or WGS 84, whatever datum a survey's plan has: above an older ellipsoid,
-    which fits the geoid of its country, they would be others by tens of metres.
+    Heights of the geoid are reported above GRS 80 or WGS 84, whatever datum a survey's plan has: above an older
+    ellipsoid, which fits the geoid of its country, they would be others by tens of metres.
     """
     base = parse_crs(crs).geodetic_crs
     assert base is not None

@@ -1,4 +1,4 @@
-"""Frames in plane systems for blocks that are told in degrees: what is made of squares needs one."""
+"""Frames in plane systems for blocks that are reported in degrees: what is made of squares needs one."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ def read_heights(path: Path, crs: str, box: Array, *, unit: Unit = "", band: int
     box   (2, 2) least and greatest x, y there [m]; what of the raster lies in it is read
     unit  of the heights, where the raster does not say and its coordinates are not in metres either
     A raster in another system, in degrees as well, is brought over by bilinear interpolation onto cells of the same
-    size in metres, which is said in the remarks; its heights stay as they are but for their unit.
+    size in metres, which is stated in the remarks; its heights stay as they are but for their unit.
     raises  InputError for a missing library, no raster, no coordinate system, no overlap, unknown or odd units
     """
     check_regular(path)
@@ -105,7 +105,7 @@ def _centre(t: Any) -> tuple[float, float]:
 
 
 def metres_of_heights(source: Any, own: Any, path: Path, unit: Unit, band: int) -> tuple[float, list[str]]:
-    """Metres in a unit of the heights, and what is to be said of it."""
+    """Metres in a unit of the heights, and what is to be stated of it."""
     stated = str(source.units[band - 1] or "").strip().lower()
     if stated not in _UNITS:
         raise InputError("raster.unit_unknown", unit=quoted(stated), file=path)

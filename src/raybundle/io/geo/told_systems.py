@@ -1,4 +1,4 @@
-"""Coordinate systems as files and people are told them."""
+"""Coordinate systems as files and people are reported them."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def told_system(crs: str) -> CRS:
 def system_with_heights(crs: str) -> CRS | None:
     """A projected system with what its heights count from: compound, or in three dimensions above the ellipsoid.
 
-    None where the text says nothing of heights, and where a geoid of its own is tied to it, which files do not hold.
+    None where the text states nothing of heights, and where a geoid of its own is tied to it, which files do not hold.
     """
     system = parse_crs(crs)
     if system.is_bound or plan_system(crs) is None:

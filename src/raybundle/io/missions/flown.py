@@ -121,7 +121,7 @@ def _blur(photos: Sequence[Photo], remarks: list[str], progress: Progress) -> Bl
 
 
 def _squares(photo: Photo) -> Array | None:
-    """Squares of the upper part where that tells something, else of the whole; None where nothing can be decoded."""
+    """Squares of the upper part where that shows something, else of the whole; None where nothing can be decoded."""
     try:
         upper = upper_part(photo)
         if upper is not None:
@@ -136,7 +136,7 @@ def _squares(photo: Photo) -> Array | None:
 def upper_part(photo: Photo) -> Array | None:
     """Grey values (rows, w) of the upper quarter of a baseline JPEG; None for other files, and damaged ones.
 
-    A JPEG is decoded from its first row on, and its header says how many rows there are: with fewer the decoder is
+    A JPEG is decoded from its first row on, and its header states how many rows there are: with fewer the decoder is
     done in a fifth of the time.  Blur of a motion or of the focus is in all of a photograph.
     """
     if photo.kind != "jpeg":

@@ -17,7 +17,7 @@ from raybundle.missions.mission import Mission
 from raybundle.numerics.arrays import Array
 
 DIGITS = Places(2)
-"""Centimetres, hundredths of a degree and of a pixel: what a receiver and a gimbal tell no better"""
+"""Centimetres, hundredths of a degree and of a pixel: what a receiver and a gimbal show no better"""
 
 
 def write_flown(check: FlightCheck, mission: Mission, path: Path) -> None:

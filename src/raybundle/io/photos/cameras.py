@@ -62,7 +62,7 @@ class CameraGroup:
     """That set its photographs apart."""
 
     @property
-    def said(self) -> tuple[str, ...]:
+    def stated(self) -> tuple[str, ...]:
         """All that there is to say of it."""
         return (self.projection, *self.remarks) if self.projection else self.remarks
 
@@ -91,7 +91,7 @@ def camera_groups(
     Photographs belong together by make, model, serial number, lens, focal length, digital zoom and format as
     stored; turning the camera changes nothing.  Photographs without metadata belong together by their format.
     A lens or serial number that some photographs of a camera do not state is that which all others state, where these
-    state one.  Files stored turned or at another size are told apart here: `may_share_sensor` says which may be of
+    state one.  Files stored turned or at another size are distinguished here: `may_share_sensor` states which may be of
     one sensor, and the adjustment decides.
     Limits: whether a zoom or the focus was moved between photographs with the same entry.
     """
@@ -104,8 +104,8 @@ def camera_groups(
     joined = _with_unstated(members, photos)
     names = _ids([photos[m[0]] for m, _ in joined.values()])
     groups = [
-        replace(_group(id_, photos, m), joined=told, pattern=key.pattern)
-        for id_, (key, (m, told)) in zip(names, joined.items(), strict=True)
+        replace(_group(id_, photos, m), joined=lines, pattern=key.pattern)
+        for id_, (key, (m, lines)) in zip(names, joined.items(), strict=True)
     ]
     return tuple(_with_remarks(g, groups, photos) for g in _with_stored(groups, stored))
 
@@ -113,7 +113,7 @@ def camera_groups(
 def may_share_sensor(one: Photo, two: Photo) -> bool:
     """Whether two photographs state nothing that speaks against one body, lens and zoom setting; the format apart.
 
-    What neither states speaks for nothing: where no photograph tells its camera, only what is measured does.
+    What neither states speaks for nothing: where no photograph shows its camera, only what is measured does.
     """
     a, b = _key(one, ""), _key(two, "")
     known = all(x == y for x, y in zip(a.sure, b.sure, strict=True))
@@ -168,7 +168,7 @@ class _Key:
 
     pattern: str
     sure: tuple[str, str, float | None, float]
-    """Make, model, focal length, digital zoom: each says something where it is stated, and where it is not."""
+    """Make, model, focal length, digital zoom: each states something where it is stated, and where it is not."""
     unsure: tuple[str, str]
     """Serial number and lens, which programs and exchanged lenses' contacts leave out of single files."""
     size: tuple[int, int]
@@ -204,14 +204,14 @@ def _with_unstated(
         ]
         if len(fuller) != 1:
             continue
-        mine, told = found.pop(key)
+        mine, lines = found.pop(key)
         serial, lens = (
             theirs if theirs and not ours else "" for ours, theirs in zip(key.unsure, fuller[0].unsure, strict=True)
         )
         rows, words = found[fuller[0]]
         few, many = (mine, rows) if len(mine) <= len(rows) else (rows, mine)
         words += [
-            *told,
+            *lines,
             phrase(
                 "camera_start.one_camera", first=photos[few[0]].name, n=len(few), stated=few is not mine,
                 has_serial=bool(serial), serial=serial, has_lens=bool(lens), lens=lens, others=len(many),
@@ -249,7 +249,7 @@ def _name(metadata: Metadata) -> str:
 
 
 def _ids(photos: Sequence[Photo]) -> list[str]:
-    """Short readable ids: model and focal length, then what tells equal ones apart."""
+    """Short readable ids: model and focal length, then what shows equal ones apart."""
     ids: list[str] = []
     for photo in photos:
         m = photo.metadata

@@ -42,7 +42,7 @@ class Unusable(InputError):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Header:
-    """What a file says before its pixels are decoded."""
+    """What a file states before its pixels are decoded."""
 
     kind: Kind
     width_px: int

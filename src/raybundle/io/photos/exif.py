@@ -67,7 +67,7 @@ class Tags:
 def read_tags(data: bytes | memoryview) -> Tags:
     """The main, EXIF and GPS directory of a TIFF structure (the body of an EXIF segment, or a TIFF file).
 
-    Never raises on bad data: what can be read is returned, and `remarks` says what was wrong.
+    Never raises on bad data: what can be read is returned, and `remarks` states what was wrong.
     """
     source = memoryview(data)
     if bytes(source[:6]) == b"Exif\0\0":

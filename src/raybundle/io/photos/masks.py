@@ -7,7 +7,7 @@ manual, "Using masks").  So 0 in every channel is masked out and anything else i
 channel, what is wholly transparent is masked out, too.
 
 Both programs lay a mask on the pixels as stored and read no EXIF orientation.  A mask that was drawn over the picture
-shown upright tells so by its shape or by an EXIF orientation of its own; where neither tells, that is to be said.
+shown upright shows so by its shape or by an EXIF orientation of its own; where neither shows, that is to be stated.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ class Laid:
     """EXIF orientation by which the mask is shown"""
     shown: bool = False
     """whether the mask as shown is one of the photograph as shown, not of its pixels as stored"""
-    told: bool = True
-    """False: neither its shape nor an EXIF orientation tells, and the pixels as stored are taken"""
+    reported: bool = True
+    """False: neither its shape nor an EXIF orientation shows, and the pixels as stored are taken"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,8 +90,8 @@ class Masks:
 
     @property
     def doubtful(self) -> tuple[Photo, ...]:
-        """Photographs that are shown turned and whose mask does not tell whether it is turned, too."""
-        return tuple(p for p in self.photos if p.name in self.files and not self.files[p.name].laid.told)
+        """Photographs that are shown turned and whose mask does not show whether it is turned, too."""
+        return tuple(p for p in self.photos if p.name in self.files and not self.files[p.name].laid.reported)
 
     def with_free(self, share: float) -> tuple[str, ...]:
         """Photographs of which exactly this share is not masked: 0 where all is hidden, 1 where nothing is."""
@@ -132,7 +132,7 @@ class Masks:
 
 
 def find_masks(folder: Path, photos: Sequence[Photo]) -> Masks:
-    """The masks of photographs in a folder, each decoded once so that what is said of it is true.
+    """The masks of photographs in a folder, each decoded once so that what is stated of it is true.
 
     raises  InputError where there is no such folder, a mask for none of the photographs in it, or masks that leave
             fewer than two photographs to measure in
@@ -184,7 +184,7 @@ def _alike_text(other: Path, photo: Photo) -> Text:
 def mask_file(folder: Path, photo: Photo) -> Path | None:
     """The mask of a photograph: its path repeated from the longest part to the name alone."""
     parts = photo.path.absolute().parts
-    least = len(Path(photo.name).parts)  # names that repeat are told apart by their folders
+    least = len(Path(photo.name).parts)  # names that repeat are distinguished by their folders
     for k in range(min(DEPTH, len(parts) - 1), 0, -1):
         if k < least:
             break
@@ -232,7 +232,7 @@ def _laid(path: Path, header: Header, photo: Photo) -> Laid:
         if _fits((h, w) if own >= 5 else (w, h), photo.upright_size):
             return Laid(own=own, shown=True)
     elif stored:
-        return Laid(told=photo.orientation == 1 or own is not None or not turned)
+        return Laid(reported=photo.orientation == 1 or own is not None or not turned)
     elif turned:
         return Laid(shown=True)
     raise InputError(
@@ -264,7 +264,7 @@ def _read(path: Path, photo: Photo, laid: Laid) -> Mask:
 def _used(path: Path) -> Mask:
     """(h, w) where a mask is neither 0 in every channel nor, if it has alpha that masks, transparent.
 
-    Where one colour is everywhere, only alpha can be meant; alpha that is the same everywhere says nothing.
+    Where one colour is everywhere, only alpha can be meant; alpha that is the same everywhere states nothing.
     """
     colour, alpha = decode_channels(path, read_header(path, limit_pixels=LIMIT_PIXELS).kind)
     used = np.asarray((colour != 0).any(axis=2))

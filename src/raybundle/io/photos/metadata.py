@@ -1,4 +1,4 @@
-"""What a photograph says about itself: camera, lens, time, position, attitude."""
+"""What a photograph states about itself: camera, lens, time, position, attitude."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from datetime import datetime
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Gps:
-    """A position as the camera recorded it; WGS84 unless the recorder says otherwise."""
+    """A position as the camera recorded it; WGS84 unless the recorder states otherwise."""
 
     latitude_deg: float
     longitude_deg: float

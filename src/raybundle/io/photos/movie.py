@@ -1,4 +1,4 @@
-"""What the container of a video says about the camera: ISO base media files (MP4, MOV), read box by box.
+"""What the container of a video states about the camera: ISO base media files (MP4, MOV), read box by box.
 
 ISO/IEC 14496-12 for the boxes; Apple's QuickTime File Format for user data and metadata keys.  Other containers
 say nothing here.

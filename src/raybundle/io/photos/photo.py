@@ -1,7 +1,7 @@
 """Photographs: found, checked one by one, and read.
 
 The measurement frame of a photograph is that of its pixels AS STORED: the sensor's own.  An EXIF orientation
-only says which way up it is to be shown.  So a camera turned on its side keeps its interior orientation,
+only states which way up it is to be shown.  So a camera turned on its side keeps its interior orientation,
 and `stored_from_upright` brings over what was measured in a picture that a viewer had turned.
 """
 
@@ -103,7 +103,7 @@ def find_photos(
 
     inputs        folders (looked into, not their subfolders) and files
     leave         files that are no photographs and not passed over, as satellite scenes
-    limit_pixels  a file whose header says more is not decoded
+    limit_pixels  a file whose header states more is not decoded
     raises        InputError for an input that does not exist or a folder that cannot be listed
     A file that cannot be used costs that file only and is listed with its reason: empty, truncated, no image,
     too large, not readable, a thumbnail beside photographs, the same content as another file.

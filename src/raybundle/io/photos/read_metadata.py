@@ -37,7 +37,7 @@ because programs write an accuracy in metres under this name, too."""
 def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[Metadata, int]:
     """Metadata and EXIF orientation (1 to 8; 1 where not known) from the segments of a file.
 
-    Never raises on bad data: what cannot be used is not known, and `Metadata.remarks` says why.
+    Never raises on bad data: what cannot be used is not known, and `Metadata.remarks` states why.
     EXIF stands before XMP where both say something, but for positions: see `recorded_position`.
     """
     tags = read_tags(exif) if exif else Tags()
@@ -77,7 +77,7 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
 
 
 def _no_numbers(entries: Mapping[str, str]) -> list[str]:
-    """What is told of entries of an aircraft's XMP that are to be numbers and are none."""
+    """What is reported of entries of an aircraft's XMP that are to be numbers and are none."""
     bad = [k for k in NUMBERS if entries.get(k) and _number(entries, k) is None]
     return [phrase("photo_entry.xmp_no_number", entry=k, value=quoted(entries[k])) for k in bad]
 

@@ -2,7 +2,7 @@
 
 Measured by users of OpenDroneMap with blinking lamps (github.com/OpenDroneMap/ODM, opendm/rollingshutter.py, and
 github.com/OpenDroneMap/RSCalibration, 2022-2024).  Some of these bodies have a mechanical shutter as well, and stop for
-a photograph where a flight is planned so: a time here says what may be, not what was.
+a photograph where a flight is planned so: a time here states what may be, not what was.
 """
 
 from __future__ import annotations

@@ -105,7 +105,7 @@ _MAKERS = {
 def sensor_size(metadata: Metadata, format_px: tuple[int, int]) -> tuple[float, float] | None:
     """Width and height [mm] of the sensor of a body that the table knows, longer side first; else None.
 
-    format_px  longer and shorter side of the image as taken, by which cameras under one name are told apart
+    format_px  longer and shorter side of the image as taken, by which cameras under one name are distinguished
 
     Limits: whether the photograph shows the whole sensor.
     """

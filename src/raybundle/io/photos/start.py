@@ -40,7 +40,7 @@ SAME_CAMERA = 0.15
 CENTRE = 0.02
 """Sigma of the principal point in longer sides.  Eight cameras of sets that determine it: 0.8 % rms, 1.8 % at most."""
 CENTRE_OPEN = 0.05
-"""The same where nothing tells whether the photograph was cropped: published cameras of such sets are 3 and 6 % off."""
+"""The same where nothing shows whether the photograph was cropped: published cameras of such sets are 3 and 6 % off."""
 NOMINAL = 0.05
 """Least sigma of ln c from a nominal focal length: five cameras with metadata, well determined, lie 0.2, 0.8, 3.8,
 4.9 and 8.4 % off, 5 % rms, the focus, rounding and the stated size of the sensor being in it."""

@@ -1,7 +1,7 @@
 """Photographs from a video: frames chosen by sharpness and by image motion.
 
 The image motion between neighbouring frames is that of a similarity transform fitted to tracked points (Lucas
-and Kanade 1981 on corners of Shi and Tomasi 1994); summed up along the video it says how much the view has
+and Kanade 1981 on corners of Shi and Tomasi 1994); summed up along the video it states how much the view has
 changed.  The video is cut into pieces, and a sharp frame near the middle of each piece is taken.
 """
 
@@ -227,7 +227,7 @@ def choose(analysis: Analysis, options: FrameOptions) -> tuple[list[int], list[s
         place, width = analysis.time_s, options.every_s
     elif options.count is not None:
         count = min(options.count, n)
-        # where nothing moves, time has to tell the pieces apart
+        # where nothing moves, time has to show the pieces apart
         place = analysis.motion + 1e-6 * analysis.time_s
         width = float(place[-1]) / count if count else 1.0
     else:
@@ -261,7 +261,7 @@ def _sharpest(sharpness: Array, place: Array, width: float, piece: int) -> int:
 
 
 def _exif(metadata: MovieMetadata, analysis: Analysis, k: int, video: str) -> bytes:
-    """What the container says, with the time of the frame."""
+    """What the container states, with the time of the frame."""
     from PIL import Image  # noqa: PLC0415
 
     tags = Image.Exif()

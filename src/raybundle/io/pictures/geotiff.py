@@ -51,7 +51,7 @@ def new_geotiff(
 ) -> Generator[Write]:  # fmt: skip
     """A GeoTIFF that is written part by part, tiled, deflated; overviews follow when the body ends.
 
-    bands   what rasterio is told of them: count, dtype, nodata
+    bands   what rasterio is reported of them: count, dtype, nodata
     wkt     empty: a plane that is in no map
     names   of the bands
     raises  InputError where the library cannot write the system or the file
@@ -92,13 +92,13 @@ TAGS = {"ImageDescription": 270, "Software": 305, "Artist": 315, "Copyright": 33
 
 
 def tags_of(record: Mapping[str, str]) -> dict[str, str]:
-    """What is said of a delivery in the tags that pictures have for it."""
+    """What is stated of a delivery in the tags that pictures have for it."""
     about = [record[k] for k in ("state", "title", "object", "place", "reference", "date", "client") if record.get(k)]
-    told = {
+    tags = {
         "ImageDescription": "; ".join(dict.fromkeys(about)), "Artist": record.get("operator", ""),
         "Copyright": record.get("rights", ""),
     }  # fmt: skip
-    return {name: " ".join(words.split()) for name, words in told.items() if words}
+    return {name: " ".join(words.split()) for name, words in tags.items() if words}
 
 
 def overview_levels(width: int, height: int) -> list[int]:

@@ -1,4 +1,4 @@
-"""The plane of a picture to scale, as NAME.toml or a world file beside it tells."""
+"""The plane of a picture to scale, as NAME.toml or a world file beside it shows."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class PlaneFile:
     """Where a picture lies, and what is known of its plane."""
 
     file: Path
-    """that told it"""
+    """that stated it"""
     left: float
     top: float
     """outer corner of the upper left pixel, in the plane or in the map"""
@@ -63,13 +63,13 @@ class PlaneFile:
     """name of the block that it was made of"""
     free_scale: bool = False
     state: str = ""
-    """why the result that it was made of was not to be used yet; "": nothing said so"""
+    """why the result that it was made of was not to be used yet; "": nothing stated so"""
     stations: Mapping[str, tuple[float, ...]] = field(default_factory=dict[str, tuple[float, ...]])
     """where some of its photographs were taken, in the block or in the map, by which its adjustment is known again"""
 
 
 def plane_file_of(picture: Path) -> PlaneFile:
-    """What stands beside a picture; raises InputError where nothing tells its plane.
+    """What stands beside a picture; raises InputError where nothing shows its plane.
 
     NAME.toml as `rectify` writes it; else a world file with square pixels that are not turned, and NAME.SUFFIX.aux.xml
     for the system of a map.

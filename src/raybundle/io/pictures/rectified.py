@@ -88,7 +88,7 @@ class Rectified:
 
         wkt     the coordinate system of left and top: a TIFF becomes a GeoTIFF where rasterio is there, and beside all
                 others stands a file that names the system
-        record  what is said of the delivery: object, operator and rights stand in tags of TIFF and JPEG
+        record  what is stated of the delivery: object, operator and rights stand in tags of TIFF and JPEG
         raises  InputError for a suffix that is none of a picture
         """
         from PIL import Image  # noqa: PLC0415
@@ -104,7 +104,7 @@ class Rectified:
             options = {"compression": "tiff_deflate", "tiffinfo": _exif(tags)} if suffix in TIFF else {}
         world = [pixel, 0.0, 0.0, -pixel, left + pixel / 2, top - pixel / 2]
         beside = (path.with_suffix(".toml"), path.with_suffix(WORLD[suffix]), system_file(path))
-        with new_files(*beside, path) as (told, placed, system, file):
+        with new_files(*beside, path) as (header, placed, system, file):
             if library is not None:
                 write_geotiff(library, file, self.colours, self.seen, left=left, top=top, pixel=pixel, wkt=wkt,
                               tags=tags)  # fmt: skip
@@ -113,7 +113,7 @@ class Rectified:
                 if wkt:
                     system.write_text(system_text(wkt), encoding="utf-8")
             placed.write_text("".join(f"{v:.{digits}g}\n" for v in world), encoding="ascii")
-            told.write_text(toml_text(about), encoding="utf-8")
+            header.write_text(toml_text(about), encoding="utf-8")
         if not (wkt and library is None):
             system_file(path).unlink(missing_ok=True)  # of an older picture that is overwritten
         if wkt and library is None:
@@ -150,7 +150,7 @@ def _nearest(chosen: Mask, row: int, column: int, m: int, n: int, step: int) -> 
 
 
 def toml_text(about: Mapping[str, Any]) -> str:
-    """What NAME.toml beside a picture says, as text."""
+    """What NAME.toml beside a picture states, as text."""
     lines: list[str] = []
     for key, value in about.items():
         if isinstance(value, Mapping):

@@ -1,6 +1,6 @@
 """How tables are written that spreadsheets of other countries save: what separates cells, which sign decimals have.
 
-The header tells what separates the cells, never the data.  Where that is a semicolon or a tab, decimals may have a
+The header shows what separates the cells, never the data.  Where that is a semicolon or a tab, decimals may have a
 comma, one sign in the whole file; a comma never stands between thousands.  What could be read in two ways is refused.
 """
 
@@ -38,7 +38,7 @@ class Dialect:
 
     separator: str = COMMA
     above: int = 0
-    """Lines above the header: 1 where a first line `sep=;` says the separator"""
+    """Lines above the header: 1 where a first line `sep=;` states the separator"""
 
     @property
     def plain(self) -> bool:
@@ -60,10 +60,10 @@ def dialect_of(lines: Sequence[str]) -> Dialect:
     """
     if not lines:
         return PLAIN
-    if said := _SAID.fullmatch(lines[0].rstrip("\r\n").removeprefix("\ufeff")):
-        if said[1] not in NAMES:
+    if stated := _SAID.fullmatch(lines[0].rstrip("\r\n").removeprefix("\ufeff")):
+        if stated[1] not in NAMES:
             raise InputError("table.separator_unknown", value=quoted(lines[0]))
-        return Dialect(said[1], 1)
+        return Dialect(stated[1], 1)
     header = _QUOTED.sub("", lines[0])
     return Dialect(max(NAMES, key=header.count))  # the first of those that are as many
 

@@ -23,7 +23,7 @@ from raybundle.errors import InputError
 TEXT_BYTES = 1 << 30
 """Largest text file that is read at once."""
 UNSIZED_BYTES = 1 << 20
-"""What is read of a file that says nothing of its size, as those of /proc."""
+"""What is read of a file that states nothing of its size, as those of /proc."""
 UTF16_BYTES, SHORTEST_UTF16 = 512, 8
 """Beginning of a file by which UTF-16 without a mark is recognised, and the shortest."""
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")

@@ -27,7 +27,7 @@ class BadPage(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """What the head of a page says."""
+    """What the head of a page states."""
 
     unpacked: int
     """bytes"""

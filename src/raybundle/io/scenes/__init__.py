@@ -1,4 +1,4 @@
-"""Files that tell the geometry of satellite scenes; every module in this folder registers its format on import.
+"""Files that show the geometry of satellite scenes; every module in this folder registers its format on import.
 
 A new format is one new file: it makes a `SceneFormat` and hands it to `register`.
 """

@@ -25,7 +25,7 @@ WIDER = 1.5
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Scene:
-    """What one file tells about a satellite scene; pixels count from the outer corner of the first one."""
+    """What one file shows about a satellite scene; pixels count from the outer corner of the first one."""
 
     file: Path
     format: str
@@ -62,7 +62,7 @@ def register(format_: SceneFormat) -> SceneFormat:
 
 
 def read_scene(path: str | Path) -> Scene:
-    """What a file tells about a scene; its format is recognised by its contents.
+    """What a file shows about a scene; its format is recognised by its contents.
 
     raises  InputError where the file cannot be read, has no known format, or contradicts itself
     """

@@ -47,7 +47,7 @@ NAMES = ("point", "id", "name", "Name", "ID")
 """Attributes that name a point, the first that is there."""
 IMAGES = ("image", "scene", "filename", "file")
 HEIGHTS = ("Z", "h_m", "height", "elevation")
-"""Attributes that tell the height of a point whose geometry has none."""
+"""Attributes that show the height of a point whose geometry has none."""
 JSON = (".geojson", ".json")
 LISTS = (".csv", ".txt")
 
@@ -129,7 +129,7 @@ def read_scene_control(
 ) -> SceneControl:
     """Control of scenes from a file.
 
-    image_points  table image,point,x_px,y_px of points that `path` tells on the ground alone
+    image_points  table image,point,x_px,y_px of points that `path` shows on the ground alone
     crs           coordinate system, with heights perhaps, of files that name none, as EPSG:32633+5773
     undulation    height of the geoid above the ellipsoid [m], where heights count from it and no grid is there
     raises        InputError with file, line and column; where heights are not known
@@ -260,7 +260,7 @@ class _Feature:
     """A point with its attributes."""
 
     xyz: tuple[float, float, float]
-    """NaN for a height that its geometry does not tell"""
+    """NaN for a height that its geometry does not show"""
     values: Mapping[str, Any]
     where: str
 
@@ -435,10 +435,10 @@ def _placed(rows: _Rows, crs: str | None, undulation: float | None) -> SceneCont
             file=rows.file, line=rows.lines[unknown[0]] if rows.lines else None,
         )  # fmt: skip
     geographic, sigma = geographic_of(rows.xyz, system, undulation, rows.sigma, rows.file)
-    told = height_remarks(system, undulation)
+    reported = height_remarks(system, undulation)
     return SceneControl(
         file=rows.file, ids=tuple(rows.ids), geographic=geographic, xy_px=rows.xy_px, sigma_m=sigma,
-        image=tuple(rows.image), check=_check_mask(rows.file, rows.role), remarks=(*rows.remarks, *remarks, *told),
+        image=tuple(rows.image), check=_check_mask(rows.file, rows.role), remarks=(*rows.remarks, *remarks, *reported),
         heights_m=None if parse_crs(system).is_geocentric else rows.xyz[:, 2] * _height_unit_m(system),
     )  # fmt: skip
 

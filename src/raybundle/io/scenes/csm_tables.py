@@ -28,7 +28,7 @@ UNKNOWN_PX = 1.0
 def body_trajectory(
     root: Json, ellipsoid: Ellipsoid, metres: float, pixel_rad: float
 ) -> tuple[Trajectory, list[Message]]:
-    """The sensor's path and attitude in the axes of the body, and what is to be said of them.
+    """The sensor's path and attitude in the axes of the body, and what is to be stated of them.
 
     metres     of a unit of the positions
     pixel_rad  angle of a pixel across the flight

@@ -47,7 +47,7 @@ def read(path: Path) -> Scene:
 
 
 def _rpc_scene(path: Path, root: Element, rpc: Rpc, size: tuple[int | None, int | None]) -> Scene:
-    """The scene of an RPC, whichever of the two formats told it; raises InputError where its denominators vanish."""
+    """The scene of an RPC, whichever of the two formats stated it; raises InputError where its denominators vanish."""
     check_denominators(rpc, path)
     return Scene(
         file=path,

@@ -8,7 +8,7 @@ aberration are applied where the Geometric_Settings say so.
 
 Written from the description of the format.  Positions, attitudes, their times, the axes and refraction were held
 against the RPC of one Pleiades Neo scene whose viewing directions were not at hand: as straight lines over the columns
-they fit it within 0.02 px at heights from 0 to 2000 m.  Aberration cannot be told from YLOS_0 in this way.
+they fit it within 0.02 px at heights from 0 to 2000 m.  Aberration cannot be distinguished from YLOS_0 in this way.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def line_scene(root: Element) -> tuple[LineScene, tuple[Message, ...]]:
 
 
 def _setting(root: Element, name: str) -> bool:
-    """Whether a geometric setting is on; it is not where the file does not tell."""
+    """Whether a geometric setting is on; it is not where the file does not show."""
     settings = root.find("Processing_Information", "Product_Settings", "Geometric_Settings")
     return settings is not None and element_text(settings, name).lower() == "true"
 

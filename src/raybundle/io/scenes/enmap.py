@@ -2,7 +2,7 @@
 
 The RPC counts columns and rows from the centre of the first pixel (0, 0), ours is 0.5, 0.5: the corners in the file,
 at its mean height of the ground, are seen at 0 and 1023 of 1024 rows.  The RPC of the first band is taken; the
-detectors of the other bands look a little ahead or behind, and a remark says how far.
+detectors of the other bands look a little ahead or behind, and a remark states how far.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ POLYNOMIALS = ("row_num", "row_den", "col_num", "col_den")
 
 
 def read(path: Path) -> Scene:
-    """The RPC, and the size of the image where the file tells it."""
+    """The RPC, and the size of the image where the file shows it."""
     root = read_json(path)
     group = root.get("rpc") if root.has("rpc") else root
 

@@ -100,7 +100,7 @@ def _size_of(root: Element) -> tuple[int, int] | None:
 
 
 def read_gdal_json(path: Path) -> Scene:
-    """What gdalinfo or rasterio tell of an RPC."""
+    """What gdalinfo or rasterio reports an RPC."""
     root = read_json(path, MOST_BYTES)
     size: tuple[int, int] | None = None
     if root.has("size") and isinstance(root.get("size").value, list):
@@ -147,7 +147,7 @@ def _rpcs_below(root: Json) -> Iterator[tuple[str, Json]]:
 
 
 def _is_gdal_xml(path: Path, head: bytes) -> bool:
-    """Such XML with an RPC; without one it tells other things of a picture."""
+    """Such XML with an RPC; without one it shows other things of a picture."""
     if not any(f"<{r}".encode() in head for r in ROOTS):
         return False
     with path.open("rb") as file:

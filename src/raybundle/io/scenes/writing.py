@@ -26,7 +26,7 @@ NAMES = "NAME_RPC.TXT, NAME.RPB, NAME.geom, or NAME.tif for the picture with its
 
 
 def check_rpc_name(path: Path, picture: Path | None = None) -> None:
-    """Raise InputError where the name of a file to write says no format of RPC that can be written.
+    """Raise InputError where the name of a file to write states no format of RPC that can be written.
 
     picture  raster of the scene, which a GeoTIFF is a copy of; None: there is none
     """
@@ -50,9 +50,9 @@ def check_rpc_name(path: Path, picture: Path | None = None) -> None:
 
 
 def write_rpc(rpc: Rpc, path: Path, picture: Path | None = None) -> None:
-    """Write the format that the name says: NAME_RPC.TXT, NAME.RPB, NAME.geom, or NAME.tif with the pixels of `picture`.
+    """Write the format of the name: NAME_RPC.TXT, NAME.RPB, NAME.geom, or NAME.tif with the pixels of `picture`.
 
-    raises  InputError where the name says another one, where a GeoTIFF is asked for without a picture or without
+    raises  InputError where the name states another one, where a GeoTIFF is asked for without a picture or without
             rasterio, or the file cannot be written
     """
     check_rpc_name(path, picture)

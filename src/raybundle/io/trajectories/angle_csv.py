@@ -78,7 +78,7 @@ def read_angles(
 
 
 def positions_of_table(path: Path, table: Table) -> tuple[Array, str | None]:
-    """Positions (n, 3) of a table, and their coordinate system where its columns tell it."""
+    """Positions (n, 3) of a table, and their coordinate system where its columns show it."""
     found = [names for names in (GRID, GEOGRAPHIC) if all(n in table.number for n in names)]
     if len(found) != 1:
         raise InputError("table.one_position", grid=list(GRID), geographic=list(GEOGRAPHIC), file=path, line=1)

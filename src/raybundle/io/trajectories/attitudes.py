@@ -21,7 +21,7 @@ TWICE_STEP = 2e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PhotoAttitudes:
-    """What an INS or a gimbal tells of the attitudes of photographs."""
+    """What an INS or a gimbal reports the attitudes of photographs."""
 
     names: tuple[str, ...]
     """(n,) of the photographs"""
@@ -52,7 +52,7 @@ def attitudes_of_file(
 ) -> PhotoAttitudes | None:
     """The attitudes of a file for these photographs; None where it has none for them.
 
-    crs     the system of a file that tells none
+    crs     the system of a file that shows none
     sigma   about level axes and about the vertical [rad], where the file states no standard deviations
     raises  InputError where attitudes stand against a grid that is not known
     """

@@ -1,4 +1,4 @@
-"""What a file of positions and attitudes says, and how it goes into a block."""
+"""What a file of positions and attitudes states, and how it goes into a block."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ class Trajectory:
     xyz: Array
     """(n, 3) x east or longitude [deg], y north or latitude, z height; NaN where not known."""
     sigma: Array
-    """(n, 3) standard deviations east, north, up [m]; NaN where not told."""
+    """(n, 3) standard deviations east, north, up [m]; NaN where not stated."""
     correlation: Array | None = None
-    """(n, 3) correlation coefficients of east with north, east with up, north with up; None: not told."""
+    """(n, 3) correlation coefficients of east with north, east with up, north with up; None: not stated."""
     crs: str | None = None
-    """Coordinate system; None where the file does not tell."""
+    """Coordinate system; None where the file does not show."""
     numbered: bool = False
     """Whether the names are numbers of photographs in the order of their exposure."""
     ordered: bool = False
@@ -100,7 +100,7 @@ def register(format_: TrajectoryFormat) -> TrajectoryFormat:
 
 
 def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
-    """Positions and attitudes of a file; the format by its contents unless told.
+    """Positions and attitudes of a file; the format by its contents unless stated.
 
     raises  InputError with file, line and column
     """
@@ -226,20 +226,20 @@ def stations_of(
         )
     xyz = _in_system_of(frame, trajectory).xyz[rows[images]]
     sigma = trajectory.sigma[rows[images]]
-    told = None if trajectory.correlation is None else np.nan_to_num(trajectory.correlation[rows[images]])
+    correlation = None if trajectory.correlation is None else np.nan_to_num(trajectory.correlation[rows[images]])
     return Stations(
         image=images.astype(np.int32),
         xyz=xyz if frame is None else frame.local_from_crs(xyz),
         sigma=np.where(np.isfinite(xyz), np.where(sigma > 0, sigma, default_sigma), np.nan),
-        correlation=told,
+        correlation=correlation,
     )
 
 
 def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
     """The trajectory in longitude, latitude and ellipsoidal height, its attitudes against true north.
 
-    crs     the system of positions whose file tells none
-    raises  InputError where neither tells a system
+    crs     the system of positions whose file shows none
+    raises  InputError where neither shows a system
     Standard deviations along the grid are taken for those along east and north.
     """
     crs = trajectory.crs or crs

@@ -98,8 +98,8 @@ def read(path: Path) -> Trajectory:
     comments: list[tuple[int, str]] = []
     content: list[tuple[int, str]] = []
     for line, text in lines:
-        if said := _SYSTEM.fullmatch(text):
-            crs, remarks = system_of(said[1].strip().strip('"'), path, line)
+        if stated := _SYSTEM.fullmatch(text):
+            crs, remarks = system_of(stated[1].strip().strip('"'), path, line)
         elif not content and not header and _header(text) is not None:
             header = text
         elif text.startswith("#"):

@@ -90,7 +90,7 @@ def listed(
             )
         first[row.name] = row.line
     xyz, sigma = np.array([r.place for r in rows]), np.array([r.sigma for r in rows])
-    said = list(remarks)
+    stated = list(remarks)
     if crs == WGS84_HEIGHT:
         for k, limit in enumerate(LIMITS):
             bad = np.flatnonzero(np.abs(xyz[:, k]) > limit)
@@ -101,8 +101,8 @@ def listed(
         lost = (xyz[:, :2] == 0).all(axis=1)
         xyz[lost] = np.nan
         if lost.any():
-            said.append(phrase("position_list.no_fix", n=int(lost.sum()), of=len(lost)))
+            stated.append(phrase("position_list.no_fix", n=int(lost.sum()), of=len(lost)))
     return Trajectory(
         path=path, names=tuple(r.name for r in rows), xyz=xyz, sigma=np.where(sigma > 0, sigma, np.nan), crs=crs,
-        fix=tuple(fix), remarks=tuple(said), lines=np.array([r.line for r in rows], np.int32),
+        fix=tuple(fix), remarks=tuple(stated), lines=np.array([r.line for r in rows], np.int32),
     )  # fmt: skip

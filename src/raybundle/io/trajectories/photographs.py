@@ -21,7 +21,7 @@ def with_positions(
 ) -> tuple[tuple[Photo, ...], tuple[str, ...]]:
     """The photographs with the positions of a trajectory, and remarks; those without one keep their own.
 
-    crs     the system of a trajectory that tells none
+    crs     the system of a trajectory that shows none
     raises  InputError where the system is not known, or the positions belong to none of the photographs
     """
     trajectory = in_wgs84(trajectory, crs)
@@ -40,9 +40,9 @@ def with_positions(
         p if g is None else replace(p, metadata=replace(p.metadata, gps=g)) for p, g in zip(photos, gps, strict=True)
     ]
     remark = phrase("position_list.used", n=found, of=len(photos), name=trajectory.path.name)
-    told = trajectory.correlation is not None and bool((np.nan_to_num(trajectory.correlation) != 0).any())
+    correlated = trajectory.correlation is not None and bool((np.nan_to_num(trajectory.correlation) != 0).any())
     left = phrase("position_list.correlations", name=trajectory.path.name)
-    return tuple(changed), (remark, *((left,) if told else ()), *trajectory.remarks)
+    return tuple(changed), (remark, *((left,) if correlated else ()), *trajectory.remarks)
 
 
 def frame_of_positions(photos: Sequence[Photo], trajectory: Trajectory, crs: str | None = None) -> LocalFrame | None:
@@ -63,13 +63,13 @@ def _gps(trajectory: Trajectory, row: int) -> Gps | None:
     if math.isnan(longitude) or math.isnan(latitude):
         return None
     east, north, up = (float(v) for v in trajectory.sigma[row])
-    told = any(v > 0 for v in (east, north, up))
+    correlated = any(v > 0 for v in (east, north, up))
     known = not math.isnan(height)
     return Gps(
         latitude_deg=latitude,
         longitude_deg=longitude,
         altitude_m=height if known else None,
         altitude_reference="ellipsoid" if known else "",
-        sigma_m=(east, north, up) if told else None,
+        sigma_m=(east, north, up) if correlated else None,
         fix=trajectory.fix[row] if trajectory.fix else "",
     )

@@ -2,8 +2,8 @@
 
 image,X,Y,Z[,sX,sY,sZ][,rXY,rXZ,rYZ][,time_s]
 
-Positions also as longitude_deg, latitude_deg, height_m (WGS 84, above the ellipsoid).  Of a stations.csv, what it says
-beside the positions that were observed is left out: antennas, adjusted values and residuals.
+Positions also as longitude_deg, latitude_deg, height_m (WGS 84, above the ellipsoid).  Of a stations.csv, what it
+states beside the positions that were observed is left out: antennas, adjusted values and residuals.
 """
 
 from __future__ import annotations

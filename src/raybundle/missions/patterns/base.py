@@ -131,7 +131,7 @@ class Pattern:
     lines: Callable[[Array, Wish], list[Line]]
     """of the outline (n, 2) and what is asked for"""
     steps: Callable[[Wish], tuple[float, float]]
-    """base and spacing [m], as they are told"""
+    """base and spacing [m], as they are reported"""
     ground: bool = True
     """whether it photographs the ground, so that heights follow it"""
     more: Callable[[], str] = more_over_ground

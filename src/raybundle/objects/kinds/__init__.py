@@ -1,4 +1,4 @@
-"""Kinds of objects that can be told in a few numbers; every module in this folder registers its kind on import."""
+"""Kinds of objects of a few numbers; every module in this folder registers its kind on import."""
 
 from importlib import import_module
 from pkgutil import iter_modules

@@ -59,11 +59,11 @@ class ObjectKind(ABC):
     @property
     def words(self) -> str:
         """What it takes, in words."""
-        said = " x ".join(self.numbers) + " [m]"
+        stated = " x ".join(self.numbers) + " [m]"
         if not self.line:
-            return said
+            return stated
         rest = self.numbers[self.line_for :]
-        return f"{said}, or {self.line}" + (f" and {' x '.join(rest)}" if rest else "")
+        return f"{stated}, or {self.line}" + (f" and {' x '.join(rest)}" if rest else "")
 
     @abstractmethod
     def made(self, numbers: tuple[float, ...], line: Array | None) -> Surface:

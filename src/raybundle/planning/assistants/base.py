@@ -79,7 +79,7 @@ class Task:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Leaf:
-    """What is said of one photograph."""
+    """What is stated of one photograph."""
 
     group: str
     """What it belongs to"""
@@ -114,7 +114,7 @@ class Assistant(ABC):
     example: ClassVar[str]
     """An object as one may type it"""
     order: ClassVar[int] = 9
-    """Place where all are told"""
+    """Place where all are reported"""
 
     def __init_subclass__(cls) -> None:
         """Register the assistant under its name."""
@@ -126,7 +126,7 @@ class Assistant(ABC):
 
 
 def held_words(camera: Camera, roll: float) -> Text:
-    """How a camera is held that is turned by a roll [rad] against the upright one, as who photographs says it.
+    """How a camera is held that is turned by a roll [rad] against the upright one, as who photographs states it.
 
     Turned anticlockwise, as who looks through it sees the camera, the image of what is up points to the right: a
     positive roll.

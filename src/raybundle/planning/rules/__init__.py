@@ -3,7 +3,7 @@
 from importlib import import_module
 from pkgutil import iter_modules
 
-from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Rule, Source, Words, in_order, told
+from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Rule, Source, Words, in_order, reported
 
 for _module in iter_modules(__path__):
     if _module.name not in {"networks", "rule", "sources"}:
@@ -11,4 +11,4 @@ for _module in iter_modules(__path__):
 
 rules = Rule.registry
 
-__all__ = ["Chart", "Curve", "Evidence", "Figures", "Rule", "Source", "Words", "in_order", "rules", "told"]
+__all__ = ["Chart", "Curve", "Evidence", "Figures", "Rule", "Source", "Words", "in_order", "reported", "rules"]

@@ -38,7 +38,7 @@ class BaseToDepth(Rule):
         "known, or found from the same targets (inner constraints). The law is error propagation of Z = B c / "
         "parallax: sigma_Z = (D / B) (D / c) √2 sigma_xy.",
         finding="sigma Z falls in proportion to the base: to 1 / {normal_gain:.1f} from B/D 0.1 to 1 with parallel "
-        "axes, and within {law:.1%} as the law says. Finding the orientation from the targets themselves costs "
+        "axes, and within {law:.1%} of the law. Finding the orientation from the targets themselves costs "
         "{relative:.0%} of sigma Z. X and Y gain little beyond B/D 0.3. Axes that meet keep the object in both "
         "photographs: beyond B/D 1, where a normal pair no longer sees it all, sigma Z still falls.",
         ends="Depths grow better, X and Y worse, as the angle of the rays opens at a constant distance: the mean of "

@@ -16,7 +16,7 @@ TILTS = (3.0, 5.0, 7.5, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0)
 
 
 class Convergence(Rule):
-    """Tilted axes tell c from the distance; parallel ones do not."""
+    """Tilted axes show c from the distance; parallel ones do not."""
 
     name = "convergence"
     title = "Convergence"
@@ -46,7 +46,7 @@ found = network.predicted()
 print(f"sigma c {pixels(found, 'c', network.camera):.3g}, Z {1e6 * found.rms[2]:.3g}")
 """
     limits: ClassVar[Mapping[str, Limits]] = {
-        # the perspective of a field of size s at distance D under a tilt t is c (s / D) sin t: c is told by it and by
+        # the perspective of a field of size s at distance D under a tilt t is c (s / D) sin t: c is given by it and by
         # its square, so that the gain lies between sin 45 / sin 10 and the square of that
         "c": (4.07, 16.6),
         "c_axes": (4.39, 19.3),  # the same of 22.5 and 5 degrees

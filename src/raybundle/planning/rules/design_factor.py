@@ -59,13 +59,13 @@ class DesignFactor(Rule):
         network="q is fitted to the full covariance: root mean square over the points of sigma √k / (S sigma_xy), "
         "sigma the mean of the three axes, S = distance / c at each point. k as rays of a point, as the report of "
         "an adjustment takes it; and with one exposure at each station (k = 1), as networks are planned. Cameras "
-        "calibrated unless it is said; inner constraints.",
+        "calibrated unless stated otherwise; inner constraints.",
         finding="A single pair has q = {pair:.2f} (k = 1: {pair_station:.2f}), a ring {ring:.2f} "
         "({ring_station:.2f}), eight convergent stations {convergent:.2f} ({convergent_station:.2f}), an aerial "
         "strip {strip:.2f} ({strip_station:.2f}). Within one network the formula misses single points by little "
         "where the geometry is even (convergent: 80 % of the points within {convergent_low:+.0%} and "
         "{convergent_high:+.0%}), by much where it is not (strip: {strip_low:+.0%} to {strip_high:+.0%}). Two and "
-        "four exposures at each station give what √k says to {repeated:.1%}; the camera free costs "
+        "four exposures at each station give what √k predicts to {repeated:.1%}; the camera free costs "
         "{self_calibrated:.1%} of q in the convergent network.",
         ends="q is a number of the geometry: a pair of B/D 0.3 has {pair_narrow:.1f}, one of 0.6 {pair:.1f}. It is "
         "one number for three axes: in the pair Z alone has {pair_z:.1f}, X {pair_x:.2f}. In a strip it grows with "

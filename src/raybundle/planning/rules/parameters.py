@@ -53,7 +53,7 @@ class Parameters(Rule):
         "and Y {principal:.0f} times as uncertain, and with affinity and shear {lost:.0f} parameters are not "
         "determinable.",
         ends="Parameters that are left out although the lens needs them do not weaken a network, but falsify it; "
-        "which belong in is told by their significance and determinability ([choose "
+        "which belong in is decided by their significance and determinability ([choose "
         "parameters](../how-to/choose-parameters.md)), and by the halves of real photographs ([noise of "
         "photographs](noise-of-photographs.md)).",
         costs="Parameters cost nothing on site. The strong network takes {eight_minutes:.1f} minutes, the weak one "

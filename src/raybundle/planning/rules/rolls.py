@@ -54,8 +54,8 @@ found = predicted(simulate(scene, survey()).truth)
 print(f"sigma x0 {pixels(found, 'x0', scene.camera):.3g}, y0 {pixels(found, 'y0', scene.camera):.3g}")
 """
     limits: ClassVar[Mapping[str, Limits]] = {
-        # without rolls x0 is told only by the perspective within a photograph, s / D sin t of the format, to which the
-        # coupling adds the same in the turn; with them by opposite turns: sigma x0 is then noise over the root of n
+        # without rolls x0 shows only in the perspective within a photograph, s / D sin t of the format, to which the
+        # coupling adds the same in the turn; with them in opposite turns: sigma x0 is then noise over the root of n
         "x0": (10.0, 40.0),
         "y0": (10.0, 40.0),
         "x0_steep": (2.0, 10.0),

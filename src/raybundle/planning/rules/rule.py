@@ -1,4 +1,4 @@
-"""What a rule of network design is: what is said, by whom, the networks that show it, figures and where it ends."""
+"""What a rule of network design is: what is stated, by whom, the networks that show it, figures and where it ends."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Source:
     what: str
     """Title and place"""
     states: str
-    """What it says of the matter, in our words"""
+    """What it states of the matter, in our words"""
     read: str
     """As far as it was at hand, as "abstract": what it states beyond that is not vouched for"""
 
@@ -131,7 +131,7 @@ class Rule(ABC):
         ]
 
 
-def told(rule: Rule, evidence: Evidence) -> Words:
+def reported(rule: Rule, evidence: Evidence) -> Words:
     """The rule's sentences with the numbers in them."""
     w = rule.words
     return Words(**{name: _filled(getattr(w, name), evidence.numbers) for name in w.__slots__})

@@ -44,7 +44,7 @@ class SelfCalibration(Rule):
         "targets.",
         ends="Nothing here is wrong of the lens model. Where it is, a network that determines its parameters badly "
         "bends the object (a dome over a plane: James and Robson 2014), which no standard deviation of this page "
-        "tells.",
+        "shows.",
         costs="No photograph more: eight convergent ones take {round:.1f} minutes, eight parallel ones {along:.1f}. "
         "400 "
         "targets in place of 100 are paper, not minutes.",

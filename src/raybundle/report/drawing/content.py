@@ -88,7 +88,7 @@ class Drawing:
     lines: tuple[DrawnLine, ...] = ()
     north: bool = False
     author: str = ""
-    """of whom the file says that they made it"""
+    """of whom the file states that they made it"""
     notes: tuple[str, ...] = ()
     """of precision and plane, for the legend"""
     language: Language = field(default_factory=Language)

@@ -56,7 +56,7 @@ def width(text: str, size: float, font: str = PLAIN) -> float:
 
 
 def wrapped(text: str, size: float, room: float, most: int, font: str = PLAIN) -> list[str]:
-    """A text in lines no wider than `room`, at most so many: what is left over is cut off, which "…" says.
+    """A text in lines no wider than `room`, at most so many: what is left over is cut off, which "…" states.
 
     A word that is wider than the room is broken.
     """

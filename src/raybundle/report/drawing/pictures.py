@@ -16,7 +16,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.report.drawing.content import DrawnPicture
 
 DPI = 400
-"""Of the paper: what a printer shows and a magnifier tells"""
+"""Of the paper: what a printer shows and a magnifier shows"""
 QUALITY = 88
 LARGEST_PX = 1_000_000_000
 """Pixels of a picture that are taken into memory"""

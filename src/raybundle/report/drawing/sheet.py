@@ -101,15 +101,15 @@ def _on(drawing: Drawing, name: str, scale: int | None, *, landscape: bool, seve
     first = _laid(drawing, name, wide, tall, scale, none, several=several)
     # once more with the scale and the number of sheets that title block and legend are to say
     return None if first is None else _laid(
-        drawing, name, wide, tall, scale, first.division, several=several, told=first.scale
+        drawing, name, wide, tall, scale, first.division, several=several, least=first.scale
     )  # fmt: skip
 
 
 def _laid(
     drawing: Drawing, name: str, wide: float, tall: float, scale: int | None, division: Division, *, several: bool,
-    told: int = SMALLEST,
+    least: int = SMALLEST,
 ) -> Sheets | None:  # fmt: skip
-    paper, block, key, beside = _furnished(drawing, name, wide, tall, told, division)
+    paper, block, key, beside = _furnished(drawing, name, wide, tall, least, division)
     if (paper.room < LEAST_ROOM).any():
         return None
     chosen = scale or scale_that_fits(drawing.size, paper.room)
@@ -136,14 +136,14 @@ def _furnished(
 
 def _fields(drawing: Drawing, paper: Paper, scale: int, number: int, of: int) -> Sequence[Field]:
     say = drawing.language.text
-    told = (
+    least = (
         Field(
             label=say(phrase("drawing_sheet.field", name="scale")), text=f"1 : {scale:,}".replace(",", " "), first=True
         ),
         Field(label=say(phrase("drawing_sheet.field", name="paper")), text=say(paper.words)),
         Field(label=say(phrase("drawing_sheet.field", name="sheet")), text=say(phrase("label.n_of", n=number, of=of))),
     )
-    return (*drawing.fields, *told)
+    return (*drawing.fields, *least)
 
 
 def _misfit(drawing: Drawing, name: str, scale: int | None, ways: Sequence[bool], *, several: bool) -> InputError:
@@ -165,7 +165,7 @@ def _misfit(drawing: Drawing, name: str, scale: int | None, ways: Sequence[bool]
 def sheets_pdf(drawing: Drawing, sheets: Sheets) -> bytes:
     """The PDF; with the environment variable SOURCE_DATE_EPOCH the same drawing gives the same bytes.
 
-    Without it the file says when it was made.
+    Without it the file states when it was made.
     """
     from reportlab import rl_config  # noqa: PLC0415  (only for printing)
     from reportlab.pdfgen.canvas import Canvas  # noqa: PLC0415
@@ -377,8 +377,8 @@ class _Page:
         """Title block and legend."""
         s, c = self.s, self.c
         left, bottom, right, _ = s.paper.frame
-        told = _fields(self.d, s.paper, s.scale, self.part.number, len(s.division.parts))
-        draw_title_block(c, title_block(self.d.title, told), right - WIDTH, bottom)
+        least = _fields(self.d, s.paper, s.scale, self.part.number, len(s.division.parts))
+        draw_title_block(c, title_block(self.d.title, least), right - WIDTH, bottom)
         c.setStrokeGray(0)
         c.setLineWidth(0.25)
         c.line(left, bottom + s.paper.strip, right, bottom + s.paper.strip)

@@ -15,7 +15,7 @@ ASIDE = 5.0
 AIR = 0.7
 """Kept free round a label"""
 APART = 2.0
-"""Between the places by which a line is told"""
+"""Between the places by which a line is reported"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,11 +67,11 @@ def placed_labels(
         ends = np.clip(dot, tried[:, :2], tried[:, 2:])
         if not leading[k]:
             free &= np.linalg.norm(ends - dot, axis=1) <= 2 * NEAREST
-        told = box[np.isfinite(box[:, 0])]
+        boxes = box[np.isfinite(box[:, 0])]
         others = _boxes(dots[np.linalg.norm(dots - dot, axis=1) > 2 * radius], radius)
         for c in np.flatnonzero(free):
             led = _boxes(_along(np.array([[dot, ends[c]]])), 0.0)
-            if not _meet(led, np.concatenate([told, others])).any():
+            if not _meet(led, np.concatenate([boxes, others])).any():
                 box[k], end[k] = tried[c], ends[c]
                 grown = tried[c] + [-AIR, -AIR, AIR, AIR]
                 taken += [grown[None], led]

@@ -46,7 +46,7 @@ Panel = tuple[Plot, int, int]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NetworkViews:
-    """The drawing and what has to be said below it."""
+    """The drawing and what has to be stated below it."""
 
     drawing: Drawing
     remark: tuple[Message, ...]

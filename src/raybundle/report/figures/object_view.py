@@ -42,8 +42,8 @@ def object_view(view: View, *, from_above: bool, heights: bool = True, width: fl
     """Object points in the colour of their standard deviation; None where none has coordinates.
 
     from_above  seen along Z, as a map; else square to the plane that fits the points best, from the photographs' side
-    heights     whether anybody measured heights; else the colour tells the plan alone
-    Points further out than 99 of 100 are left out where there are many.  The colour tells the rms of the three standard
+    heights     whether anybody measured heights; else the colour shows the plan alone
+    Points further out than 99 of 100 are left out where there are many.  The colour shows the rms of the three standard
     deviations of a point, of which a cell has the median.
     """
     xyz = view.adjusted.points.xyz
@@ -122,7 +122,7 @@ def _square_to(xyz: Array, centres: Array, view: View) -> tuple[Array, str]:
 
 
 def _up_of_photographs(view: View, normal: Array, other: Array) -> Array:
-    """Where nothing tells what is up: the mean upper side of the photographs."""
+    """Where nothing shows what is up: the mean upper side of the photographs."""
     R = view.adjusted.images.rotation
     up = R[np.isfinite(R).all(axis=(1, 2)), 1].mean(axis=0) if len(R) else other
     rest = up - (up @ normal) * normal
@@ -130,7 +130,7 @@ def _up_of_photographs(view: View, normal: Array, other: Array) -> Array:
 
 
 def _object(std: Array) -> Mask:
-    """(k,) which points are of the object, and not of what stands behind it; all where that cannot be told."""
+    """(k,) which points are of the object, and not of what stands behind it; all where that cannot be determined."""
     known = np.isfinite(std)
     if not known.any():
         return np.ones(len(std), bool)

@@ -34,7 +34,7 @@ MOST_DOTS, MOST_EDGES, MOST_CELLS, MOST_NAMES = 6000, 1500, 60, 40
 STRONG = 100
 """Common points of a firm connection."""
 CLASSES = ((2, 2, "2"), (3, 3, "3"), (4, 5, "4–5"), (6, 9, "6–9"), (10, 10**9, "≥ 10"))
-"""Ray counts that are told apart."""
+"""Ray counts that are distinguished."""
 OVERLAP_COLOUR = (31, 90, 138)
 
 

@@ -97,12 +97,12 @@ def class_map(
     return drawing(plot.width, plot.height, parts, what)
 
 
-def small_map(values: Array, classes: Classes, name: str, told: str, width: float = 200) -> Drawing:
+def small_map(values: Array, classes: Classes, name: str, reported: str, width: float = 200) -> Drawing:
     """Standard deviations of a depth map in classes of colours, with the name of its photograph above."""
     height = width * values.shape[0] / max(values.shape[1], 1)
     parts = [
         label(0, 11, name, "name"), embedded(classed(values, classes), 0, 16, width, height),
-        label(0, height + 29, told),
+        label(0, height + 29, reported),
     ]  # fmt: skip
     return drawing(width, height + 34, parts, phrase("drawn.depth_map", name=name))
 

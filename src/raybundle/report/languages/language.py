@@ -310,8 +310,8 @@ class Language:
                 one = re.match(r"1(?![\d.,\u202f])", way[place].strip()) is not None
                 made.append(forms[0] if one else forms[-1])
                 continue
-            said, more = self._said(way[place], case)
-            made.append(said)
+            stated, more = self._said(way[place], case)
+            made.append(stated)
             cost += more
             if cost >= limit:
                 return "", float("inf")

@@ -42,7 +42,7 @@ class Template:
 
     @cached_property
     def size(self) -> int:
-        """Letters of its own: of two that fit, the one with more says more."""
+        """Letters of its own: of two that fit, the one with more states more."""
         return sum(len(part) for part in self.literals)
 
     @cached_property
@@ -58,7 +58,7 @@ class Template:
         return (*made, (self.other[at:], -1, "", ()))
 
     @cached_property
-    def told(self) -> frozenset[int]:
+    def reported(self) -> frozenset[int]:
         """Places whose words stand in the other sentence."""
         return frozenset(place for _, place, _, forms in self.pieces if place >= 0 and not forms)
 

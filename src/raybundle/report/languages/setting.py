@@ -47,8 +47,8 @@ def _part(p: Part, language: Language) -> Part:
             facts = (Fact(label=say(f.label), value=say(f.value), remark=say(f.remark)) for f in p.facts)
             return replace(p, facts=tuple(facts))
         case Statements():
-            told = tuple((say(word), say(sentence)) for word, sentence in p.statements)
-            return replace(p, statements=told, rests=tuple(say(r) for r in p.rests))
+            reported = tuple((say(word), say(sentence)) for word, sentence in p.statements)
+            return replace(p, statements=reported, rests=tuple(say(r) for r in p.rests))
         case Folded():
             return replace(p, summary=say(p.summary), parts=_parts(p.parts, language))
         case Figures():
@@ -76,11 +76,11 @@ def _column(c: Column, language: Language) -> Column:
 def drawing_in(drawing: Drawing, language: Language) -> Drawing:
     """A drawing with its words in a language."""
 
-    def said(found: re.Match[str]) -> str:
+    def stated(found: re.Match[str]) -> str:
         before, words, behind = (found[1], found[2], found[3]) if found[1] else (found[4], found[5], found[6])
         return f"{before}{escape(language.text(unescape(words)))}{behind}"
 
     pieces = (
-        escape(language.text(p)) if isinstance(p, Text) else SVG_TEXT.sub(said, p) for p in drawing.pieces
+        escape(language.text(p)) if isinstance(p, Text) else SVG_TEXT.sub(stated, p) for p in drawing.pieces
     )  # fmt: skip
     return replace(drawing, pieces=("".join(pieces),))

@@ -114,8 +114,8 @@ def _facts(p: Facts) -> Copy:
 
 
 def _statements(p: Statements) -> Copy:
-    told = [[broken(_clean(word), 11.0), _words(sentence)] for word, sentence in p.statements]
-    return {"statements": told, "rest": _words(p.rests[len(told)]) if p.rests else ""}
+    statements = [[broken(_clean(word), 11.0), _words(sentence)] for word, sentence in p.statements]
+    return {"statements": statements, "rest": _words(p.rests[len(statements)]) if p.rests else ""}
 
 
 def _folded(p: Folded) -> Copy:

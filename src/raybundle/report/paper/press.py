@@ -99,8 +99,8 @@ def _holds(document: Document, rows: int, figures: Iterable[int]) -> bool:
 def body_pages(copy: Copy) -> int:
     """Pages of a copy before its appendix."""
     with _template() as template:
-        told = typesetter().query(template, "<pages>", field="value", one=True, sys_inputs=_inputs(copy))
-    return int(json_of(told, Path(template)))
+        pages = typesetter().query(template, "<pages>", field="value", one=True, sys_inputs=_inputs(copy))
+    return int(json_of(pages, Path(template)))
 
 
 def _set(copy: Copy) -> bytes:

@@ -45,7 +45,7 @@ class Differences:
     difference: Array
     """(k, 3) [view.unit]; NaN where none is"""
     std: Array
-    """(k, 3) of the difference [view.unit]; NaN where nothing tells it"""
+    """(k, 3) of the difference [view.unit]; NaN where nothing shows it"""
 
 
 def draw(view: View, figure: Canvas | None) -> Figure:
@@ -99,7 +99,7 @@ def _style(kind: str) -> tuple[str, str]:
 
 def _coordinate(axes: Axes, view: View, found: list[Differences], k: int) -> None:
     """Differences of one coordinate, a point beside the other."""
-    start, told = 0, list[str]()
+    start, reported = 0, list[str]()
     names: list[str] = []
     for d in found:
         colour, marker = _style(d.kind)
@@ -113,12 +113,12 @@ def _coordinate(axes: Axes, view: View, found: list[Differences], k: int) -> Non
             capsize=2 if len(d.rows) <= 100 else 0, rasterized=many, label=d.kind,
         )  # fmt: skip
         if known.any():
-            told.append(f"{d.kind}: rms {significant(rms(d.difference[:, k]), 2)} {view.unit}")
+            reported.append(f"{d.kind}: rms {significant(rms(d.difference[:, k]), 2)} {view.unit}")
         names += pick(d.rows, view.given.points.ids)
         start += len(d.rows)
     axes.axhline(0, color=BLACK, linewidth=0.6)
     axes.set_ylabel(f"d{'XYZ'[k]} [{view.unit}]")
-    axes.set_title("; ".join(told), fontsize="small", loc="left")
+    axes.set_title("; ".join(reported), fontsize="small", loc="left")
     axes.grid(visible=True, axis="y", alpha=0.3, linewidth=0.6)
     axes.set_xlim(-0.7, start - 0.3)
     if start > MOST_NAMES:

@@ -80,8 +80,8 @@ def _panels(view: View, result: InteriorResult) -> list[Panel]:
     if interior.has("radial"):
         curve = radial_curve(interior)
         flat, share = balanced(curve)
-        told = f"balanced ($c$ {'+' if share > 0 else ''}{significant(100 * share, 2)} %)"
-        drawn = [(curve, BLUE, "-", phrase("drawn.gaussian")), (flat, VERMILION, "--", told)]
+        words = f"balanced ($c$ {'+' if share > 0 else ''}{significant(100 * share, 2)} %)"
+        drawn = [(curve, BLUE, "-", phrase("drawn.gaussian")), (flat, VERMILION, "--", words)]
         found.append(partial(_curves, interior, drawn, reach, "radial correction, ideal − measured", _correction()))
         sigmas.append((curve, BLUE, "-", phrase("drawn.radial")))
     if interior.has("decentring"):

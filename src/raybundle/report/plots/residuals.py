@@ -28,7 +28,7 @@ from raybundle.report.text.numbers import fixed, grouped, significant
 from raybundle.report.view import View, rms
 
 MOST_VECTORS = 1500
-"""Vectors over one format: more cannot be told apart"""
+"""Vectors over one format: more cannot be distinguished"""
 
 
 def draw(view: View, camera: str | None, figure: Canvas | None) -> Figure:
@@ -55,8 +55,8 @@ def _vectors(axes: Axes, view: View, camera: Camera, mask: Mask, tests: Array) -
 
 def _means(axes: Axes, camera: Camera, means: CellMeans) -> None:
     beyond = f"{int(means.significant.sum())} of {means.tested} differ from zero (bold)"
-    told = beyond if means.well_filled.any() else "too few points"
-    format_axes(axes, camera, f"means of cells; {told}", ABOVE_KEY)
+    words = beyond if means.well_filled.any() else "too few points"
+    format_axes(axes, camera, f"means of cells; {words}", ABOVE_KEY)
     width, height = camera.width_px / means.columns, camera.height_px / means.rows
     k = np.flatnonzero(means.well_filled)
     axes.set_xticks(np.arange(means.columns + 1) * width, minor=True)

@@ -176,17 +176,17 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
     if not weighted.any():
         held = Folded(summary=phrase("report_control.held_list"), parts=(_held_table(view, g),))
         return [Paragraph(text=phrase("report_control.held", n=len(g.ids))), held]
-    told = controlled(g)
+    reported = controlled(g)
     head = note("report_control.observed", n=int(weighted.sum()), held=int((~weighted).sum()))
-    if told.any() and observation_kinds[g.kind].unit == "own":
+    if reported.any() and observation_kinds[g.kind].unit == "own":
         # units differ from row to row: what they have in common is the residual by its sigma
-        v, w = g.residual[told] / g.sigma[told], g.w[told]
+        v, w = g.residual[reported] / g.sigma[reported], g.w[reported]
         size = [note("report_control.rms_by_sigma", rms=rms(v))]
         if np.isfinite(w).any():
             size.append(note("report_control.largest_w", w=float(np.nanmax(np.abs(w)))))
         parts.append(Paragraph(text=Text.of(head, *size)))
-    elif told.any():
-        v = g.residual[told] * factor
+    elif reported.any():
+        v = g.residual[reported] * factor
         largest = float(np.nanmax(np.abs(v)))
         residual = note("report_control.rms_residual", rms=rms(v), largest=largest, unit=unit)
         parts.append(Paragraph(text=Text.of(head, residual)))
@@ -220,7 +220,7 @@ def _row_units(view: View, g: ObservationGroup) -> list[tuple[float, str]]:
 
 
 def _quantities(view: View, g: ObservationGroup) -> tuple[list[str], list[Message]]:
-    """What is observed in each row, and what is to be said of logarithms."""
+    """What is observed in each row, and what is to be stated of logarithms."""
     logarithms = {(c.id, r.name): s for c in view.given.parametrised for s, r in known_before(c).items() if r.logarithm}
     if g.kind != "relation" or not logarithms:
         return list(g.component), []

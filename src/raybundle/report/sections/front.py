@@ -395,8 +395,8 @@ def next_parts(o: Occasion, d: Delivery) -> list[Part]:
             *dense,
         ]  # fmt: skip
     lost = any(x.kept is False for x in d.outcomes)
-    told = [m for name, content in files for m in (note("front.file_name", name=name), *content.messages)]
+    reported = [m for name, content in files for m in (note("front.file_name", name=name), *content.messages)]
     return [
         Heading(text=phrase("front.handed_over")),
-        Paragraph(text=Text.of(note("front.not_kept_only") if lost else note("front.settled"), *told)), *dense,
+        Paragraph(text=Text.of(note("front.not_kept_only") if lost else note("front.settled"), *reported)), *dense,
     ]  # fmt: skip

@@ -96,7 +96,7 @@ def _angles(view: View, camera: Camera, rows: Index) -> tuple[Array, Array]:
 def _against(
     view: View, rows: Index, at: Array, v: Array, name: str, axis: int
 ) -> tuple[Figure, list[tuple[str, str]]]:
-    """Residuals against an angle, and what is to be said of them."""
+    """Residuals against an angle, and what is to be stated of them."""
     low, high = float(at.min()), float(at.max())
     sigma = np.sqrt(view.given.observations.cov_px2[rows, axis])
     windows = int(np.clip(len(rows) // 12, 12, 60))

@@ -12,7 +12,7 @@ from raybundle.results.recorded import known_by_photographs, rows_of
 TITLES = ("object", "recording", "delivery")
 """Parts of the sheet"""
 ON_FRONT = {"title", "client", "operator", "object", "place", "date", "instruments", "rights"}
-"""Entries of the first page; a sheet that says no more is not printed again"""
+"""Entries of the first page; a sheet that states no more is not printed again"""
 
 
 @chapter("record", after="network", part="appendix")
@@ -41,13 +41,13 @@ def recording_sheet(o: Occasion) -> tuple[Section, ...]:
 
 
 def _rows(record: Record, part: str) -> list[tuple[str, str, str]]:
-    said = record.as_mapping().items()
+    stated = record.as_mapping().items()
     return [
         (
             phrase("report_record.name", name=n),
             phrase("report_record.meaning", name=n),
             Said(" / ".join(v.splitlines())),
         )
-        for n, v in said
+        for n, v in stated
         if PARTS[n] == part
     ]

@@ -195,4 +195,4 @@ def _tests(a: Adjustment) -> list[tuple[str, str]]:
 
 @chapter("result", after="calibration")
 def _result(o: Occasion) -> tuple[Section, ...]:
-    return (result_section(o.view, o.told),)
+    return (result_section(o.view, o.reported),)

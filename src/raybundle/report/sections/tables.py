@@ -37,7 +37,7 @@ from raybundle.report.view import View
 from raybundle.settings import in_words
 
 MOST_CORRELATED = 200
-"""Points up to which a list tells correlations of coordinates: one that is read, point by point"""
+"""Points up to which a list shows correlations of coordinates: one that is read, point by point"""
 
 
 def tables_section(view: View, *, all_coordinates: bool = False) -> Section:
@@ -149,7 +149,7 @@ def _tables(o: Occasion) -> tuple[Section, ...]:
     return (tables_section(o.view, all_coordinates=o.all_coordinates),)
 
 
-def said(words: Iterable[str]) -> list[str]:
+def stated(words: Iterable[str]) -> list[str]:
     """Names of settings and programs, and their values, which are the same in every language."""
     return [Said(w) for w in words]
 
@@ -166,7 +166,7 @@ def provenance_section(view: View) -> Section:
     ]
     settings = table(
         (text(phrase("label.setting")), text(phrase("label.value")), text("")),
-        (said(names), [_shown(v) for v in values], changed),
+        (stated(names), [_shown(v) for v in values], changed),
     )
     prints = fingerprints(view.given)
     hashes = table(
@@ -179,7 +179,7 @@ def provenance_section(view: View) -> Section:
     found = versions()
     software = table(
         (text(phrase("report_tables.software_label")), text(phrase("label.version"))),
-        (said(found), [v if isinstance(v, Text) else Said(v) for v in found.values()]),
+        (stated(found), [v if isinstance(v, Text) else Said(v) for v in found.values()]),
     )
     parts: list[Part] = [
         Heading(text=phrase("report_tables.settings")),

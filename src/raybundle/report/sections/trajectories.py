@@ -1,4 +1,4 @@
-"""Section: what GNSS and INS told of the images against what the adjustment says: direct and integrated orientation."""
+"""Section: orientation by GNSS and INS against that of the adjustment."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def _comparison(view: View, groups: dict[str, ObservationGroup]) -> Table:
             known = adjusted[np.isfinite(adjusted)]
             after = float(np.sqrt(np.mean(known**2))) * factor if len(known) else math.nan
             values = (float(d.mean()) * factor, size, float(np.abs(d).max()) * factor, stated, after)
-            # to what a standard deviation can tell: finer digits of a mean or rms say nothing
+            # to what a standard deviation can show: finer digits of a mean or rms say nothing
             decimals = decimals_for(stated if stated > 0 else size) + 1
             name = phrase("report_trajectories.component", component=_name(view, component))
             rows.append([name, unit, grouped(len(d)), *(fixed(v, min(decimals, 9)) for v in values)])

@@ -34,7 +34,7 @@ def title_of(o: Occasion) -> str:
 
 def grade_of(o: Occasion) -> Grade:
     """The grade of the whole: never better than a notice, a calibration or what was asked for."""
-    grade = o.told.grade
+    grade = o.reported.grade
     if o.qualities:
         grade = graver(grade if unsettled(o.view) else "good", worst(o.qualities))
     outcomes = () if o.delivery is None else o.delivery.outcomes
@@ -68,7 +68,7 @@ def _verdict(o: Occasion) -> list[Message]:
         return [note("front.no_statistics")]
     if a.redundancy == 0:
         return [note("front.no_redundancy")]
-    if o.told.grade == "attention" or a.sigma0 > POOR_FIT:
+    if o.reported.grade == "attention" or a.sigma0 > POOR_FIT:
         return [note("front.contradicting")]
     if o.qualities and GRADES[worst(o.qualities).grade] == "attention":
         return [note("front.calibration_unusable", grade=grade_code(worst(o.qualities)))]

@@ -349,7 +349,7 @@ def _control(view: View) -> list[Message]:
 
 
 def controlled(group: ObservationGroup) -> Mask:
-    """(k,) whether a weighted observation is controlled by others, so that its residual says something."""
+    """(k,) whether a weighted observation is controlled by others, so that its residual states something."""
     return (group.sigma > 0) & ~(group.redundancy < UNCONTROLLED)
 
 

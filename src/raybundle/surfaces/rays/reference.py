@@ -112,9 +112,9 @@ class ReferenceRays(ABC):
 
     @property
     @abstractmethod
-    def told(self) -> str:
+    def reported(self) -> str:
         """What `depths` are, in words."""
 
     @abstractmethod
     def depths(self, t: Array) -> Array:
-        """Depths as they are told to people."""
+        """Depths as they are asked to people."""

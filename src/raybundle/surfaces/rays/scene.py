@@ -41,7 +41,7 @@ class SceneRays(ReferenceRays):
 
     @classmethod
     def made(cls, camera: Camera, rotation: Array, centre: Array) -> SceneRays:
-        """As `ReferenceRays`; a scene stands where its file says."""
+        """As `ReferenceRays`; a scene stands where its file states."""
         del rotation, centre
         sensor = cast("SceneSensor", camera.scene)
         return cls(camera=camera, sensor=sensor, base_m=sensor.height_m - sensor.depth_m)
@@ -104,7 +104,7 @@ class SceneRays(ReferenceRays):
         return max(low - more, 0.5 * low), high + more
 
     @property
-    def told(self) -> str:
+    def reported(self) -> str:
         """As `ReferenceRays`."""
         return HEIGHT
 

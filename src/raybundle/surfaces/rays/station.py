@@ -14,7 +14,7 @@ from raybundle.platforms.carried import Carried
 from raybundle.surfaces.rays.reference import BEYOND, ReferenceRays
 
 WIDEST = np.cos(np.radians(80.0))
-"""Beyond this angle off the axis the depth along the axis says little of the distance."""
+"""Beyond this angle off the axis the depth along the axis states little of the distance."""
 LEAST_RANGE = 0.05
 """What a range of depths is taken for at least, as a share of the largest parameter."""
 AXIS, DISTANCE = "along the optical axis, from the projection centre", "distance from the projection centre"
@@ -129,7 +129,7 @@ class StationRays(ReferenceRays):
         return max(low - more, 0.5 * low), high + more
 
     @property
-    def told(self) -> str:
+    def reported(self) -> str:
         """As `ReferenceRays`."""
         return DISTANCE if self.axis is None else AXIS
 

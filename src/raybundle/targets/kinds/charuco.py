@@ -1,7 +1,7 @@
 """ChArUco boards: charuco-8x6-5x5_100 has 8 x 6 squares with tags of aruco-5x5_100 in the light ones.
 
-A board may be seen in part, since tags tell which corners it shows.  Tags take 0.75 of a square unless a fourth part
-says otherwise: charuco-8x6-5x5_100-0.8.
+A board may be seen in part, since tags show which corners it shows.  Tags take 0.75 of a square unless a fourth part
+states otherwise: charuco-8x6-5x5_100-0.8.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class Charuco:
 
     @property
     def turns(self) -> int:
-        """Tags tell all."""
+        """Tags show all."""
         return 1
 
     @property

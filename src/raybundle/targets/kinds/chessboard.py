@@ -1,6 +1,6 @@
 """Chessboards, by their inner corners: chessboard-9x6 has 9 of them in a row and 6 rows, 10 x 7 squares.
 
-A board is found whole or not at all: nobody can tell which corners a part of it shows.
+A board is found whole or not at all: nobody can show which corners a part of it shows.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class Chessboard:
 
     @property
     def turns(self) -> int:
-        """One where exactly one of the numbers of corners is odd; then colours tell where a board begins."""
+        """One where exactly one of the numbers of corners is odd; then colours show where a board begins."""
         if self.columns == self.rows:
             return 4 if self.columns % 2 else 2
         return 2 if (self.columns + self.rows) % 2 == 0 else 1

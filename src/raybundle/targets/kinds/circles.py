@@ -57,14 +57,14 @@ class Circles:
 
     @property
     def turns(self) -> int:
-        """Dots all look alike: only a staggered raster of an even number of rows tells its beginning."""
+        """Dots all look alike: only a staggered raster of an even number of rows shows its beginning."""
         if self.staggered:
             return 1 if self.rows % 2 else 2
         return 4 if self.columns == self.rows else 2
 
     @property
     def radius(self) -> float:
-        """Not told by the name."""
+        """Not given by the name."""
         return np.nan
 
     def find(self, image: Array, options: MarkOptions) -> Marks:

@@ -33,7 +33,7 @@ RADII = (2.9, 3.3, 3.7)
 TWICE = 4
 """Dots of two lattices with the same names that say that there are two sheets; else they are parts of one."""
 LEAST = 25
-"""Dots below which a lattice says nothing."""
+"""Dots below which a lattice states nothing."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,7 +57,7 @@ class Sheet:
 
     @property
     def turns(self) -> int:
-        """The rings tell all."""
+        """The rings show all."""
         return 1
 
     @property

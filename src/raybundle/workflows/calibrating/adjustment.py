@@ -70,7 +70,7 @@ def _inputs(state: CalibrateState) -> Inputs:
 
 
 def adjust(i: Inputs, means: Means) -> Adjusted:
-    """Adjust, complete, tell cameras apart, choose models, correct centres; raises NotSolvable with the reason."""
+    """Adjust, complete, show cameras apart, choose models, correct centres; raises NotSolvable with the reason."""
     try:
         return _adjusted(i, means)
     except (InputError, NotSolvable) as error:
@@ -140,7 +140,7 @@ def _completed(i: Inputs, settings: AdjustmentOptions, progress: Progress) -> _N
 def _told_apart(
     start: Block, first: Adjustment, i: Inputs, settings: AdjustmentOptions, progress: Progress
 ) -> tuple[Block, Adjustment, tuple[Notice, ...], tuple[CameraGroup, ...]]:
-    """Photographs of two cameras told apart, those of one sensor that are stored differently joined."""
+    """Photographs of two cameras distinguished, those of one sensor that are stored differently joined."""
     notices: tuple[Notice, ...] = ()
     groups = i.groups
     if i.options.split:
@@ -204,7 +204,7 @@ def _adjust(
 ) -> tuple[Adjustment, float, RadiusScale | None]:
     """The free network, ellipse centres corrected with the orientations of the adjustment before.
 
-    Radii are those that the images show; where the eccentricities tell them better, they are estimated.
+    Radii are those that the images show; where the eccentricities show them better, they are estimated.
     """
     shift = _eccentricity(start, first, radius_px, options)
     result = decide(_moved(start, shift), settings, progress, notices=tuple(notices))
@@ -270,7 +270,7 @@ STAGE = CALIBRATE.register(
         inputs=_inputs,
         function=adjust,
         put=lambda s, p: replace(s, adjusted=p, groups=p.groups),
-        told=lambda s: "" if s.adjusted is None else f"sigma0 {s.adjusted.adjustment.sigma0:.3f}",
+        reported=lambda s: "" if s.adjusted is None else f"sigma0 {s.adjusted.adjustment.sigma0:.3f}",
         when=lambda s: bool(s.targets),
     )
 )

@@ -76,7 +76,7 @@ STAGE = CALIBRATE.register(
         inputs=_inputs,
         function=orient_natural,
         put=_put,
-        told=lambda _: "by natural points",
+        reported=lambda _: "by natural points",
         when=lambda s: not s.targets,
     )
 )

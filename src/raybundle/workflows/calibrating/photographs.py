@@ -1,4 +1,4 @@
-"""Stage: the photographs among the inputs, and what was said of them."""
+"""Stage: the photographs among the inputs, and what was stated of them."""
 
 from __future__ import annotations
 
@@ -65,6 +65,6 @@ STAGE = CALIBRATE.register(
         inputs=lambda s: Inputs(paths=s.inputs),
         function=search,
         put=_put,
-        told=lambda s: f"{len(s.photos)} photographs",
+        reported=lambda s: f"{len(s.photos)} photographs",
     )
 )

@@ -1,4 +1,4 @@
-"""Stage: the family of targets or the board, where nobody said what was photographed."""
+"""Stage: the family of targets or the board, where nobody stated what was photographed."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from raybundle.workflows.recognise import Recognised, recognised
 
 
 def look(photos: tuple[Photo, ...], means: Means) -> Recognised:
-    """What some of the photographs show; raises InputError where it cannot be told."""
+    """What some of the photographs show; raises InputError where it cannot be determined."""
     return recognised(photos, means.progress)
 
 
@@ -46,7 +46,7 @@ STAGE = CALIBRATE.register(
         inputs=lambda s: s.photos,
         function=look,
         put=_put,
-        told=lambda s: ", ".join(t.title for t in s.targets) or "no targets",
+        reported=lambda s: ", ".join(t.title for t in s.targets) or "no targets",
         codec=Codec(arrays=_arrays, product=_product),
         when=lambda s: not s.targets,
     )

@@ -73,10 +73,10 @@ def begin(i: Inputs, means: Means) -> Start:
     if len(np.unique(given.block.observations.image)) < 2:
         raise _too_few(i)
     try:
-        block, lost, told = _approximate(given, given.block, i.targets, i.model, means.progress)
+        block, lost, reported = _approximate(given, given.block, i.targets, i.model, means.progress)
     except (InputError, NotSolvable) as error:
         raise explained(error, given.block) from error
-    return Start(given=given, approximate=block, lost=tuple(lost.items()), notices=told)
+    return Start(given=given, approximate=block, lost=tuple(lost.items()), notices=reported)
 
 
 def _approximate(
@@ -94,10 +94,10 @@ def _approximate(
     alike = next((t for t in targets if t.turns > 1), None)
     if alike is None:
         return approximate, lost, ()
-    told = Notice(code="board_alike", values={"board": alike.title})
+    reported = Notice(code="board_alike", values={"board": alike.title})
     p = len(approximate.points)
     held = replace(approximate.points, role=np.full(p, Role.CONTROL, np.int32), sigma=np.zeros((p, 3)))
-    return replace(approximate, points=held), lost, (told,)
+    return replace(approximate, points=held), lost, (reported,)
 
 
 def with_asked_model(block: Block, model: str) -> Block:
@@ -172,7 +172,7 @@ STAGE = CALIBRATE.register(
         inputs=_inputs,
         function=begin,
         put=lambda s, p: replace(s, start=p),
-        told=lambda s: f"{int(s.begun.approximate.images.oriented.sum())} of {len(s.photos)} photographs",
+        reported=lambda s: f"{int(s.begun.approximate.images.oriented.sum())} of {len(s.photos)} photographs",
         codec=Codec(arrays=_arrays, product=_product),
         when=lambda s: bool(s.targets),
     )

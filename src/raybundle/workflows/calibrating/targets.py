@@ -36,7 +36,7 @@ STAGE = CALIBRATE.register(
         inputs=lambda s: Inputs(photos=s.photos, targets=s.targets),
         function=measure,
         put=lambda s, marks: replace(s, marks=marks),
-        told=_told,
+        reported=_told,
         when=lambda s: bool(s.targets),
     )
 )

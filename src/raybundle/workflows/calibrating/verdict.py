@@ -49,6 +49,6 @@ STAGE = CALIBRATE.register(
         inputs=_inputs,
         function=judge,
         put=lambda s, q: replace(s, quality=q),
-        told=lambda s: "; ".join(q.grade for q in s.quality),
+        reported=lambda s: "; ".join(q.grade for q in s.quality),
     )
 )

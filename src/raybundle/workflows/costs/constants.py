@@ -15,7 +15,7 @@ from raybundle.io.user_folders import made_again_folder
 REVISION = 2
 """Raised with every change of what is measured; constants of another are measured again"""
 SWEEPS = ("up", "down", "covariances", "statistics")
-"""Kinds of tasks of an adjustment in parts, as they are told apart here"""
+"""Kinds of tasks of an adjustment in parts, as they are distinguished here"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -105,14 +105,14 @@ class Constants:
 
 def processor() -> str:
     """What this machine's processor calls itself; with family and model, as virtual machines give many one name."""
-    info, told = Path("/proc/cpuinfo"), dict[str, str]()
+    info, model = Path("/proc/cpuinfo"), dict[str, str]()
     if info.exists():
         for line in info.read_text(encoding="utf-8", errors="replace").splitlines():
             name, _, value = line.partition(":")
-            told.setdefault(name.strip(), value.strip())
-    if "model name" in told:
-        more = [f"{name} {told[at]}" for name, at in (("family", "cpu family"), ("model", "model")) if at in told]
-        return ", ".join([told["model name"], *more])
+            model.setdefault(name.strip(), value.strip())
+    if "model name" in model:
+        more = [f"{name} {model[at]}" for name, at in (("family", "cpu family"), ("model", "model")) if at in model]
+        return ", ".join([model["model name"], *more])
     return platform.processor() or platform.machine()
 
 

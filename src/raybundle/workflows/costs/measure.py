@@ -42,7 +42,7 @@ SWEEP_OF = {
 FLIGHTS = ((10, 20, 1000, 600), (14, 24, 150, 300))
 """Made flights: strips, images of each, image points of an image, unknowns of a leaf.  One of large parts with as many
 image points as in earnest, which no cache holds, and one of many small parts: so what an image point takes and what an
-unknown does are told apart."""
+unknown does are distinguished."""
 FREE = ("c", "x0", "y0")
 """Parameters of the made flights' camera"""
 OPTIONS = AdjustmentOptions(jobs=1, noise="white")

@@ -44,7 +44,7 @@ def features_of(megapixels: float) -> int:
 
 
 def image_points_of(megapixels: float) -> float:
-    """Image points of a photograph that are adjusted, where nobody says it."""
+    """Image points of a photograph that are adjusted, where nobody states it."""
     return USED * features_of(megapixels)
 
 

@@ -1,6 +1,6 @@
 """The stages of `orient`; every module in this folder registers its stage on import.
 
-A new stage is one new file: it says behind which stages it stands, what it takes of the state, and what it gives.
+A new stage is one new file: it states behind which stages it stands, what it takes of the state, and what it gives.
 """
 
 from importlib import import_module

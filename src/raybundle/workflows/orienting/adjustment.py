@@ -77,7 +77,7 @@ def _inputs(state: OrientState) -> Inputs:
     return Inputs(
         name=state.asked.name, options=state.asked.options, given=state.given, photos=state.photos,
         blocks=state.blocks, groups=state.groups, features=state.found, method=state.method,
-        remarks=(*state.remarks, *state.told), notices=state.notices, dropped=state.dropped, scenes=state.scenes,
+        remarks=(*state.remarks, *state.reported), notices=state.notices, dropped=state.dropped, scenes=state.scenes,
         earlier=state.asked.earlier,
     )  # fmt: skip
 
@@ -95,8 +95,8 @@ def adjust(i: Inputs, means: Means) -> Adjusted:
     with room_of(means, max(len(p.block.observations) for p in (placed, *apart))) as room:
         done = _adjusted(i, placed, apart, means)
     rows = sum(len(a.given.observations) for a in (done.adjustment, *(p.adjustment for p in done.other_components)))
-    told = (*i.notices, *incomplete_notice(i, done), *([] if i.dropped is None else [i.dropped.notice(rows)]))
-    adjustment = replace(done.adjustment, notices=(*told, *done.adjustment.notices, *room.notices()))
+    reported = (*i.notices, *incomplete_notice(i, done), *([] if i.dropped is None else [i.dropped.notice(rows)]))
+    adjustment = replace(done.adjustment, notices=(*reported, *done.adjustment.notices, *room.notices()))
     return replace(done, adjustment=adjustment, lost=lost)
 
 
@@ -207,9 +207,9 @@ def largest_component(main: Adjustment, parts: Sequence[ConnectedComponent]) -> 
 
 
 def with_target_weights(block: Block, result: Adjustment, given: Given) -> Block | None:
-    """The block with standard deviations of the targets as their residuals tell them beside those of all; None: as is.
+    """The block with standard deviations of the targets as their residuals show them beside those of all; None: as is.
 
-    What grey values tell of a target's centre is not what photographs hold of it: with its own weight it would bend
+    What grey values reports a target's centre is not what photographs hold of it: with its own weight it would bend
     tie points, or be rejected.  From residuals as the weights of tie points are, for all targets together.
     """
     names = {
@@ -226,7 +226,7 @@ def with_target_weights(block: Block, result: Adjustment, given: Given) -> Block
     if r < TOLD:
         return None
     ratio = float(np.nansum(v**2)) / r / result.sigma0**2
-    if abs(ratio - 1) < np.sqrt(2 / r) * 3:  # as precise as all others, by what so many tell
+    if abs(ratio - 1) < np.sqrt(2 / r) * 3:  # as precise as all others, by what so many show
         return None
     own = np.isin(np.array(block.points.ids), sorted(names))[block.observations.point]
     cov = np.where(own[:, None], ratio, 1.0) * block.observations.cov_px2
@@ -234,7 +234,7 @@ def with_target_weights(block: Block, result: Adjustment, given: Given) -> Block
 
 
 TOLD = 20.0
-"""Redundancy of the targets from which on their residuals tell a standard deviation, to a sixth."""
+"""Redundancy of the targets from which on their residuals show a standard deviation, to a sixth."""
 
 
 def _put(state: OrientState, done: Adjusted) -> OrientState:
@@ -257,5 +257,5 @@ def _told(state: OrientState) -> str:
 
 
 STAGE = ORIENT.register(
-    Stage(name="adjustment", after=("scene_precision",), inputs=_inputs, function=adjust, put=_put, told=_told)
+    Stage(name="adjustment", after=("scene_precision",), inputs=_inputs, function=adjust, put=_put, reported=_told)
 )

@@ -32,7 +32,7 @@ def _inputs(state: OrientState) -> Inputs:
     )
 
 
-def tell(i: Inputs, means: Means) -> tuple[CameraGroup, ...]:
+def notify(i: Inputs, means: Means) -> tuple[CameraGroup, ...]:
     """Photographs of one camera together; none of one photograph alone."""
     del means
     if len(i.photos) < 2:
@@ -55,9 +55,9 @@ STAGE = ORIENT.register(
         line="features",
         after=("features", "scene_features"),
         inputs=_inputs,
-        function=tell,
+        function=notify,
         put=_put,
         little=True,
-        told=lambda s: counted(len(s.groups), "camera") if s.photos else "",
+        reported=lambda s: counted(len(s.groups), "camera") if s.photos else "",
     )
 )

@@ -62,6 +62,6 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=find,
         put=_put,
-        told=lambda s: f"{len(s.photos)} photographs",
+        reported=lambda s: f"{len(s.photos)} photographs",
     )
 )

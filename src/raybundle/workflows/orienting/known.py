@@ -51,11 +51,11 @@ def check(i: Inputs, means: Means) -> Known:
     remarks = check_asked(
         i.photos, i.given, positions=positions, crs=options.crs, relative=options.relative, scenes=i.scenes
     )
-    attitudes, told = find_attitudes(
+    attitudes, reported = find_attitudes(
         i.photos, positions, use=options.attitudes, sigma_deg=options.attitude_sigma_deg, crs=options.crs
     )
     masks = find_masks(options.masks, i.photos) if options.masks is not None and i.photos else None
-    return Known(given=replace(i.given, attitudes=attitudes), remarks=(*remarks, *told), masks=masks)
+    return Known(given=replace(i.given, attitudes=attitudes), remarks=(*remarks, *reported), masks=masks)
 
 
 def _put(state: OrientState, known: Known) -> OrientState:

@@ -49,7 +49,7 @@ def _inputs(state: OrientState) -> Inputs:
 
 
 def match(i: Inputs, means: Means) -> Matched:
-    """Each pair is matched by a task of its own; what stands still and what repeats is told of them together."""
+    """Each pair is matched by a task of its own; what stands still and what repeats is reported of them together."""
     chosen = pairs_of(means, i.photos, i.features, i.method, _positions(i.photos))
     try:
         pairs = match_pairs(means, i.photos, i.features, i.method, chosen.pairs)
@@ -119,7 +119,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=match,
         put=_put,
-        told=_told,
+        reported=_told,
         when=lambda s: bool(s.photos),
     )
 )

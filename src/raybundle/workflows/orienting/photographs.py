@@ -126,4 +126,4 @@ def _too_few(
     )  # fmt: skip
 
 
-STAGE = ORIENT.register(Stage(name="photographs", inputs=_inputs, function=search, put=_put, told=_told))
+STAGE = ORIENT.register(Stage(name="photographs", inputs=_inputs, function=search, put=_put, reported=_told))

@@ -80,10 +80,10 @@ def _put(state: OrientState, m: Measured) -> OrientState:
             adjusted=sum(len(b.observations) for b in m.blocks),
         )  # fmt: skip
     names = list(m.by_features)
-    told = (phrase("stage_summary.by_features", names=names, n=len(names)),) if names else ()
+    reported = (phrase("stage_summary.by_features", names=names, n=len(names)),) if names else ()
     return replace(
         state, blocks=m.blocks, weights=m.weights, dropped=dropped, lost=(*state.lost, *m.left_out),
-        told=(*state.told, *told), offered=m.offered,
+        reported=(*state.reported, *reported), offered=m.offered,
     )  # fmt: skip
 
 
@@ -137,7 +137,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=measure,
         put=_put,
-        told=_told,
+        reported=_told,
         codec=Codec(arrays=_arrays, product=_product),
         when=lambda s: s.asked.options.precise and bool(s.photos),
     )

@@ -1,4 +1,4 @@
-"""Alternative: features of reduced copies, where photographs tell nothing at the size of their pixels.
+"""Alternative: features of reduced copies, where photographs show nothing at the size of their pixels.
 
 Photographs that are soft, noisy or heavily compressed are oriented by features of copies where these orient more of
 them; they are tried where the first start leaves photographs.

@@ -58,7 +58,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=find,
         put=_put,
-        told=lambda s: counted(len(s.with_scenes.images), "scene"),
+        reported=lambda s: counted(len(s.with_scenes.images), "scene"),
         when=lambda s: s.scenes is not None,
     )
 )

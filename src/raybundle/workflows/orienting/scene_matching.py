@@ -78,7 +78,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=match,
         put=_put,
-        told=_told,
+        reported=_told,
         when=lambda s: s.scenes is not None,
     )
 )

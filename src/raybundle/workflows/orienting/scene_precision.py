@@ -86,7 +86,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=measure,
         put=_put,
-        told=lambda s: s.with_scenes.measured,
+        reported=lambda s: s.with_scenes.measured,
         codec=Codec(arrays=_arrays, product=_product),
         when=_when,
     )

@@ -63,7 +63,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=begin,
         put=_put,
-        told=_told,
+        reported=_told,
         codec=Codec(arrays=arrays_of_tie, product=tie_of_arrays),
         when=lambda s: s.scenes is not None,
     )

@@ -151,7 +151,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=begin,
         put=_put,
-        told=_told,
+        reported=_told,
         codec=Codec(arrays=_arrays, product=_product),
         when=lambda s: bool(s.photos),
     )

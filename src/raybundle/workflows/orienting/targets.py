@@ -153,7 +153,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=measure,
         put=_put,
-        told=_told,
+        reported=_told,
         when=lambda s: bool(s.asked.options.targets and s.photos),
     )
 )

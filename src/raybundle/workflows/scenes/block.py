@@ -68,14 +68,14 @@ class SceneSet:
 
     def notices(self) -> tuple[Notice, ...]:
         """What is assumed about them."""
-        told: list[Notice] = []
+        found: list[Notice] = []
         silent = [s.name for s in self.images if s.rpc is not None and not bias_stated(s)]
         orbits = [s.name for s in self.images if s.rpc is None]
         if silent:
-            told.append(Notice(code="scene_prior.rpc", values={"sigma_m": USUAL_BIAS_M}, ids=tuple(silent)))
+            found.append(Notice(code="scene_prior.rpc", values={"sigma_m": USUAL_BIAS_M}, ids=tuple(silent)))
         if orbits:
-            told.append(Notice(code="scene_prior.orbit", values={"sigma_rad": ATTITUDE_RAD}, ids=tuple(orbits)))
-        return tuple(told)
+            found.append(Notice(code="scene_prior.orbit", values={"sigma_rad": ATTITUDE_RAD}, ids=tuple(orbits)))
+        return tuple(found)
 
 
 def with_cameras(block: Block, cameras: Sequence[Camera], place: Local) -> Block:
@@ -240,7 +240,7 @@ def joined(scenes: Block, photographs: Block | None) -> Block:
 def refuse_nothing_common(
     scenes: SceneSet, pairs: Sequence[ScenePair], marks: int, photographs: int, refused: Sequence[tuple[str, str]]
 ) -> None:
-    """Raise NoOrientation where scenes have neither tie points nor marks; `refused` files and why are told as well."""
+    """Raise NoOrientation where scenes have neither tie points nor marks; `refused` files and reasons are reported."""
     if marks or photographs or any(len(p.pair.matches) for p in pairs):
         return
     middles = [(s.name, *middle_of_scene(s)[:2]) for s in scenes.images[:6]]

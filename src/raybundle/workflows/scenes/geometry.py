@@ -1,4 +1,4 @@
-"""What the geometry of satellite scenes says before anything is adjusted: common ground, search strips, misfit."""
+"""What the geometry of satellite scenes states before anything is adjusted: common ground, search strips, misfit."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def camera_of_scene(image: SceneImage, place: Local, bias: BiasKind) -> Camera:
 
 
 def bias_stated(image: SceneImage) -> bool:
-    """Whether the vendor says how wrong the scene may be."""
+    """Whether the vendor states how wrong the scene may be."""
     return image.rpc is not None and bool(image.rpc.err_bias_m)
 
 

@@ -34,7 +34,7 @@ LEFT_TO_OTHERS = {".ntf", ".nitf", ".jp2", ".j2k"}
 TILE_PX, MARGIN_PX = 4096, 192
 """Tiles in which features are looked for, and how far they overlap."""
 SAMPLE_PX, SAMPLES = 192, 8
-"""Windows that tell the grey values of a scene: their side, and how many stand side by side."""
+"""Windows that show the grey values of a scene: their side, and how many stand side by side."""
 DARKEST, BRIGHTEST = 0.3, 99.7
 """Percentiles between which grey values are stretched."""
 
@@ -51,7 +51,7 @@ class SceneImage:
     sha256: str
     """Of the image."""
     model: Path
-    """The file that tells the geometry; the image itself where that has the tag."""
+    """The file that shows the geometry; the image itself where that has the tag."""
     scene: Scene
 
     @property
@@ -132,7 +132,7 @@ def _candidates(inputs: Sequence[Path]) -> list[Path]:
 
 
 def model_of(path: Path) -> Path | None:
-    """The file that tells the geometry of an image; None where nothing does, so that it is a photograph."""
+    """The file that shows the geometry of an image; None where nothing does, so that it is a photograph."""
     stem = path.stem
     own = [f"{stem}{end}" for end in OWN_ENDS]
     names = [f"{path.name}.aux.xml", *own, *(f"{stem}{end}" for end in (".XML", ".xml", ".geom", ".DIM", ".json"))]
@@ -195,7 +195,7 @@ def read_scene_image(path: Path, model: Path) -> SceneImage:
 
 
 def scene_of_size(scene: Scene, width: int, height: int, path: Path) -> Scene:
-    """What a file tells of a scene, for its image; raises InputError where that is an image of another size."""
+    """What a file reports a scene, for its image; raises InputError where that is an image of another size."""
     model = scene.file.name
     if scene.width_px and scene.height_px and (scene.width_px, scene.height_px) != (width, height):
         raise InputError(

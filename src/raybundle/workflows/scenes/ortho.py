@@ -141,7 +141,7 @@ def ortho_of(
     rpc: Rpc, size_px: tuple[int, int], ground: Ground, *, crs: str | None, pixel: float | None,
     area: tuple[float, float, float, float] | None, kernel: Kernel,
 ) -> Ortho:  # fmt: skip
-    """The map that is asked for; what is not told follows from the scene.
+    """The map that is asked for; what is not stated follows from the scene.
 
     crs    plane or geographic system; None: the zone of UTM of the scene's middle
     pixel  in its unit; None: that of the scene, in two digits
@@ -166,17 +166,17 @@ def ortho_of(
 
 
 def _odd_heights(rpc: Rpc, ground: Ground, size_px: tuple[int, int]) -> tuple[str, ...]:
-    """What is to be said where the ground under the scene lies at heights that its RPC was not made for."""
+    """What is to be stated where the ground under the scene lies at heights that its RPC was not made for."""
     places, known = ground_of_rays(rpc, ground, _inner_grid(size_px))
     out = known & rpc.heights_outside(places)
     if not out.any():
         return ()
     low, high = float(places[known, 2].min()), float(places[known, 2].max())
-    told = (
+    line = (
         f"the ground under the scene lies {low:.0f} to {high:.0f} m above the ellipsoid, and the RPC holds for "
         f"{rpc.height_range_words()}: look at the geoid and at the unit of the heights"
     )
-    return (told,)
+    return (line,)
 
 
 def _inner_grid(size_px: tuple[int, int]) -> Array:

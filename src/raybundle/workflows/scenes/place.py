@@ -102,11 +102,11 @@ def common_frame(scenes: SceneSet, photos: Sequence[Photo], given: Given) -> tup
     off = np.abs(place.block_from_geographic(frame.wgs84_from_local(probe)) - probe).max()
     if off <= SAME_M:
         return Placed(frame=frame, place=place), ()
-    told = Notice(
+    found = Notice(
         code="scene_datum",
         values={"system": frame.crs, "off_m": float(off)},
     )
-    return Placed(frame=local_frame(WGS84, (lon, lat, h)), place=place), (told,)
+    return Placed(frame=local_frame(WGS84, (lon, lat, h)), place=place), (found,)
 
 
 def in_frame(given: Given, placed: Placed) -> Given:

@@ -38,11 +38,11 @@ def place_with_scenes(
     assert state.features is not None
     scenes = state.set(options)
     given = control_in_system(given, scenes, options.crs)
-    placed, told = common_frame(scenes, photos, given)
+    placed, found = common_frame(scenes, photos, given)
     given = in_frame(given, placed)
     names = [s.name for s in state.images]
     placing = place_scenes(state.block, scenes, marks_in(given, names, inside=True), placed)
-    notices = [*told, *scenes.notices(), *(_files(given))]
+    notices = [*found, *scenes.notices(), *(_files(given))]
     notices += [notice_of_text("coordinate_system", r) for r in placed.frame.remarks]
     if not blocks:
         add_bars(placing, given)

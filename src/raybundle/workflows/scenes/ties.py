@@ -51,7 +51,7 @@ ONE_SHIFT_PX = {"none": 3.0, "shift": 3.0, "drift": 8.0, "affine": 8.0}
 BELIEVED = 4.0
 """A shift of more stated standard deviations than that: image and RPC do not belong together."""
 ENOUGH = 40
-"""Matches by appearance from which a pair that does not fit its geometry says so."""
+"""Matches by appearance from which a pair that does not fit its geometry states it."""
 HEIGHT_M = 50.0
 """Ground may lie so far outside the heights of the RPCs."""
 
@@ -271,7 +271,7 @@ def _without_geometry(
 def contradicting(images: Sequence[SceneImage], pairs: Sequence[ScenePair]) -> dict[int, str]:
     """Scenes whose geometry contradicts that of the others, and why.
 
-    raises  InputError where two scenes contradict each other and nothing tells which of them is wrong
+    raises  InputError where two scenes contradict each other and nothing shows which of them is wrong
     """
     bad = [(p, p.trouble) for p in pairs if p.trouble is not None]
     if not bad:

@@ -46,8 +46,8 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
             measured += _write_one(folder / name, rays, found, np.asarray(sigma))
             about[json.dumps(name)] = _about(surface, image, rays, found)
         (folder / ABOUT).write_text(toml_text(about), encoding="utf-8")
-    told = f"{counted(len(names), 'depth map')}, {counted(measured, 'depth')}"
-    return Written(files=(out / FOLDER,), told=(told,))
+    reported = f"{counted(len(names), 'depth map')}, {counted(measured, 'depth')}"
+    return Written(files=(out / FOLDER,), reported=(reported,))
 
 
 def _write_one(path: Path, rays: ReferenceRays, found: DepthMap, sigma: Array) -> int:
@@ -70,7 +70,7 @@ def _about(surface: Surface, image: int, rays: ReferenceRays, found: DepthMap) -
     ids, g = surface.block.images.ids, found.grid
     return {
         "image": ids[image], "file": surface.block.images.file[image],
-        "depth": rays.told, "left": g.x0 + 0.5 - g.stride / 2,
+        "depth": rays.reported, "left": g.x0 + 0.5 - g.stride / 2,
         "top": g.y0 + 0.5 - g.stride / 2, "step": g.stride, "sources": [ids[s] for s in found.sources],
     }  # fmt: skip
 

@@ -25,13 +25,13 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
         file = replace(file, plane={**file.plane, STATE: state})
     if context.fingerprint:
         file = replace(file, plane={**file.plane, FINGERPRINT: context.fingerprint})
-    told = write_heights(surface, file, out)
+    reported = write_heights(surface, file, out)
     with_height = file.with_heights
     if with_height is None or with_height.is_compound:
         (out / SYSTEM).unlink(missing_ok=True)
     else:
         (out / SYSTEM).write_text(system_text(with_height.to_wkt()), encoding="utf-8")
-    return Written(files=tuple(out / f for f in FILES), told=told)
+    return Written(files=tuple(out / f for f in FILES), reported=reported)
 
 
 def _check() -> None:

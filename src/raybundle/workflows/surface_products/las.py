@@ -71,12 +71,14 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
         write_las(file, parts(), offsets=offsets, steps=steps, system=system.view.system)
     other.unlink(missing_ok=True)
     name = system.view.system_name
-    told = [f"{counted(len(context.points), 'point')} in {name or 'the axes of the block'}, in steps of {steps[2]:g}"]
+    reported = [
+        f"{counted(len(context.points), 'point')} in {name or 'the axes of the block'}, in steps of {steps[2]:g}"
+    ]
     if not context.unit:
-        told.append("the scale is free: coordinates and standard deviations have no unit, and LAS cannot say so")
+        reported.append("the scale is free: coordinates and standard deviations have no unit, and LAS cannot say so")
     if not laz:
-        told.append("LAZ needs lazrs, which is not installed (pip install 'raybundle[las]'): LAS, uncompressed")
-    return Written(files=(path,), told=tuple(told))
+        reported.append("LAZ needs lazrs, which is not installed (pip install 'raybundle[las]'): LAS, uncompressed")
+    return Written(files=(path,), reported=tuple(reported))
 
 
 def _steps(system: _System, points: Points) -> tuple[Array, Array]:
@@ -87,7 +89,7 @@ def _steps(system: _System, points: Points) -> tuple[Array, Array]:
             xyz = system.view.placed(cloud.xyz)
             low, high = np.minimum(low, xyz.min(axis=0)), np.maximum(high, xyz.max(axis=0))
             scale = abs(float(np.linalg.det(system.jacobian(cloud.xyz[0])))) ** (1 / 3)
-            # what orientation does, all points share: it does not say how finely they are told apart
+            # what orientation does, all points share: it does not say how finely they are distinguished
             sigma.append(scale * np.hypot(cloud.parts[::7, 0], cloud.parts[::7, 1]))
     if not sigma:
         return np.zeros(3), np.full(3, 1e-4)

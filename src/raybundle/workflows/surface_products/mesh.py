@@ -38,11 +38,11 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
         _write_glb(glb, mesh, picture, unit)
     sigma = float(np.median(mesh.sigma))
     factor, of = precision_unit(sigma, unit)
-    told = (
+    reported = (
         f"{grouped(len(mesh.xyz))} vertices, {counted(len(mesh.triangles), 'triangle')}; standard deviation of a "
         f"height {significant(factor * sigma, 2)} {of}".rstrip() + " in the median"
     )  # fmt: skip
-    return Written(files=tuple(out / f for f in FILES), told=(told,))
+    return Written(files=tuple(out / f for f in FILES), reported=(reported,))
 
 
 def _write_obj(path: Path, mesh: Mesh, unit: str) -> None:
@@ -71,13 +71,13 @@ class _AsStored(JpegImageFile):
 
 
 def _write_glb(path: Path, mesh: Mesh, picture: Path, unit: str) -> None:
-    """Write glTF 2.0 in one binary file: vertices in single precision about their middle, which its node tells."""
+    """Write glTF 2.0 in one binary file: vertices in single precision about their middle, which its node shows."""
     import trimesh  # noqa: PLC0415  (0.2 s, for who writes meshes)
     from trimesh.exchange.gltf import export_glb  # noqa: PLC0415
     from trimesh.visual.material import PBRMaterial  # noqa: PLC0415
     from trimesh.visual.texture import TextureVisuals  # noqa: PLC0415
 
-    def told(tree: dict[str, Any]) -> None:
+    def reported(tree: dict[str, Any]) -> None:
         tree["asset"] |= {"generator": "raybundle", "extras": {"unit": unit or "none: the scale is free"}}
 
     middle = np.round((mesh.xyz.min(axis=0) + mesh.xyz.max(axis=0)) / 2, 3)
@@ -93,7 +93,7 @@ def _write_glb(path: Path, mesh: Mesh, picture: Path, unit: str) -> None:
         place = np.eye(4)
         place[:3, 3] = Y_UP @ middle
         scene.add_geometry(surface, node_name="surface", geom_name="surface", transform=place)
-        path.write_bytes(export_glb(scene, include_normals=False, tree_postprocessor=told))
+        path.write_bytes(export_glb(scene, include_normals=False, tree_postprocessor=reported))
 
 
 PRODUCT = register(Product(name="mesh", files=FILES, write=_write))

@@ -13,8 +13,8 @@ from raybundle.workflows.surface_product import Context, Product, Written, regis
 
 def _write(surface: Surface, out: Path, context: Context) -> Written:
     assert context.plane is not None
-    told = write_orthophoto(surface, context.plane, context.unit, out, context.export.record.get(STATE, ""))
-    return Written(files=tuple(out / f for f in FILES), told=told)
+    reported = write_orthophoto(surface, context.plane, context.unit, out, context.export.record.get(STATE, ""))
+    return Written(files=tuple(out / f for f in FILES), reported=reported)
 
 
 def _check() -> None:

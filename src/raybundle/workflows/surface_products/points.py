@@ -17,7 +17,7 @@ POINTS = "points.ply"
 
 
 def columns_of(cloud: Cloud) -> Mapping[str, Array]:
-    """What is said of each point beside place and colour, by name."""
+    """What is stated of each point beside place and colour, by name."""
     axes = {f"sigma_{a}": cloud.sigma[:, k] for k, a in enumerate("xyz")}
     parts = {f"sigma_{a}": cloud.parts[:, k] for k, a in enumerate(("noise", "roughness", "orientation"))}
     seen = {"rays": cloud.views.astype(np.int32), "maps": cloud.confirmed.astype(np.int32)}
@@ -34,7 +34,7 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
             yield cloud.xyz, cloud.colour, columns_of(cloud)
 
     write_in_parts(out / POINTS, len(context.points), parts(), tuple(comments))
-    return Written(files=(out / POINTS,), told=())
+    return Written(files=(out / POINTS,), reported=())
 
 
 PRODUCT = register(Product(name="", files=(POINTS,), write=_write, of_cloud=True))

@@ -195,14 +195,14 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     box = None if task.region is None else _around(mine, known)
     tables = [places_in(block, mine.rays, j, between, box) for j in task.others]
     probes = _Probes.of(store, task, found, mine)
-    told = agreement(mine, _others(store, task, block, probes, tables), tables, task.others, own=task.own)
-    inside = np.ones(len(told.agree), bool)
+    agreed = agreement(mine, _others(store, task, block, probes, tables), tables, task.others, own=task.own)
+    inside = np.ones(len(agreed.agree), bool)
     if task.region is not None:
         inside = task.region.holds(mine.rays.points(mine.grid.xy_px[known], np.asarray(mine.t, float)[known]))
-    share = told.confirmed(inside)
-    given = told.kept & inside & (share >= CONFIRMED)
-    more = by_contrast(told.scatter, np.asarray(found.contrast)[known])[given]
-    cloud = _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], (told.confirming[given], more))
+    share = agreed.confirmed(inside)
+    given = agreed.kept & inside & (share >= CONFIRMED)
+    more = by_contrast(agreed.scatter, np.asarray(found.contrast)[known])[given]
+    cloud = _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], (agreed.confirming[given], more))
     return {**cloud, **_told(int(inside.sum()), share)}
 
 

@@ -232,7 +232,7 @@ def _moved(
     block: Index,
     place: tuple[Array, Array, Array],
 ) -> tuple[Index, Moments]:
-    """Parts of tiles, and what tells how the points of this reference in them move with each independent error.
+    """Parts of tiles, and what shows how the points of this reference in them move with each independent error.
 
     place  columns, rows and heights of the points
     """
@@ -319,7 +319,7 @@ STAGE = SURFACE.register(
     Stage(
         name="heights", after=("fusion",), function=measure, kinds=(ABOVE, LAYER, TILE),
         put=lambda s, found: replace(s, heights=found), when=lambda s: s.options.grid is not None,
-        told=lambda s: counted(len(s.heights.tiles), "tile") if s.heights else "",
+        reported=lambda s: counted(len(s.heights.tiles), "tile") if s.heights else "",
         inputs=lambda s: Inputs(
             adjustment=s.adjustment, chosen=s.chosen, clouds=s.clouds, maps=s.maps, shifts=s.shifts,
             grid=s.wanted_grid, photos=s.photos,

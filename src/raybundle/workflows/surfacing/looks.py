@@ -41,7 +41,7 @@ GRAZING = 0.05
 MARGIN_PX = 2.0
 """Of a photograph, from which no colours are made."""
 LEVEL_CELLS = 200_000
-"""Cells of the whole that tell how bright photographs are."""
+"""Cells of the whole that show how bright photographs are."""
 CELL_S = 4e-6
 """CPU seconds of a cell and photograph, for the order and the time that is left."""
 
@@ -236,7 +236,7 @@ STAGE = SURFACE.register(
     Stage(
         name="photographs on heights", after=("heights",), function=measure, kinds=(LOOK,),
         put=lambda s, found: replace(s, looks=found), when=lambda s: s.options.orthophoto is not None,
-        told=lambda s: counted(len(s.looks.keys), "photograph") if s.looks else "",
+        reported=lambda s: counted(len(s.looks.keys), "photograph") if s.looks else "",
         inputs=lambda s: Inputs(
             block=s.block, photos=s.photos, masks=s.masks, maps=s.maps, heights=s.wanted_heights,
             pixel=s.wanted_orthophoto.pixel,

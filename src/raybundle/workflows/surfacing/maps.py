@@ -138,7 +138,7 @@ def _put(state: SurfaceState, found: Maps) -> SurfaceState:
 STAGE = SURFACE.register(
     Stage(
         name="depth maps", after=("sources",), function=measure, put=_put, kinds=(PART, MAP),
-        told=lambda s: f"{len(s.maps)} of {len(s.chosen)}",
+        reported=lambda s: f"{len(s.maps)} of {len(s.chosen)}",
         inputs=lambda s: Inputs(
             adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, shares=s.shares, masks=s.masks,
             options=s.options,

@@ -172,7 +172,7 @@ STAGE = SURFACE.register(
     Stage(
         name="orthophoto", after=("photographs on heights",), function=make, kinds=(CHOICE, PIXELS),
         put=lambda s, found: replace(s, orthophoto=found), when=lambda s: s.options.orthophoto is not None,
-        told=lambda s: counted(len(s.orthophoto.parts), "photograph") if s.orthophoto else "",
+        reported=lambda s: counted(len(s.orthophoto.parts), "photograph") if s.orthophoto else "",
         inputs=lambda s: Inputs(
             block=s.block, photos=s.photos, maps=s.maps, shifts=s.shifts, heights=s.wanted_heights,
             looks=s.wanted_looks, grid=s.wanted_orthophoto,

@@ -74,7 +74,7 @@ def _share(block: Block, k: int, region: SurfaceRegion) -> float:
     try:
         t_range = depth_range(block, rays, k)
     except InputError:
-        return 1.0  # its map says why there is none
+        return 1.0  # its map states why there is none
     shown = shown_part(rays, t_range, region)
     return 0.0 if shown is None else shown.share
 
@@ -111,7 +111,7 @@ def _told(state: SurfaceState) -> str:
 
 STAGE = SURFACE.register(
     Stage(
-        name="sources", function=choose, put=_put, told=_told, little=True,
+        name="sources", function=choose, put=_put, reported=_told, little=True,
         inputs=lambda s: Inputs(block=s.block, images=tuple(sorted(s.photos)), region=s.options.region, lost=s.lost),
     )
 )  # fmt: skip

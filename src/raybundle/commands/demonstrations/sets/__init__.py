@@ -1,1 +1,1 @@
-"""One module a set; what it has is said in `demonstrations`."""
+"""One module a set; what it has is stated in `demonstrations`."""

@@ -83,7 +83,7 @@ def _whole(view: View) -> bool:
 
 
 def make(folder: Path, progress: Progress) -> tuple[str, ...]:
-    """As `demonstrations` says."""
+    """As `demonstrations` states."""
     every = views()
     for k, view in enumerate(every):
         progress("photographs", k / len(every))

@@ -52,7 +52,7 @@ def views() -> list[View]:
 
 
 def make(folder: Path, progress: Progress) -> tuple[str, ...]:
-    """As `demonstrations` says."""
+    """As `demonstrations` states."""
     rng = np.random.default_rng((SEED, 1))
     frame = local_frame(CRS, ORIGIN)
     places = {**CONTROL, **CHECK}

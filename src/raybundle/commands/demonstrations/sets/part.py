@@ -85,7 +85,7 @@ def stations(rng: np.random.Generator) -> list[tuple[Array, Array]]:
 
 
 def make(folder: Path, progress: Progress) -> tuple[str, ...]:
-    """As `demonstrations` says."""
+    """As `demonstrations` states."""
     rng = np.random.default_rng((SEED, 1))
     wanted = nominal()
     true = {n: xyz + rng.normal(0, MADE_M, 3) + OFF.get(n, (0, 0, 0)) for n, (xyz, _) in wanted.items()}
@@ -97,12 +97,14 @@ def make(folder: Path, progress: Progress) -> tuple[str, ...]:
     write_rows(folder / "nominal.csv", ("point", "X", "Y", "Z", "tolerance"), rows)
     lengths = [(a, b, f"{1000 * abs(CHECK_BAR[b] - CHECK_BAR[a]):.3f}") for a, b in combinations(CHECK_BAR, 2)]
     write_rows(folder / "lengths.csv", ("from", "to", "length"), lengths)
-    told = [f"scale bar {a} - {b}: {np.linalg.norm(bars[a] - bars[b]):.5f} m, sigma {CERTIFIED_M:f} m" for a, b in BARS]
+    reported = [
+        f"scale bar {a} - {b}: {np.linalg.norm(bars[a] - bars[b]):.5f} m, sigma {CERTIFIED_M:f} m" for a, b in BARS
+    ]
     return (
         "before, after: 12 photographs each of a part with 26 coded targets (aicon14), before and after a load",
         "nominal.csv: nominal coordinates of its bores in mm, with a tolerance of 0.2 mm",
         f"lengths.csv: {len(lengths)} lengths of a bar of {len(CHECK_BAR)} targets in mm",
-        *told,
+        *reported,
     )
 
 

@@ -46,7 +46,7 @@ EDGE_PX = 40
 
 
 def make(folder: Path, progress: Progress) -> tuple[str, ...]:
-    """As `demonstrations` says."""
+    """As `demonstrations` states."""
     library = raster_library()
     rng = np.random.default_rng(SEED)
     to_map = _to_map()
