@@ -213,7 +213,7 @@ def server(folder: Path):
     addresses: queue.Queue[str] = queue.Queue()
     # it ends with the program: its signals are not for this thread
     threading.Thread(
-        target=serve, args=(folder,), kwargs={"browser": False, "told": addresses.put}, daemon=True
+        target=serve, args=(folder,), kwargs={"browser": False, "notify": addresses.put}, daemon=True
     ).start()
     try:
         yield addresses.get(timeout=300)

@@ -243,7 +243,7 @@ def test_the_largest_usual_scale_that_fits_is_taken(tmp_path, capsys):
     assert main(["sheet", str(picture), "--paper", "A3", "--out", str(tmp_path / "s.pdf"), "--progress", "none"]) == 0
     told = capsys.readouterr().out
     assert "1 : 10 on A3 landscape, 1 sheet" in told
-    assert "taken for metres" in told
+    assert "metres are assumed" in told
     assert rb.drawing_sheet(picture, tmp_path / "p.pdf", paper="A3", portrait=True).scale == 10
     assert rb.drawing_sheet(picture, tmp_path / "q.pdf", paper="A0").scale == 2
     assert rb.drawing_sheet(picture, tmp_path / "r.pdf", extent=(0, 0, 0.1, 0.05)).scale == 1

@@ -337,4 +337,4 @@ def test_the_command_writes_nothing_for_exchanged_marks(files):
 
 
 def test_a_wrong_pixel_of_the_scanner_is_noticed(files):
-    assert "look at --pixel-mm" in run(files, "--pixel-mm", "0.025").output
+    assert "[film.shrinkage]" in run(files, "--pixel-mm", "0.025").output

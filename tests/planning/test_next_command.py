@@ -83,7 +83,7 @@ def test_a_block_without_a_datum_and_its_calibration(field, tmp_path, capsys):
     said = capsys.readouterr().out
     assert "largest uncertainty of projection" in said
     assert "px instead of" in said
-    assert "(1 is the distance from there to the object)" in said
+    assert "(1: distance from there to the object)" in said
     told = json.loads((tmp_path / "a/next.json").read_text())
     assert told["unit"] == "px"
     assert told["vertical_known"] is False

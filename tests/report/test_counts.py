@@ -6,9 +6,9 @@ import json
 import pytest
 
 from raybundle.adjustment.counts import counts
-from raybundle.report.text.numbers import grouped
 from raybundle.report.text.summary import details
 from raybundle.report.write import write_result
+from raybundle.words import headline
 
 
 @pytest.mark.parametrize("name", ["rich", "rejected", "unused_rows"])
@@ -40,7 +40,10 @@ def test_counts_agree_on_the_command_line_in_the_report_and_in_the_result(case, 
     assert tuple(line[f"{k}_given"] for k in ("images", "points", "observations")) == tuple(g for g, _, _ in pairs)
     html = (tmp_path / "r/report.html").read_text()
     for given, used, noun in pairs:
-        assert f'<td class="l">{noun}s</td><td class="l">{grouped(used)} took part; {grouped(given)} given' in html
+        value = headline(
+            "result_section.used", {"used": used, "given": given, "rejected": n.rejected * ("obs" in noun)}
+        )
+        assert f'<td class="l">{noun}s</td><td class="l">{value}' in html.replace("\u00a0", " ")
 
 
 def test_the_cases_have_something_to_count(case):

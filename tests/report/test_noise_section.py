@@ -37,7 +37,7 @@ def test_floor_and_fields_stand_in_the_report_and_in_result_json(result, tmp_pat
     page = (tmp_path / "r/report.html").read_text()
     assert words.headline("report_noise.title", {}) in page
     assert words.headline("report_noise.sigma_independent", {}) in page
-    assert "here with smooth ones that differ from image to image" in page
+    assert words.headline("report_noise.smooth_errors", {}) in page
 
 
 def test_white_noise_has_no_section_and_one_standard_deviation(result, tmp_path):

@@ -30,7 +30,7 @@ def test_a_good_result_is_called_good(case):
     assert grade == "good"
     view = view_of(a)
     assert headline["points_rms"]["sigma"] == rms(free_std(view))
-    assert words["adjusted"]["redundancy"] == {"unknowns": a.unknowns, "redundancy": a.redundancy}
+    assert words["heading_adjusted"]["redundancy"] == {"unknowns": a.unknowns, "redundancy": a.redundancy}
     assert words["accuracy"]["check_points"]["n"] == len(view.check_rows)
 
 
@@ -58,7 +58,7 @@ def test_an_arbitrary_scale_gives_no_length_in_the_headline(case):
     _, headline, words = told(case("free"))
     assert "unit" not in headline["points_relative"]
     assert "points_rms" not in headline
-    assert words["adjusted"]["datum_open"]["which"] == "position_orientation_scale"
+    assert words["heading_adjusted"]["datum_open"]["which"] == "position_orientation_scale"
 
 
 def test_no_redundancy_is_said_first(case):
@@ -183,7 +183,7 @@ def test_open_parts_of_the_datum_are_gathered():
 
 def test_the_least_certain_parameter_of_the_camera_is_told_with_its_standard_deviation_in_the_image(case):
     a = case("rich")
-    words = told(a)[2]["cameras"]
+    words = told(a)[2]["heading_cameras"]
     (interior,) = a.interior
     free = [interior.parameters[s] for s in interior.free]
     weakest = max(free, key=lambda p: p.effect_std_px)
@@ -193,5 +193,5 @@ def test_the_least_certain_parameter_of_the_camera_is_told_with_its_standard_dev
     assert "not_determinable" not in words
     parameters = {**interior.parameters, "x0": replace(interior.parameters["x0"], effect_std_px=15.0)}
     weak = replace(a, interior=(replace(interior, parameters=parameters),))
-    least = told(weak)[2]["cameras"]["least_certain"]
+    least = told(weak)[2]["heading_cameras"]["least_certain"]
     assert (least["symbol"], least["px"]) == ("x0", 15.0)

@@ -243,7 +243,7 @@ def test_written_by_tiles(folder, scene_file, dem, capsys):
     assert main(words) == 0
     printed = capsys.readouterr().out
     assert "in EPSG:32637" in printed
-    assert "what hides what is not found out" in printed
+    assert "[picture.hidden_places]" in printed
     done = rb.rpc_ortho(scene_file, dem, crs=UTM, pixel=0.5)
     with rasterio.open(out) as raster:
         assert np.array_equal(raster.read(), done.values)

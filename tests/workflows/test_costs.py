@@ -201,9 +201,9 @@ def test_recording_changes_nothing_and_counts_everything(tmp_path):
     assert of.found.sigma0 == plain.sigma0
     nodes = len(plain.network.tree)
     assert {r.name for r in of.records} <= set(measure.SWEEP_OF)
-    assert sum(r.name == "told" for r in of.records) == nodes
+    assert sum(r.name == "reported" for r in of.records) == nodes
     assert sum(r.name == "up" for r in of.records) == nodes * (of.found.iterations + 1)
-    assert all(r.seconds >= 0 and r.written > 0 for r in of.records if r.name in {"up", "down", "told"})
+    assert all(r.seconds >= 0 and r.written > 0 for r in of.records if r.name in {"up", "down", "reported"})
     assert 0 < of.cutting_s < of.seconds
     held = {r.key for r in of.records if (tmp_path / "recorded" / r.key[-2:] / f"{r.key}.npz").exists()}
     assert of.disk > sum(r.written for r in of.records if r.key in held) > 0

@@ -253,7 +253,7 @@ def _cofactors(
             generators=generators[t], change=by,
         )  # fmt: skip
 
-    reported = run.parts.each("told", told_of, lambda o: (o.state, o.inverse, o.generators))
+    reported = run.parts.each("reported", told_of, lambda o: (o.state, o.inverse, o.generators))
     found = run.parts.made(reported, "numbers")
     middle = ""
     if change is not None:

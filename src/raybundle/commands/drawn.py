@@ -23,7 +23,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.report.drawing.content import Drawing, DrawnLine, DrawnPicture, DrawnPoints, Field
 from raybundle.report.drawing.pictures import size_of
 from raybundle.report.drawing.words import drawing_in
-from raybundle.report.languages import ENGLISH, Said, checked_language
+from raybundle.report.languages import ENGLISH, Localised, checked_language
 from raybundle.report.languages.language import language_of
 from raybundle.results.record import STATE, Record
 from raybundle.workflows.object_plane import Lean, MapLevel, Plane
@@ -360,12 +360,12 @@ def _record(s: DrawingSheetSettings, folder: Path | None) -> Record:
 def _fields(record: Record, where: _Where) -> tuple[Field, ...]:
     """The entries of the title block before scale, paper and number."""
     # of the photographs, where nobody wrote it: its numbers are in the language of the sheet
-    instruments = record.instruments if " px, c = " in record.instruments else Said(record.instruments)
+    instruments = record.instruments if " px, c = " in record.instruments else Localised(record.instruments)
     words: list[tuple[str, str, int]] = [
-        ("object", Said("" if record.object == record.title else record.object), 1),
-        ("place", Said(record.place), 1), ("reference", Said(record.reference), 1),
-        ("client", Said(record.client), 1), ("operator", Said(record.operator), 1), ("date", record.date, 1),
-        ("instruments", instruments, 1), ("rights", Said(record.rights), 1),
+        ("object", Localised("" if record.object == record.title else record.object), 1),
+        ("place", Localised(record.place), 1), ("reference", Localised(record.reference), 1),
+        ("client", Localised(record.client), 1), ("operator", Localised(record.operator), 1), ("date", record.date, 1),
+        ("instruments", instruments, 1), ("rights", Localised(record.rights), 1),
         ("coordinates", where.words, 2),
     ]  # fmt: skip
     return tuple(

@@ -442,7 +442,7 @@ def write_table(
         raise ValueError(f"columns of {sorted(rows)} rows in {path.name}")
     rules = digits if isinstance(digits, Mapping) else dict.fromkeys(columns, digits)
     if without := [name for name, c in columns.items() if isinstance(c, np.ndarray) and name not in rules]:
-        raise ValueError(f"the number of digits is unknown with which {', '.join(without)} of {path.name} are written")
+        raise ValueError(f"how many digits {', '.join(without)} of {path.name} have is unknown")
     if path.suffix == PARQUET:
         write_parquet(path, columns, rules)
         return

@@ -11,7 +11,7 @@ VARIABLE = "RAYBUNDLE_TASK_MODULES"
 FUNCTIONS = {
     "raybundle.blocking.answers": (
         "describe", "touched", "evaluate", "residuals", "expand", "astray", "moments", "placed", "generators",
-        "statistics", "told", "stated", "tested",
+        "statistics", "reported", "stated", "tested",
     ),
     "raybundle.blocking.tasks": ("up", "down", "right_up", "right_down", "inverse"),
     "raybundle.ties.pairs": ("words_product", "signature_product", "compared"),

@@ -353,7 +353,7 @@ def _point_parts(first: ResultFolder, d: PointDifferences, shared: Shared) -> li
             (
                 text(phrase("label.coordinate")),
                 number(phrase("label.mean"), unit),
-                number("rms", unit),
+                number(phrase("label.rms"), unit),
                 number(phrase("label.largest"), unit),
                 number(phrase("report_compare.rms_ratio")),
             ),

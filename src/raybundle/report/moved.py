@@ -17,7 +17,7 @@ from raybundle.numerics.natural import natural_order
 from raybundle.report.arrangement import PartName
 from raybundle.report.document import PDF, Document, html
 from raybundle.report.figures.displacements import displacement_views
-from raybundle.report.languages import ENGLISH, Said
+from raybundle.report.languages import ENGLISH, Localised
 from raybundle.report.languages.language import Language, language_of
 from raybundle.report.languages.setting import section_in
 from raybundle.report.parts import (
@@ -142,7 +142,7 @@ def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
     stated = [
         *((phrase("front.severity", level=n.severity.value), n.text) for n in done.reported),
         *(
-            (phrase("front.severity", level="fault"), Said(f"{name}: {language.text(m)}")) for name, m in faults
+            (phrase("front.severity", level="fault"), Localised(f"{name}: {language.text(m)}")) for name, m in faults
         ),
         (phrase("front.client"), about.record.client), (phrase("front.operator"), about.record.operator),
         (phrase("report_moved.measurements"), " – ".join(done.epochs)), (phrase("report_moved.axes"), axes),

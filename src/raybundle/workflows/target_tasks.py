@@ -10,8 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError, Text, message_of, message_of_text
+from raybundle.errors import InputError, message_of_text
 from raybundle.io.photos.photo import Photo, read_grey
+from raybundle.io.reading.texts import stored_text
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means
@@ -143,14 +144,6 @@ def arrays_of_marks(sets: Sequence[Marks]) -> dict[str, Array]:
     return arrays
 
 
-def _remark(stored: str) -> str:
-    """A remark as it was kept: a message, and a text in stores of earlier versions."""
-    try:
-        return Text.of(message_of(json.loads(stored)))
-    except ValueError:
-        return stored
-
-
 def marks_from(a: Mapping[str, Array], targets: Sequence[Target]) -> tuple[Marks, ...]:
     """The same again."""
 
@@ -160,7 +153,7 @@ def marks_from(a: Mapping[str, Array], targets: Sequence[Target]) -> tuple[Marks
     return tuple(
         Marks(
             family=t.family, name=tuple(a[f"{k}:name"].tolist()),
-            remarks=tuple(_remark(r) for r in a[f"{k}:remarks"].tolist()),
+            remarks=tuple(stored_text(r) for r in a[f"{k}:remarks"].tolist()),
             **numbers(k),
         )
         for k, t in enumerate(targets)

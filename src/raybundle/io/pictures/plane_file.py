@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -11,11 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError, Text, message_of
+from raybundle.errors import InputError
 from raybundle.io.formats.base import Export, PlaneAxes
 from raybundle.io.pictures.geotiff import system_file
 from raybundle.io.pictures.rectified import WORLD
 from raybundle.io.reading.files import read_text
+from raybundle.io.reading.texts import stored_text
 from raybundle.io.reading.trees import Json, read_toml
 from raybundle.io.reading.words import number_of
 
@@ -119,10 +119,7 @@ def _words(tree: Json, key: str) -> str:
 def _text(tree: Json, key: str) -> str:
     """Words with their message, where the file has it."""
     words = _words(tree, key)
-    try:
-        return Text.of(message_of(json.loads(_words(tree, f"{key}_message")))) if words else ""
-    except (ValueError, KeyError, TypeError, AttributeError):
-        return words
+    return stored_text(_words(tree, f"{key}_message"), words) if words else ""
 
 
 def _axes(tree: Json) -> PlaneAxes:

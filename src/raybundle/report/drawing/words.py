@@ -9,7 +9,7 @@ from raybundle.report.languages.language import Language
 
 
 def drawing_in(drawing: Drawing, language: Language) -> Drawing:
-    """The same in a language; texts that are `Said` stay as they are."""
+    """The same in a language; texts that are `Localised` stay as they are."""
     say = language.text
     return replace(
         drawing,

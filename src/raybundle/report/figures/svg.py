@@ -7,12 +7,13 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from html import escape
-from json import dumps, loads
+from json import dumps
 
 import numpy as np
 from markupsafe import Markup
 
-from raybundle.errors import Text, message_of, phrase
+from raybundle.errors import Text, phrase
+from raybundle.io.reading.texts import stored_text
 from raybundle.numerics.arrays import Array
 from raybundle.report.text.numbers import MINUS, fixed, grouped
 
@@ -142,7 +143,7 @@ def _pieces(svg: str) -> tuple[str, ...]:
     """SVG and the texts within it, in turns."""
     found = list[str]()
     for k, piece in enumerate(re.split(f"[{_OPEN}{_CLOSE}]", svg)):
-        found.append(Text.of(*map(message_of, loads(piece))) if k % 2 else piece)
+        found.append(stored_text(piece) if k % 2 else piece)
     return tuple(found)
 
 

@@ -1,26 +1,25 @@
-"""Languages of the report: English, in which its sentences are written, and one file here for every other one."""
+"""Languages of the report: those of the catalogues in `raybundle.words`."""
 
 from __future__ import annotations
 
 from functools import cache
 from pathlib import Path
-from typing import Any
 
+from raybundle import words
 from raybundle.errors import InputError
 
-ENGLISH = "en"
+ENGLISH = words.ENGLISH
 
 
-class Said(str):
-    """A text that is in the reader's language already, and is not translated again."""
+class Localised(str):
+    """A text that is in the reader's language already, and stays as it is."""
 
     __slots__ = ()
 
 
-@cache
 def language_codes() -> tuple[str, ...]:
-    """The languages that a report can be written in, English first: as there are files here."""
-    return (ENGLISH, *sorted(f.stem for f in Path(__file__).parent.glob("*.toml")))
+    """The languages that a report can be written in, English first."""
+    return words.languages()
 
 
 def checked_language(code: str) -> str:
@@ -30,8 +29,9 @@ def checked_language(code: str) -> str:
     return code
 
 
-def catalogue(code: str) -> dict[str, Any]:
-    """The file of a language as it stands."""
-    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415  (numeric packages are loaded after the help)
-
-    return dict(read_toml(Path(__file__).parent / f"{code}.toml").values)
+@cache
+def divided_words(code: str) -> dict[str, str]:
+    """Long words of headings with soft hyphens, as the file of the language has them."""
+    file = Path(__file__).parent / f"{code}.txt"
+    found = file.read_text(encoding="utf-8").split() if file.exists() else []
+    return {w.replace("-", ""): w.replace("-", "\u00ad") for w in found}

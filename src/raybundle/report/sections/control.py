@@ -104,7 +104,7 @@ def _left_out(view: View) -> list[Part]:
         d = whole.difference * view.factor
         used = d[np.isfinite(d)]
         fine = column_decimals(np.abs(used) / 10)
-        ids = [*pick(whole.rows, view.given.points.ids), "rms"]
+        ids = [*pick(whole.rows, view.given.points.ids), phrase("label.rms")]
         columns = [cells([*d[:, k].tolist(), rms(d[:, k])], fine) for k in range(3)]
         shape = (text(phrase("label.point")), *(number(f"d{n}", view.unit) for n in names))
         remark = [note("report_control.leave_one_out"), note("report_control.first_order")]
@@ -121,7 +121,8 @@ def _left_out(view: View) -> list[Part]:
     if rows:
         body = table(
             (
-                text(phrase("label.coordinate")), number(phrase("label.points")), number("rms", view.unit),
+                text(phrase("label.coordinate")), number(phrase("label.points")),
+                number(phrase("label.rms"), view.unit),
                 number(phrase("label.largest"), view.unit), text(phrase("label.at_point")),
             ),
             zip(*rows, strict=True),
@@ -248,6 +249,8 @@ def _held_table(view: View, g: ObservationGroup) -> Table:
 def _group_table(view: View, g: ObservationGroup, what: str, rest: str, factor: float, unit: str) -> Table:
     own = None if observation_kinds[g.kind].unit != "own" else _row_units(view, g)
     component, of_logarithms = _quantities(view, g)
+    words = {"angle": phrase("label.angle"), "length": phrase("label.length")}
+    component = [words.get(c, c) for c in component]
     if observation_kinds[g.kind].unit != "length":
         by = np.full(len(g.ids), factor) if own is None else np.array([f for f, _ in own])
         given, adjusted = ([significant(float(v), 6) for v in column * by] for column in (g.given, g.adjusted))
@@ -366,7 +369,8 @@ def _check_summary(difference: Array, std: Array, unit: str) -> Table:
     return table(
         (
             text(phrase("label.coordinate")), number(phrase("label.points")), number(phrase("label.mean"), unit),
-            number("rms", unit), number(phrase("label.largest"), unit), number(phrase("report_control.rms_ratio")),
+            number(phrase("label.rms"), unit), number(phrase("label.largest"), unit),
+            number(phrase("report_control.rms_ratio")),
         ),
         zip(*rows, strict=True) if rows else [[] for _ in range(6)],
     )  # fmt: skip

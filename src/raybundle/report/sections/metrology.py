@@ -162,7 +162,10 @@ def _length_facts(test: LengthTest) -> tuple[Fact, ...]:
             label=phrase("report_metrology.largest_error"), value=f"{significant(MM * test.largest, 3)} mm",
             remark=_ends(test, int(np.abs(test.error).argmax())),
         ),
-        Fact(label=phrase("report_metrology.length_error"), value=f"{significant(MM * test.rms, 2)} mm", remark="rms"),
+        Fact(
+            label=phrase("report_metrology.length_error"), value=f"{significant(MM * test.rms, 2)} mm",
+            remark=phrase("label.rms"),
+        ),
         Fact(
             label=phrase("report_metrology.stated_deviation"),
             value=f"{significant(MM * _rms(test.error_sigma), 2)} mm",

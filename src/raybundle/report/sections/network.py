@@ -58,7 +58,7 @@ def precision_section(view: View) -> Section:
     u = view.unit
     summary = table(
         (
-            text(phrase("label.coordinate")), number(phrase("label.points")), number("rms", u),
+            text(phrase("label.coordinate")), number(phrase("label.points")), number(phrase("label.rms"), u),
             number(phrase("label.mean"), u), number(phrase("label.smallest"), u), number(phrase("label.median"), u),
             number("95 %", u), number(phrase("label.largest"), u), text(phrase("label.at_point")),
         ),

@@ -26,7 +26,7 @@ from raybundle.report.figures.photographs import (
     taken_images,
 )
 from raybundle.report.figures.svg import spread_rows
-from raybundle.report.languages import Said
+from raybundle.report.languages import Localised
 from raybundle.report.parts import (
     PRINTED,
     Fact,
@@ -460,8 +460,8 @@ def _settings_table(settings: Sequence[tuple[str, str]]) -> Table:
     return table(
         (text(phrase("label.setting")), text(phrase("label.value"))),
         (
-            [Said(name) for name, _ in settings],
-            [phrase("label.truth", value=value) if value in YES_NO else Said(value) for _, value in settings],
+            [Localised(name) for name, _ in settings],
+            [phrase("label.truth", value=value) if value in YES_NO else Localised(value) for _, value in settings],
         ),
         note=phrase("report_photographs.settings_note"),
     )  # fmt: skip

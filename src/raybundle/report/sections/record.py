@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from raybundle.errors import phrase
 from raybundle.report.chapters import Occasion, chapter
-from raybundle.report.languages import Said
+from raybundle.report.languages import Localised
 from raybundle.report.parts import Heading, Paragraph, Part, Section, table, text
 from raybundle.results.record import PARTS, Record
 from raybundle.results.recorded import known_by_photographs, rows_of
@@ -46,7 +46,7 @@ def _rows(record: Record, part: str) -> list[tuple[str, str, str]]:
         (
             phrase("report_record.name", name=n),
             phrase("report_record.meaning", name=n),
-            Said(" / ".join(v.splitlines())),
+            Localised(" / ".join(v.splitlines())),
         )
         for n, v in stated
         if PARTS[n] == part

@@ -206,7 +206,8 @@ def _image_table(view: View, rows: list[ImageRow]) -> Table:
     return table(
         (
             text(phrase("label.image")), text(phrase("label.file")), number(phrase("label.points")),
-            number(phrase("label.rejected")), number("rms x", "px"), number("rms y", "px"),
+            number(phrase("label.rejected")),
+            number(phrase("label.rms_of", of="x"), "px"), number(phrase("label.rms_of", of="y"), "px"),
             number(phrase("report_residuals.largest_w")), number(phrase("report_residuals.mean_r")),
             number(phrase("label.sigma_ratio")), text(""),
         ),

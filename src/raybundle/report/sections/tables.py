@@ -17,7 +17,7 @@ from raybundle.numerics.natural import natural_order
 from raybundle.report.chapters import Occasion, chapter, section
 from raybundle.report.figures.svg import spread_rows
 from raybundle.report.fingerprint import fingerprints, versions
-from raybundle.report.languages import Said
+from raybundle.report.languages import Localised
 from raybundle.report.parts import (
     MOST_ROWS,
     PRINTED,
@@ -151,7 +151,7 @@ def _tables(o: Occasion) -> tuple[Section, ...]:
 
 def stated(words: Iterable[str]) -> list[str]:
     """Names of settings and programs, and their values, which are the same in every language."""
-    return [Said(w) for w in words]
+    return [Localised(w) for w in words]
 
 
 @section("settings", after="tables", part="appendix")
@@ -179,7 +179,7 @@ def provenance_section(view: View) -> Section:
     found = versions()
     software = table(
         (text(phrase("report_tables.software_label")), text(phrase("label.version"))),
-        (stated(found), [v if isinstance(v, Text) else Said(v) for v in found.values()]),
+        (stated(found), [v if isinstance(v, Text) else Localised(v) for v in found.values()]),
     )
     parts: list[Part] = [
         Heading(text=phrase("report_tables.settings")),
@@ -200,7 +200,7 @@ def provenance_section(view: View) -> Section:
 
 def _shown(value: object) -> str:
     if isinstance(value, tuple):
-        return Said(", ".join(str(v) for v in value[:50]) + (" …" if len(value) > 50 else "") or NONE)
+        return Localised(", ".join(str(v) for v in value[:50]) + (" …" if len(value) > 50 else "") or NONE)
     if isinstance(value, bool):
         return phrase("label.truth", value=value)
-    return Said(in_words(value))
+    return Localised(in_words(value))

@@ -133,7 +133,7 @@ def _comparison(view: View, groups: dict[str, ObservationGroup]) -> Table:
     return table(
         (
             text(phrase("report_trajectories.component_label")), text(phrase("label.unit")),
-            number(phrase("label.observed")), number(phrase("label.mean")), number("rms"),
+            number(phrase("label.observed")), number(phrase("label.mean")), number(phrase("label.rms")),
             number(phrase("label.largest")), number(phrase("label.stated_sigma")),
             number(phrase("report_trajectories.sigma_after")),
         ),

@@ -7,7 +7,7 @@ from typing import Any
 
 from raybundle.adjustment.accuracy_class import AccuracyClass, Judged, all_kept
 from raybundle.errors import Message, Text, note
-from raybundle.report.languages import Said
+from raybundle.report.languages import Localised
 from raybundle.report.outcome import Outcome
 from raybundle.report.text.numbers import plain
 
@@ -54,7 +54,7 @@ def accuracy_outcome(parts: tuple[Judged, ...], wanted: AccuracyClass) -> Outcom
     return Outcome(name=name, kept=kept, sentence=Text.of(*head, *map(judged_figures, parts)))
 
 
-def asprs_statements(parts: tuple[Judged, ...]) -> tuple[Said, ...]:
+def asprs_statements(parts: tuple[Judged, ...]) -> tuple[Localised, ...]:
     """The statements of the standard (section 7.16) on each part, as far as they may be made.
 
     Tested to meet the class where enough check points keep it; where it is not kept, none, nor where what is known of
@@ -80,7 +80,7 @@ def asprs_statements(parts: tuple[Judged, ...]) -> tuple[Said, ...]:
             )
         else:
             found.append(f"This data set was produced to meet {STANDARD} for a {of}.")
-    return tuple(Said(statement) for statement in found)  # the words are those of the standard, in every language
+    return tuple(Localised(statement) for statement in found)  # the words are those of the standard, in every language
 
 
 def _minimum(needed: int) -> str:

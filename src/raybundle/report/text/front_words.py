@@ -10,7 +10,7 @@ from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.calibration.quality import CalibrationQuality
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.report.chapters import Occasion
-from raybundle.report.languages import Said
+from raybundle.report.languages import Localised
 from raybundle.report.languages.language import Language
 from raybundle.report.sections.calibration import GRADES, grade_code, graver, worst
 from raybundle.report.text.numbers import unbroken
@@ -100,19 +100,21 @@ def _steps(o: Occasion) -> tuple[tuple[str, str], ...]:
     return (*faults, *next_, *warnings)
 
 
-def _step(n: Notice, language: Language) -> Said:
+def _step(n: Notice, language: Language) -> Localised:
     """What happened and what to do, in the reader's language; why it matters stands with the warnings."""
     if n.message:
-        return Said(language.text(unbroken(n.text)))
+        return Localised(language.text(unbroken(n.text)))
     who = words.Reader(language.code, flags=words.reader().flags)
     also = [note("notice.also", n=len(n.also), names=n.also)] if n.also else []
     parts = [part(m.code, m.values, who) for m in (n.data, *also) for part in (words.headline, words.action)]
-    return Said(unbroken(" ".join(filter(None, parts))))
+    return Localised(unbroken(" ".join(filter(None, parts))))
 
 
-def _advice(q: CalibrationQuality, language: Language) -> Said:
+def _advice(q: CalibrationQuality, language: Language) -> Localised:
     """The first photograph that is proposed for a camera."""
-    return Said(language.text(Text.of(note("next_photograph.camera", camera=q.camera), *q.advice[0].words.messages)))
+    return Localised(
+        language.text(Text.of(note("next_photograph.camera", camera=q.camera), *q.advice[0].words.messages))
+    )
 
 
 def handed_over(files: tuple[str, ...]) -> tuple[tuple[str, Text], ...]:

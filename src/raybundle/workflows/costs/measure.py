@@ -36,7 +36,7 @@ from raybundle.workflows.costs.recording import CountingFolder, Recording, TaskR
 SWEEP_OF = {
     "up": "up", "down": "down", "inverse": "covariances", "generators": "covariances", "right_up": "covariances",
     "right_down": "covariances", "describe": "statistics", "astray": "statistics", "moments": "statistics",
-    "placed": "statistics", "told": "statistics", "stated": "statistics",
+    "placed": "statistics", "reported": "statistics", "stated": "statistics",
 }  # fmt: skip
 """Which sweep a kind of task belongs to"""
 FLIGHTS = ((10, 20, 1000, 600), (14, 24, 150, 300))

@@ -208,3 +208,7 @@ label-value = Wert
 label-version = Version
 
 label-yes = ja
+
+label-rms = RMS
+
+label-rms_of = RMS { $of }

@@ -218,3 +218,8 @@ label-value = value
 label-version = version
 
 label-yes = yes
+
+label-rms = rms
+
+# $of = "x"
+label-rms_of = rms { $of }
