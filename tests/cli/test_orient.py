@@ -12,6 +12,7 @@ import pytest
 from PIL import Image
 
 from raybundle.cli.main import main
+from raybundle.errors import code_of
 from raybundle.io.photos.photo import find_photos
 from raybundle.readable import readable
 from raybundle.words import headline
@@ -294,5 +295,5 @@ def test_a_control_file_in_the_folder_is_no_other_file(tmp_path):
     (tmp_path / "link").symlink_to(folder)
     used = _beside([folder], [tmp_path / "link" / "gcp.csv", tmp_path / "elsewhere.csv"])
     assert used == [folder / "gcp.csv"]
-    (remark,) = [r for r in find_photos([folder], leave=used).remarks if "not looked at" in r]
+    (remark,) = [r for r in find_photos([folder], leave=used).remarks if code_of(r) == "photo_entry.other_files"]
     assert "(.txt)" in remark
