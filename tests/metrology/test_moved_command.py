@@ -16,6 +16,7 @@ from raybundle.numerics.natural import natural
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
+from raybundle.words import headline
 from raybundle.words.numbers import probability
 
 MOVED = {"5": (0.0, 0.004, 0.0), "17": (0.003, 0.0, -0.003)}
@@ -156,8 +157,8 @@ def test_a_report_says_whose_it_is_and_which_way_is_seen(epochs, tmp_path):
     assert "<h1>Part 7 under load</h1>" in page
     assert "Works" in page
     assert "R. B." in page
-    assert "Displacements in the plane that fits the points best, seen square to it" in page
-    assert "square to the plane that fits" not in page
+    for across in (False, True):
+        assert headline("drawn.vectors_in", {"kind": "displacements", "across": across}) in page
     told = json.loads((tmp_path / "m/moved.json").read_text())
     assert told["record"] == {"title": "Part 7 under load", "client": "Works", "operator": "R. B."}
 

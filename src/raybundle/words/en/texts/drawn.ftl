@@ -230,7 +230,7 @@ drawn-vectors_in = { $kind ->
         [displacements] Displacements
         *[deviations] Deviations from nominal
     } { $across ->
-        [yes] across the best-fitting plane, seen from below
+        [yes] across the best-fitting plane, seen from its lower edge
         *[no] in the best-fitting plane
     }, with their scale.
 
