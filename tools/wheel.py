@@ -37,7 +37,7 @@ LIMIT_MB = 500
 """Of an environment with the package and all that it requires, in units of 10^6 bytes."""
 NEEDED = (
     "raybundle/py.typed",
-    "raybundle/report/languages/de.toml",
+    "raybundle/report/languages/de.txt",
     "raybundle/studio/static/index.html",
 )
 """Files of a wheel that are no Python and without which it would do less than the repository does."""

@@ -106,7 +106,7 @@ picture-hidden_places = Places hidden by steep slopes or buildings are not detec
 
 # $share = 0.3
 picture-few_points_in_plane = { PERCENT($share) } of the points lie in this plane.
-    .why = Most of what the picture shows is displaced.
+    .why = Most of the picture is displaced.
     .do = Choose the wall with { OPTION("plane") }.
 
 # $off = 0.02

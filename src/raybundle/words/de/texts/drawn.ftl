@@ -190,7 +190,7 @@ drawn-vectors_in = { $kind ->
         [displacements] Verschiebungen
         *[deviations] Abweichungen vom Soll
     } { $across ->
-        [yes] quer zur ausgleichenden Ebene, von unten gesehen
+        [yes] quer zur ausgleichenden Ebene, von ihrem unteren Rand gesehen
         *[no] in der ausgleichenden Ebene
     }, mit ihrem Maßstab.
 
