@@ -10,4 +10,4 @@ pixel_shape = Camera { $camera }: { $shear ->
        *[no] affinity
      } { $symbol } of { NUM($found, digits: 2) } ± { NUM($sigma, digits: 1) } is impossible for a sensor (limit { NUM($limit, digits: 1) }).
     .why = It is held; motion during read-out, edges shifted by uneven light, or weak geometry may cause it, and standard deviations may be too small.
-    .do = For a scan or an old camera, name the parameter as free: { OPTION("free") }.
+    .do = For a scan or an old camera, adjust again with this parameter in { OPTION("free") } (raybundle adjust).
