@@ -185,7 +185,7 @@ def test_command_line(tmp_path, capsys):
     assert camera.estimate == free == ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A")
     assert np.sqrt(covariance[0, 0]) == pytest.approx(told["cameras"][camera.id]["c"]["std"], rel=1e-6)
     text = (out / "report.html").read_text()
-    assert text.index('id="calibration"') < text.index("Interior orientation")
+    assert text.index('id="calibration"') < text.index('id="interior"')
 
 
 @needs_board

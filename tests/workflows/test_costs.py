@@ -317,7 +317,7 @@ def test_memory_is_that_of_this_machine_and_what_helps_is_said(capsys, monkeypat
     monkeypatch.setattr("raybundle.numerics.machine.available_memory", lambda: 12.5e9)
     assert main(words) == 0
     said = capsys.readouterr().out
-    assert "12.5 GB there" in said
+    assert "12.5 GB available" in said
     assert "what helps: a machine of " in said
     assert "here --points-per-image" in said
     assert "orient --quick leaves precision out" in said
