@@ -80,7 +80,7 @@ def main():
     rows = json.loads(RESULTS.read_text()) if RESULTS.is_file() else {}
     for photos, project in zip(sys.argv[1::2], sys.argv[2::2], strict=True):
         raw = raw_block(Path(photos), Path(project))
-        free = bool(tie_start.untold_constants(raw)) or len(raw.cameras) == 1
+        free = bool(tie_start.unknown_constants(raw)) or len(raw.cameras) == 1
         rows[Path(photos).name] = row = {}
         for factor in FACTORS if free else (1.0,):
             for name, way in (("growing", tie_start.by_growing), ("averaging", tie_start.by_averaging)):

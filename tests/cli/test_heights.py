@@ -235,13 +235,13 @@ def test_sections_are_written_as_table_picture_and_drawing(cone, capsys, tmp_pat
     assert rows[0]["height [m]"] != ""
     assert any(not r["height [m]"] for r in rows)  # the hole
     assert {r["filled"] for r in rows if r["height [m]"]} == {"0"}
-    for k, told_of in enumerate((one, two), 1):
+    for k, statistics_of in enumerate((one, two), 1):
         mine = [r for r in rows if r["section"] == f"section {k}"]
         d, h = (np.array([float(r[c] or "nan") for r in mine]) for c in ("distance [m]", "height [m]"))
         each, far = np.convolve(h, [0.5, 0.5], "valid"), np.diff(d)
         good = np.isfinite(each)
-        assert told_of["mean"] == pytest.approx((each * far)[good].sum() / far[good].sum(), abs=1e-7)
-        assert told_of["with_height"] == pytest.approx(far[good].sum() / d[-1], abs=1e-6)
+        assert statistics_of["mean"] == pytest.approx((each * far)[good].sum() / far[good].sum(), abs=1e-7)
+        assert statistics_of["with_height"] == pytest.approx(far[good].sum() / d[-1], abs=1e-6)
     middle = min((r for r in rows if r["section"] == "section 2"), key=lambda r: abs(float(r["distance [m]"]) - 0.3))
     assert float(middle["height [m]"]) == pytest.approx(0.1, abs=5e-3)
     assert 0 < float(middle["sigma [m]"]) < 2e-3

@@ -3,7 +3,7 @@
 import pytest
 from tests.blocking.networks import flight
 
-from raybundle.cli.failures import told_failure
+from raybundle.cli.failures import failure_lines
 from raybundle.workflows.within_memory import BASE, within_memory
 
 
@@ -17,14 +17,14 @@ from raybundle.workflows.within_memory import BASE, within_memory
     ids=str,
 )  # fmt: skip
 def test_refused_memory_is_no_internal_error(error):
-    said, status = told_failure(error)
+    said, status = failure_lines(error)
     assert status == 2
     assert "not enough memory" in said
 
 
 @pytest.mark.parametrize("error", [ImportError("no module"), RuntimeError("x"), ValueError("can't start new thread")])
 def test_other_errors_stay(error):
-    assert told_failure(error)[1] == 1
+    assert failure_lines(error)[1] == 1
 
 
 @pytest.mark.parametrize(

@@ -9,8 +9,8 @@ from pyproj import Transformer
 from raybundle.errors import InputError
 from raybundle.io.geo import coordinate_systems
 from raybundle.io.geo.coordinate_systems import LocalFrame, _vertical, frame_from_mapping, height_remarks, local_frame
+from raybundle.io.geo.parsed_names import parsed_system
 from raybundle.io.geo.parsed_systems import parse_crs, system_name
-from raybundle.io.geo.told_systems import told_system
 
 BONN = (7.0, 50.7, 100.0)
 SYSTEMS = {
@@ -272,7 +272,7 @@ def test_heights_above_the_ellipsoid_are_those_of_the_plan_system():
     xyz = np.array([[30.0, -40.0, 5.0]])
     np.testing.assert_allclose(told.crs_from_local(xyz), plain.crs_from_local(xyz), atol=1e-9)
     assert told.units_m == plain.units_m
-    assert told_system(told.crs).to_epsg() == 25832
+    assert parsed_system(told.crs).to_epsg() == 25832
     feet = local_frame("EPSG:2263+ellipsoid", (985000.0, 195000.0, 100.0))
     assert feet.units_m == pytest.approx((1200 / 3937,) * 2)
     for wrong in ("EPSG:25832+7837+ellipsoid", "EPSG:4979+ellipsoid"):

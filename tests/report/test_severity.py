@@ -10,7 +10,7 @@ import pytest
 import raybundle
 from raybundle.adjustment.components import NAMES
 from raybundle.adjustment.notices import notices_of
-from raybundle.adjustment.result import Notice, as_told, gravest_first
+from raybundle.adjustment.result import Notice, gravest_first, sorted_notices
 from raybundle.adjustment.severity import SEVERITY, Severity
 from raybundle.cli.summary import SHOWN, lines, of_adjustment
 from raybundle.report.sections.result import result_section
@@ -64,7 +64,7 @@ def test_many_notices_of_one_kind_are_read_as_one(case):
         Notice(code="not_determinable", message=f"camera 1: u{k:02} is open", ids=("1", f"u{k:02}")) for k in range(69)
     )
     three = tuple(Notice(code="small_angle", message=f"m{k}", ids=(f"i{k}",)) for k in range(3))
-    told = as_told((*three, *many, REMARK))
+    told = sorted_notices((*three, *many, REMARK))
     assert [n.code for n in told] == ["not_determinable", *["small_angle"] * 3, REMARK.code]
     assert told[0].text.startswith("camera 1: u00 is open. The same of 68 more: 1: u01, 1: u02, ")
     assert told[0].text.endswith("1: u10, ...")

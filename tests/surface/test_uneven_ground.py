@@ -94,12 +94,12 @@ def windows(side=12):
 def standard_deviations(model):
     """Those of means and of differences of means that are told, and the exact ones, (n, 2) each."""
     each, moved = list(windows()), exact()
-    told_of = np.array([model.sum_of(w).moved for w in each])
+    statistics_of = np.array([model.sum_of(w).moved for w in each])
     true = np.array([np.einsum("rc,rcq->q", w, moved) for w in each])
     one, other = np.triu_indices(len(each), 1)
     means, differences = (
         np.stack([np.linalg.norm(a, axis=1) for a in both], axis=1)
-        for both in ((told_of, true), (told_of[one] - told_of[other], true[one] - true[other]))
+        for both in ((statistics_of, true), (statistics_of[one] - statistics_of[other], true[one] - true[other]))
     )
     return means, differences
 

@@ -34,7 +34,7 @@ def through_the_door(block: Block, *, clean: bool = False) -> list[Adjustment]:
     if clean:
         return results
     for _ in range(ROUNDS):
-        told = as_told(block, results[-1])
+        told = sorted_notices(block, results[-1])
         if told is None:
             break
         block = told
@@ -42,7 +42,7 @@ def through_the_door(block: Block, *, clean: bool = False) -> list[Adjustment]:
     return results
 
 
-def as_told(block: Block, result: Adjustment) -> Block | None:
+def sorted_notices(block: Block, result: Adjustment) -> Block | None:
     """The block with what the result says of it: scale bars that are wrong left out, else groups weighted anew."""
     bars = {name for n in result.notices if n.code == "distance_suspect" for name in n.ids}
     d, ids = block.distances, block.points.ids

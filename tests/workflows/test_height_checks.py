@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from raybundle.cli.main import main
-from raybundle.io.geo.told_systems import plan_system, system_with_heights
+from raybundle.io.geo.parsed_names import plan_system, system_with_heights
 from raybundle.io.pictures.geotiff import system_text
 from raybundle.workflows.height_files import read_heights
 from tests.surface.height_models import file_of, folder_of, made

@@ -13,9 +13,9 @@ from raybundle.adjustment.severity import Severity
 from raybundle.cli.main import main
 from raybundle.cli.surface import whole_shares
 from raybundle.commands import surface as command
-from raybundle.commands.surface_pages import outside_told
+from raybundle.commands.surface_pages import outside_words
 from raybundle.io.block.folder import read_block
-from raybundle.io.geo.told_systems import system_with_heights
+from raybundle.io.geo.parsed_names import system_with_heights
 from raybundle.report.text.numbers import unbroken
 from raybundle.report.write import write_result
 from raybundle.results.notices import as_its_result
@@ -203,7 +203,7 @@ def test_points_beside_the_area_of_the_heights_are_counted_with_the_extent_that_
     lost, _ = area_of_points(done, replace(whole, grid=wide))
     assert lost < 0.01 * len(done)
     with reading(COMMAND_LINE):
-        (told,) = outside_told(done_with(done, few), Grids(heights=few))
+        (told,) = outside_words(done_with(done, few), Grids(heights=few))
     assert f"{outside // 1000}" in told
     assert f"--extent {area[0]:.6g}"[:12] in told
 

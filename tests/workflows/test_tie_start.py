@@ -68,9 +68,9 @@ def test_constants_that_nothing_tells_are_tried_one_standard_deviation_off(block
         return with_rows(replace(block, cameras=(camera, *block.cameras[1:])), few)
 
     names = frozenset({block.cameras[0].id})
-    assert tie_start.untold_constants(with_sigma(0.5, 3)) == names
-    assert tie_start.untold_constants(with_sigma(0.05, 3)) == frozenset()
-    assert tie_start.untold_constants(with_sigma(0.5, 4)) == frozenset()  # six pairs of one camera tell it
+    assert tie_start.unknown_constants(with_sigma(0.5, 3)) == names
+    assert tie_start.unknown_constants(with_sigma(0.05, 3)) == frozenset()
+    assert tie_start.unknown_constants(with_sigma(0.5, 4)) == frozenset()  # six pairs of one camera tell it
     c = block.cameras[0].values["c"]
     assert tie_start._scaled(block, names, -1).cameras[0].values["c"] == pytest.approx(c * np.exp(-0.5))
 

@@ -51,7 +51,7 @@ from raybundle.adjustment.result import (
 )
 from raybundle.adjustment.roughness import relief_notices, with_roughness
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
-from raybundle.adjustment.steady import steadied, told_by_network, without_priors
+from raybundle.adjustment.steady import determined_by_network, steadied, without_priors
 from raybundle.adjustment.straight import check_turning
 from raybundle.adjustment.transformation import fit_to_given
 from raybundle.adjustment.under_noise import under_noise
@@ -428,7 +428,7 @@ def result_of(
         () if extent in {"tests", "residuals"} else interior_results(normals, state, covariances, variance, redundancy)
     )
     if added:
-        interior = tuple(told_by_network(i, added, variance) for i in interior)
+        interior = tuple(determined_by_network(i, added, variance) for i in interior)
     tests = 2 * len(system.rows) + sum(int((g.sigma > 0).sum()) for g in groups)
     limit = family_wise_tau(options.significance, tests, redundancy)
     explained = found is not None and not brief

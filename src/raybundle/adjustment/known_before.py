@@ -41,16 +41,16 @@ def against_known(result: Adjustment) -> Adjustment:
             interiors.append(interior)
             continue
         known = {s: r for s, r in known_before(camera).items() if s in interior.free}
-        untold = [s for s, r in known.items() if not _told(interior, s, r, result.sigma0)]
-        parameters = {s: replace(p, status="not determinable") for s, p in interior.parameters.items() if s in untold}
+        unknown = [s for s, r in known.items() if not _confirmed(interior, s, r, result.sigma0)]
+        parameters = {s: replace(p, status="not determinable") for s, p in interior.parameters.items() if s in unknown}
         interiors.append(replace(interior, parameters={**interior.parameters, **parameters}))
-        names += [f"{s} (camera {camera.id})" for s in untold]
+        names += [f"{s} (camera {camera.id})" for s in unknown]
         contradiction = _contradiction(result, camera, interior)
         if contradiction is not None:
             notices.append(contradiction)
-        elif untold:
-            leaning.append((camera, interior, {s: known[s] for s in untold}))
-    notices += _untold(leaning)
+        elif unknown:
+            leaning.append((camera, interior, {s: known[s] for s in unknown}))
+    notices += _unknown(leaning)
     if not notices:
         return result
     return replace(
@@ -59,7 +59,7 @@ def against_known(result: Adjustment) -> Adjustment:
     )  # fmt: skip
 
 
-def _told(interior: InteriorResult, symbol: str, known: Relation, sigma0: float) -> bool:
+def _confirmed(interior: InteriorResult, symbol: str, known: Relation, sigma0: float) -> bool:
     """Whether the photographs say more of a parameter than was known: at most half its standard deviation is left."""
     p = interior.parameters[symbol]
     if p.std is None:
@@ -69,7 +69,7 @@ def _told(interior: InteriorResult, symbol: str, known: Relation, sigma0: float)
     return std / (sigma0 if np.isfinite(sigma0) and sigma0 > 0 else 1.0) <= CARRIED * known.sigma
 
 
-def _untold(leaning: list[tuple[Camera, InteriorResult, dict[str, Relation]]]) -> list[Notice]:
+def _unknown(leaning: list[tuple[Camera, InteriorResult, dict[str, Relation]]]) -> list[Notice]:
     """One notice of all that photographs do not say of their cameras; internet photographs have a camera each."""
     if not leaning:
         return []

@@ -22,7 +22,7 @@ from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start
 from raybundle.adjustment.fields import Components
 from raybundle.adjustment.joint_interior import JointInterior, joint_interior, smooth_errors, with_joint
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, untold_shape
+from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, weak_shape
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, printed_unit
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Camera
@@ -206,7 +206,7 @@ def _shapes(
         if beyond is not None and beyond.ids not in choices.kept_free:
             notice, limit = replace(beyond, under_noise=joint.smooth), beyond.limit
         else:
-            notice = untold_shape(shown, automatic)
+            notice = weak_shape(shown, automatic)
             if notice is None or notice.ids in choices.kept_free:
                 return found, joint
             camera = next(c for c in result.given.cameras if c.id == notice.ids[0])

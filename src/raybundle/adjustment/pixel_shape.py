@@ -90,7 +90,7 @@ def _critical(result: Adjustment, count: int) -> float:
     return critical * max(float(np.sqrt(max(square, 0.0) / redundancy)), 1.0) / result.sigma0
 
 
-def untold_shape(result: Adjustment, cameras: Sequence[str]) -> Notice | None:
+def weak_shape(result: Adjustment, cameras: Sequence[str]) -> Notice | None:
     """The affinity or shear of these cameras that states least of the sensor; else None.
 
     It is reported worse than what a sensor may have, or lies beyond that by `UNLIKELY` standard deviations, too few for
@@ -99,7 +99,7 @@ def untold_shape(result: Adjustment, cameras: Sequence[str]) -> Notice | None:
     them is the sensor's.
     """
     found = [
-        (std / limit, _untold(c.id, symbol, value, std, limit))
+        (std / limit, _unknown(c.id, symbol, value, std, limit))
         for c, symbol, value, std, limit in _estimated(result, cameras)
         if std > limit or abs(value) - limit > UNLIKELY * std
     ]
@@ -118,7 +118,7 @@ def _estimated(result: Adjustment, cameras: Sequence[str]) -> Iterator[tuple[Cam
                 yield camera, p.symbol, value.value, value.std, shape_limit(camera, p.symbol)
 
 
-def _untold(camera: str, symbol: str, value: float, std: float, limit: float) -> Notice:
+def _unknown(camera: str, symbol: str, value: float, std: float, limit: float) -> Notice:
     values: dict[str, Value] = {"camera": camera, "symbol": symbol, "sigma": std, "found": value, "limit": limit}
     return Notice(code="shape_held", ids=(camera, symbol), values=values)
 
@@ -144,7 +144,7 @@ def _restated(n: ShapeNotice, wider: float) -> Notice:
     std = wider * n.std
     if abs(n.value) - n.limit > n.critical * std:
         return _notice(camera, symbol, n.value, std, n.limit, n.critical, shear=n.shear)
-    return _untold(camera, symbol, n.value, std, n.limit)
+    return _unknown(camera, symbol, n.value, std, n.limit)
 
 
 def _is_shear(camera: Camera, symbol: str) -> bool:

@@ -99,7 +99,7 @@ NAMED = 10
 """Objects that a notice names in the place of their notices."""
 
 
-def as_told(notices: Iterable[Notice], many: int = MANY) -> list[Notice]:
+def sorted_notices(notices: Iterable[Notice], many: int = MANY) -> list[Notice]:
     """The notices as people read them, the gravest first: one in place of many that say the same of other objects.
 
     many  notices of one kind that stand one by one

@@ -34,7 +34,7 @@ def line_of(a: Adjustment) -> str:
 
 def html_of(a: Adjustment) -> str:
     """A small table: the line above, interior orientations, the gravest notices."""
-    from raybundle.adjustment.result import as_told, printed_unit  # noqa: PLC0415  (which imports this)
+    from raybundle.adjustment.result import printed_unit, sorted_notices  # noqa: PLC0415  (which imports this)
 
     head = f"<p><b>{escape(line_of(a)[1:-1])}</b><br>datum: {escape(a.datum)}</p>"
     rows = "".join(
@@ -48,7 +48,7 @@ def html_of(a: Adjustment) -> str:
     )
     titles = "".join(f"<th>{t}</th>" for t in ("camera", "parameter", "value", "sigma", "unit", ""))
     table = f"<table><tr>{titles}</tr>{rows}</table>" if rows else ""
-    reported = as_told(a.notices)
+    reported = sorted_notices(a.notices)
     notices = "".join(
         f'<li><b style="color:{COLOURS[n.severity]}">{n.severity.value}</b>: {escape(n.text)}</li>'
         for n in reported[:NOTICES]

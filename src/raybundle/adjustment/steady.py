@@ -89,7 +89,7 @@ def without_priors(result: Adjustment, given: Block, added: Mapping[tuple[str, s
     )
 
 
-def told_by_network(
+def determined_by_network(
     interior: InteriorResult, added: Mapping[tuple[str, str], float], variance: float
 ) -> InteriorResult:
     """A parameter that its added observation shows rather than the network is not determinable.

@@ -62,7 +62,7 @@ def by_groups(block: Block, options: AdjustmentOptions, adjusted: Adjust) -> Adj
     if found is None:
         return replace(first, notices=(*first.notices, _unsettled()))
     result, factors = found
-    reported = _told(result, factors)
+    reported = _factors(result, factors)
     notices = (*result.notices, *_notice(reported), *_contradictions(reported))
     return replace(result, given=weighted(block, factors), group_factors=reported, notices=notices)
 
@@ -162,7 +162,7 @@ def _changes(steps: dict[Key, VarianceComponent], before: dict[Key, float]) -> d
     return change if not before else {key: c for key, c in change.items() if key in before}
 
 
-def _told(result: Adjustment, factors: dict[Key, float]) -> tuple[GroupFactor, ...]:
+def _factors(result: Adjustment, factors: dict[Key, float]) -> tuple[GroupFactor, ...]:
     steps = _steps(result)
     keys = [*_images(steps), *(key for key in steps if key[0] in NAMES.values())]
     return tuple(

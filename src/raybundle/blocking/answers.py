@@ -229,7 +229,7 @@ def generators(store: Store, o: Generators) -> Product:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Told:
+class StatisticsInput:
     """What a part's statistics depend on."""
 
     network: str
@@ -243,7 +243,7 @@ class Told:
     """Product: H (N, d) of the nodes and M (d, d)"""
 
 
-def _statistics(store: Store, o: Told, work: PartWork, now: State) -> tuple[Array, ...]:
+def _statistics(store: Store, o: StatisticsInput, work: PartWork, now: State) -> tuple[Array, ...]:
     """Cofactors of points, A Q A', effects of blunders, H of the points and B G (p, 3, d), where the datum changes."""
     Q, change, given = store.lent(o.inverse, ("part",))["part"], None, np.zeros((len(now.xyz), 3, 0))
     if o.generators:
@@ -257,7 +257,7 @@ def _statistics(store: Store, o: Told, work: PartWork, now: State) -> tuple[Arra
     return *work.normals.statistics(now, Q, change), given
 
 
-def statistics(store: Store, o: Told) -> Product:
+def statistics(store: Store, o: StatisticsInput) -> Product:
     """Cofactors of a part's points in the datum of the factor, A Q A' and effects of its observations, H."""
     part = part_at(store, o, o.held)
     if part is None:
@@ -266,7 +266,7 @@ def statistics(store: Store, o: Told) -> Product:
     return {"points": points, "hat": hat, "effect": effect, "H": points_h}
 
 
-def reported(store: Store, o: Told) -> Product:
+def reported(store: Store, o: StatisticsInput) -> Product:
     """The same of the points that a part eliminates, with what it adds to sums, and residuals."""
     part = part_at(store, o, o.held)
     if part is None:

@@ -187,14 +187,14 @@ class PartsNormals:
             return (o.state, *o.children)
 
         before, self.formed = self.formed, self.parts.plan("up", options, inputs, upwards=True)
-        self.reported = self.parts.noted("reduced", self.formed, self._told)
+        self.reported = self.parts.noted("reduced", self.formed, self._reduced)
         self.at = state
         self.parts.forget([k for k in (*before, *self.inverses) if k not in self.formed])
         self.inverses = ()
         numbers, weak = self.reported["numbers"], self.reported["weak"]
         return outer + float(numbers[:, 0].sum()), int(numbers[:, 1].sum()), [int(p) for p in weak]
 
-    def _told(self) -> dict[str, Array]:
+    def _reduced(self) -> dict[str, Array]:
         """What the sweep up states as a whole; the diagonal is that of all nodes before anything is eliminated."""
         found = self.parts.made(self.formed, "numbers", "weak", "touched", "failed")
         diagonal = np.zeros(int(self.network.skeleton.system.offsets[-1]))

@@ -247,13 +247,13 @@ def _cofactors(
         generators, change = _change(run, state, datum)
         by = run.parts.put("change", {"nodes": change.nodes, "H": change.nodes_h, "middle": change.middle})
 
-    def told_of(t: int) -> answers.Told:
-        return answers.Told(
+    def statistics_of(t: int) -> answers.StatisticsInput:
+        return answers.StatisticsInput(
             network=network.key, node=t, state=state.keys[t], held=normals.held, inverse=normals.inverses[t],
             generators=generators[t], change=by,
         )  # fmt: skip
 
-    reported = run.parts.each("reported", told_of, lambda o: (o.state, o.inverse, o.generators))
+    reported = run.parts.each("reported", statistics_of, lambda o: (o.state, o.inverse, o.generators))
     found = run.parts.made(reported, "numbers")
     middle = ""
     if change is not None:

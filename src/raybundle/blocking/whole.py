@@ -273,8 +273,8 @@ class WholeNormals(Normals):
                 for mine in self.touched.points
             ]
 
-        def options(t: int) -> answers.Told:
-            return answers.Told(
+        def options(t: int) -> answers.StatisticsInput:
+            return answers.StatisticsInput(
                 network=self.parts.network.key, node=t, state=of.keys[t], held=self.parts.held, change=by,
                 inverse=self.parts.inverses[t], generators=generators[t],
             )  # fmt: skip

@@ -25,7 +25,7 @@ from raybundle.errors import Message, NotSolvable, Value, message, plain
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import family_wise_normal, fisher_tail
 
-TOLD = 1e-6
+LEAST_SHARE = 1e-6
 """Share of a parameter's variance that the photographs must take for it to be tested: less is rounding."""
 
 
@@ -251,7 +251,7 @@ def _moved(result: Adjustment, camera: Camera, interior: InteriorResult) -> list
         white = p.std if p.std_white is None else p.std_white
         own = float(covariance[k, k]) - (white / result.sigma0) ** 2
         variance = max(own, 0.0) + p.std**2 - white**2
-        if own > TOLD * covariance[k, k]:
+        if own > LEAST_SHARE * covariance[k, k]:
             found.append(_Moved(symbol=s, given=given[k], found=p.value, std=math.sqrt(variance)))
     return sorted(found, key=lambda m: -abs(m.w))
 

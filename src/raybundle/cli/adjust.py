@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, told_outcome
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, print_outcome
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.adjust import AdjustSettings, accuracy_outcome, run_adjust
@@ -52,4 +52,4 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> int:
         click.echo(f"interrupted; what is finished is kept in {at}, the same command continues there", err=True)
         return 130
     report(of_adjustment(adjustment, [out, *page_files(out, settings)]))
-    return told_outcome(accuracy_outcome(settings, adjustment))
+    return print_outcome(accuracy_outcome(settings, adjustment))

@@ -67,7 +67,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
 def _summary(done: Calibration, files: list[Path]) -> Summary:
     """What the command reports."""
-    from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.adjustment.result import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.text.summary import details  # noqa: PLC0415
 
     read = sum(int(m.named.sum()) for sets in done.marks for m in sets)
@@ -75,7 +75,7 @@ def _summary(done: Calibration, files: list[Path]) -> Summary:
     used = note("calibration.used", used=done.used, of=len(done.photos) + len(done.refused), points=points,
                 natural=not done.targets)  # fmt: skip
     reasons = {reason for q in done.quality for reason in q.reasons}
-    notices = [n for n in as_told(done.adjustment.notices) if (n.reason or n.text) not in reasons]
+    notices = [n for n in sorted_notices(done.adjustment.notices) if (n.reason or n.text) not in reasons]
     lacking = [q for q in done.quality if q.advice and q.grade != "good"]
     next_step = note("calibration.photograph_next", n=sum(len(q.advice) for q in lacking)) if lacking else None
     return Summary(

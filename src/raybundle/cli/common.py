@@ -16,8 +16,23 @@ if TYPE_CHECKING:
     from raybundle.report.outcome import Outcome
 
 __all__ = [
-    "FOLDER", "NEW_FILE", "NEW_FILE_OR_FOLDER", "NEW_FOLDER", "NEW_PAGE", "NOT_KEPT", "Command", "Group", "Output",
-    "SeveralNames", "common_options", "counted", "facts", "grouped", "significant", "store_lines", "told_outcome",
+    "FOLDER",
+    "NEW_FILE",
+    "NEW_FILE_OR_FOLDER",
+    "NEW_FOLDER",
+    "NEW_PAGE",
+    "NOT_KEPT",
+    "Command",
+    "Group",
+    "Output",
+    "SeveralNames",
+    "common_options",
+    "counted",
+    "facts",
+    "grouped",
+    "print_outcome",
+    "significant",
+    "store_lines",
 ]  # fmt: skip
 FOLDER = click.Path(path_type=Path)
 
@@ -42,7 +57,7 @@ def store_lines(project: Path) -> list[str]:
     return [f"products: {store}"] if store not in {"", HERE} else []
 
 
-def told_outcome(outcome: Outcome | None) -> int:
+def print_outcome(outcome: Outcome | None) -> int:
     """Print what became of a wanted accuracy, and the exit status."""
     if outcome is None:
         return 0

@@ -44,8 +44,8 @@ def command(points: Path, **given: Any) -> int:
     )
     facts(parameters=done.statistics.parameters, check_rms_px=done.check_rms_px)
     if done.advice is not None:
-        _tell_advice(done.advice)
-    _tell_fit(done.fit, done.statistics, done.used)
+        _print_advice(done.advice)
+    _print_fit(done.fit, done.statistics, done.used)
     if done.check_rms_px is not None:
         x, y = done.check_rms_px
         words = counted(int(done.points.check.sum()), "check point")
@@ -55,7 +55,7 @@ def command(points: Path, **given: Any) -> int:
     return 0 if done.fit.adequate else 3
 
 
-def _tell_advice(advice: EmpiricalAdvice) -> None:
+def _print_advice(advice: EmpiricalAdvice) -> None:
     click.echo(f" {'model':21}{'parameters':>10}{'redundancy':>12}{'sigma0':>9}{'left out [px]':>15}   adequate")
     for c in advice.candidates:
         if c.fit is None:
@@ -67,7 +67,7 @@ def _tell_advice(advice: EmpiricalAdvice) -> None:
     click.echo(f" advised: {advice.reason.text()}")
 
 
-def _tell_fit(fit: EmpiricalFit, s: EmpiricalStatistics, ids: Sequence[str]) -> None:
+def _print_fit(fit: EmpiricalFit, s: EmpiricalStatistics, ids: Sequence[str]) -> None:
     click.echo(f" {fit.model.name}: {counted(len(ids), 'point')}, redundancy {fit.redundancy}, sigma0 {fit.sigma0:.3f}")
     click.echo(f" {'symbol':8}{'value':>14}{'sigma':>12}  {'unit':9}{'t':>8}")
     for p in s.parameters:

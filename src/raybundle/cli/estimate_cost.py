@@ -52,7 +52,7 @@ def command(photos: Path | None, progress: str, **given: Any) -> None:
     with reporting(progress) as notify:
         found = run_estimate_cost(made(EstimateCostSettings, values_of(EstimateCostSettings, given)), photos, notify)
     facts(
-        asked=found.asked, stages=found.stages, limits=[_told(limit) for limit in found.limits],
+        asked=found.asked, stages=found.stages, limits=[_as_json(limit) for limit in found.limits],
         core_hours=found.core_hours, wall_hours=found.wall_hours, disk_gb=found.disk_gb, moved_gb=found.moved_gb,
         serial_share=found.serial_share, unread=found.unread, largest_front=found.largest_front,
         dominant=found.dominant.name, constants=found.constants,
@@ -61,7 +61,7 @@ def command(photos: Path | None, progress: str, **given: Any) -> None:
         click.echo(line)
 
 
-def _told(limit: Limit) -> dict[str, Any]:
+def _as_json(limit: Limit) -> dict[str, Any]:
     return {
         "what": limit.what, "needed": limit.needed, "given": limit.given, "unit": limit.unit, "share": limit.share
     }  # fmt: skip

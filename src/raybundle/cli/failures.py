@@ -12,7 +12,7 @@ from raybundle import words
 from raybundle.errors import RaybundleError, printable
 
 
-def told_failure(error: Exception) -> tuple[str, int]:
+def failure_lines(error: Exception) -> tuple[str, int]:
     """What is stated of an error, and the exit status."""
     if isinstance(error, RaybundleError):
         return _lines(error), error.exit_status

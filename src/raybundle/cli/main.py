@@ -18,7 +18,7 @@ from typing import Any, TextIO
 import click
 
 from raybundle.cli.command import command_words
-from raybundle.cli.failures import silence, told_failure
+from raybundle.cli.failures import failure_lines, silence
 from raybundle.cli.lazy import LazyGroup
 from raybundle.errors import RaybundleError
 from raybundle.words import COMMAND_LINE, reading
@@ -148,7 +148,7 @@ def _failed(arguments: Sequence[str], error: Exception) -> int:
         with contextlib.suppress(OSError, ValueError):
             traceback.print_exception(error)
     with reading(COMMAND_LINE):
-        text, status = told_failure(error)
+        text, status = failure_lines(error)
     _say(text)
     data = error.json() if isinstance(error, RaybundleError) else {}
     _as_json(arguments, text, status, data)

@@ -74,7 +74,7 @@ def _summary(done: Measured, files: list[Path]) -> Summary:
     """What the command reports."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.adjustment.result import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.text.summary import details  # noqa: PLC0415
 
     a, s = done.adjustment, 1000 * done.points.sigma
@@ -87,7 +87,7 @@ def _summary(done: Measured, files: list[Path]) -> Summary:
             point=done.points.ids[weakest], free_scale=done.points.free_scale,
         ),
     ]  # fmt: skip
-    notices = sorted(as_told(a.notices), key=lambda n: n.code not in UNFIT)
+    notices = sorted(sorted_notices(a.notices), key=lambda n: n.code not in UNFIT)
     more: list[Message | str] = []
     if done.fit is not None:
         first += _fit(done.fit)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, store_lines, told_outcome
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, print_outcome, store_lines
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, not_usable, of_adjustment, report
 from raybundle.commands.orient import OrientSettings, accuracy_outcome, run_orient
@@ -72,7 +72,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
         click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
         return 130
     report(_summary(done, settings))
-    return told_outcome(accuracy_outcome(settings, done))
+    return print_outcome(accuracy_outcome(settings, done))
 
 
 def _summary(done: Orientation, settings: OrientSettings) -> Summary:

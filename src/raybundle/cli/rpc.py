@@ -61,12 +61,12 @@ def info(scene: Path) -> None:
     size = f", {s.width_px} x {s.height_px} px" if s.width_px and s.height_px else ""
     click.echo(f" {s.format}{f', {s.sensor}' if s.sensor else ''}{f', {s.time}' if s.time else ''}{size}")
     if s.rpc is not None:
-        _tell_rpc(s.rpc)
+        _print_rpc(s.rpc)
     if s.line is not None:
-        _tell_line(s, s.line)
+        _print_line(s, s.line)
     for remark in s.remarks:
         click.echo(f" note: {remark.text()}")
-    _tell_agreement(s)
+    _print_agreement(s)
 
 
 @command.command("project")
@@ -124,7 +124,7 @@ def fit(scene: Path, **given: Any) -> None:
     click.echo(f" RPC: {settings.out}")
 
 
-def _tell_rpc(rpc: Rpc) -> None:
+def _print_rpc(rpc: Rpc) -> None:
     import numpy as np  # noqa: PLC0415
 
     lon, lat, h = rpc.ground_offset
@@ -137,7 +137,7 @@ def _tell_rpc(rpc: Rpc) -> None:
         click.echo(f"      stated bias {rpc.err_bias_m:g} m (68 %): {prior[0]:.3g}, {prior[1]:.3g} px")
 
 
-def _tell_line(s: Scene, line: LineScene) -> None:
+def _print_line(s: Scene, line: LineScene) -> None:
     import numpy as np  # noqa: PLC0415
 
     size = np.array([line.width_px, line.height_px])
@@ -152,7 +152,7 @@ def _tell_line(s: Scene, line: LineScene) -> None:
         click.echo(f"      x {u * size[0]:7.0f}  y {v * size[1]:7.0f}   {place}")
 
 
-def _tell_agreement(s: Scene) -> None:
+def _print_agreement(s: Scene) -> None:
     """Print the differences of the two models; raise where they contradict each other."""
     from raybundle.io.scenes import agreement_of, check_agreement  # noqa: PLC0415
 

@@ -52,14 +52,14 @@ def of_adjustment(
     details: Sequence[Message | str] = (), notices: Sequence[Message] = (),
 ) -> Summary:  # fmt: skip
     """The summary of an adjustment; `done` replaces how much was adjusted, notices and details are added."""
-    from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.adjustment.result import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.text import summary  # noqa: PLC0415
 
     if a.free_scale:
         next_step = note("summary.next_scale")
     return Summary(
         done=(*(done or (summary.adjusted(a),)), summary.accuracy(a)), next_step=next_step, files=files,
-        notices=(*notices, *as_told(a.notices)), details=(*summary.details(a), *details),
+        notices=(*notices, *sorted_notices(a.notices)), details=(*summary.details(a), *details),
     )  # fmt: skip
 
 

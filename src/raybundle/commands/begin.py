@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     from raybundle.block import Block
     from raybundle.measuring.film import Scans
 
-Told = Callable[[str], object]
+Notify = Callable[[str], object]
 """Gets lines for people"""
 
 
 def begin(
-    photos: str | Path | Sequence[str | Path], out: str | Path | None = None, *, notify: Told = str,
+    photos: str | Path | Sequence[str | Path], out: str | Path | None = None, *, notify: Notify = str,
     progress: Progress = silent, **settings: Any,
 ) -> Path:  # fmt: skip
     """Begin a project of photographs that are to be measured by hand; returns its folder.
@@ -59,7 +59,7 @@ def begin(
     return s.out
 
 
-def measuring_folder(source: str | Path, out: str | Path | None = None, notify: Told = str) -> Path:
+def measuring_folder(source: str | Path, out: str | Path | None = None, notify: Notify = str) -> Path:
     """The folder in which what is measured is kept: as it is given, or a project of the photographs in it.
 
     source  a project, result or block folder; a project of `orient` that has no result; a folder of photographs
@@ -114,7 +114,7 @@ def _as_asked(project: Path) -> BeginSettings:
     )  # fmt: skip
 
 
-def _block(s: BeginSettings, notify: Told, progress: Progress) -> Block:
+def _block(s: BeginSettings, notify: Notify, progress: Progress) -> Block:
     """The photographs alone; raises InputError where some are gone that a project holds."""
     from raybundle.io.block.folder import read_block  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.block.toml import read_cameras  # noqa: PLC0415

@@ -15,8 +15,8 @@ from raybundle.commands.plane_settings import plane_in
 from raybundle.errors import InputError, Message, Text, message_of_text, note, phrase
 from raybundle.io.formats.base import Export, PlaneAxes
 from raybundle.io.formats.surveyed import Surveyed, surveyed
+from raybundle.io.geo.parsed_names import parsed_system, plan_system
 from raybundle.io.geo.parsed_systems import system_name
-from raybundle.io.geo.told_systems import plan_system, told_system
 from raybundle.io.pictures.plane_file import PICTURES, PlaneFile, axes_in, plane_file_of
 from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
@@ -199,7 +199,7 @@ def _in_map(system: str, height: float) -> _Where:
         raise InputError("crs.not_projected", system=system_name(system))
     axis = plan.axis_info[0]
     unit = "m" if axis.unit_conversion_factor == 1.0 else axis.unit_name
-    code, name = system_name(system), told_system(system).name
+    code, name = system_name(system), parsed_system(system).name
     return _Where(
         axes=None, system=system, unit=unit, millimetres=1000 * axis.unit_conversion_factor,
         words=phrase(
@@ -215,7 +215,7 @@ def _plane_words(axes_by: str | None) -> Text:
     return Text.of(note("drawing_sheet.plane_axes", more=bool(axes_by)), *more)
 
 
-def _plane_told(kind: str, points: int, rms: float, unit: str, lean: Lean | None, vertical: str) -> Text:
+def _plane_notes_of(kind: str, points: int, rms: float, unit: str, lean: Lean | None, vertical: str) -> Text:
     """What a plane was made by, how far its points lie off it, and which way they lean."""
     known = bool(np.isfinite(rms)) and points > 2
     found: list[Message] = [
@@ -247,7 +247,7 @@ def _plane_told(kind: str, points: int, rms: float, unit: str, lean: Lean | None
 def _notes_of(plane: Plane, unit: str) -> tuple[str, ...]:
     """What is known of a plane that was made for the sheet."""
     vertical = "" if plane.plumb is None else plane.plumb.words
-    return (_plane_told(plane.kind, plane.points, plane.rms, unit, plane.lean, vertical),)
+    return (_plane_notes_of(plane.kind, plane.points, plane.rms, unit, plane.lean, vertical),)
 
 
 def _plane_notes(plane: PlaneFile) -> tuple[str, ...]:
@@ -255,7 +255,7 @@ def _plane_notes(plane: PlaneFile) -> tuple[str, ...]:
     if not plane.points:
         return ()
     lean = Lean(angle=np.radians(plane.lean_deg), sigma=np.radians(plane.lean_sigma_deg))
-    found = _plane_told(
+    found = _plane_notes_of(
         plane.kind, plane.points, plane.points_rms, plane.unit, lean if np.isfinite(lean.angle) else None,
         plane.vertical_by,
     )  # fmt: skip

@@ -260,8 +260,8 @@ def _write(
         )
         pages = [folder / name for name, asked in (("report.html", s.report), ("report.pdf", s.pdf)) if asked]
         if pages:
-            from raybundle.report.moved import MovedFacts, axes_told, write_moved_report  # noqa: PLC0415  (Jinja2 only where it is used)
+            from raybundle.report.moved import MovedFacts, axes_words, write_moved_report  # noqa: PLC0415  (Jinja2 only where it is used)
 
-            axes = "" if fit is None or s.axes is None else axes_told(s.axes.name, fit)
+            axes = "" if fit is None or s.axes is None else axes_words(s.axes.name, fit)
             about = MovedFacts(record=record_of(s), faults=faults, axes=axes)
             write_moved_report(done, pages, s.language, about)

@@ -101,8 +101,8 @@ def _covariance(source: Path, progress: Progress, adjusted: Callable[[], Adjustm
 
 def _in_its_map(plane: Plane, export: Export, asked: PlaneAsked) -> tuple[Plane, tuple[str, ...]]:
     """A horizontal plane of a georeferenced block as level ground of its map, and remarks; any other as it is."""
+    from raybundle.io.geo.parsed_names import plan_system  # noqa: PLC0415
     from raybundle.io.geo.parsed_systems import system_name  # noqa: PLC0415
-    from raybundle.io.geo.told_systems import plan_system  # noqa: PLC0415
     from raybundle.workflows.object_plane import in_map  # noqa: PLC0415
 
     frame = export.frame

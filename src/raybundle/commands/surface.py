@@ -229,7 +229,7 @@ def _measured(a: _Asked) -> Surface:
 def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
     """Write what is asked for; `mended` gets the keys of kept products that were found damaged."""
     from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
-    from raybundle.commands.surface_pages import PDF, heights_told, outside_told, write_pages  # noqa: PLC0415
+    from raybundle.commands.surface_pages import PDF, heights_files, outside_words, write_pages  # noqa: PLC0415
     from raybundle.io.folders import clear_left  # noqa: PLC0415
     from raybundle.workflows.surface import mended_words  # noqa: PLC0415
     from raybundle.workflows.surface_product import Context  # noqa: PLC0415
@@ -251,7 +251,7 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
         written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
         note_written(done, out / WORK, wanted, s.thin, a.fingerprint)
         remarks = (
-            *outside_told(done, a.grids), *heights_told(a.grids.reported, export), *done.remarks,
+            *outside_words(done, a.grids), *heights_files(a.grids.reported, export), *done.remarks,
             *mended_words(mended | done.store.mended), *earlier.reported,
         )  # fmt: skip
         reported = (done.others, *remarks) if done.others else remarks
@@ -289,7 +289,7 @@ def _grid_of(
 ) -> tuple[Grids, SurfaceRegion | None]:  # fmt: skip
     """The plane, its cells and the pixels of an orthophoto that are asked for, and the part that is measured."""
     from raybundle.commands.plane_settings import plane_in  # noqa: PLC0415
-    from raybundle.io.geo.told_systems import plan_system  # noqa: PLC0415
+    from raybundle.io.geo.parsed_names import plan_system  # noqa: PLC0415
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
     from raybundle.workflows.rectify import check_area  # noqa: PLC0415
     from raybundle.workflows.surface_grids import Grids, grids_over  # noqa: PLC0415

@@ -52,7 +52,7 @@ def write_pages(
     remarks  what was stated while the surface was measured
     others   files of earlier runs with more points, or fewer, by which length they are thinned; None: not at all
     """
-    from raybundle.adjustment.result import as_told  # noqa: PLC0415
+    from raybundle.adjustment.result import sorted_notices  # noqa: PLC0415
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
     from raybundle.io.folders import names_in  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
@@ -79,7 +79,7 @@ def write_pages(
     title = given or language_of(settings.language, [name]).text(phrase("report_surface.title", name=name))
     cloud = sample_of(done) if len(done) else None
     write_network_page(done.adjustment, out / IN_3D, title=title, language=settings.language, cloud=cloud)
-    faults = as_told(n for n in rests.view.adjustment.notices if n.severity is not Severity.NOTE)
+    faults = sorted_notices(n for n in rests.view.adjustment.notices if n.severity is not Severity.NOTE)
     rank = {code: k for k, code in enumerate(OF_ALL)}
     faults.sort(key=lambda n: (n.severity is not Severity.FAULT, rank.get(n.code, len(OF_ALL))))
     return SurfacePages(
@@ -111,7 +111,7 @@ def _occasion(done: Surface, result: Path, context: Context, settings: SurfaceSe
     return Occasion(view=view, reported=verdict(view), delivery=delivery, language=language)
 
 
-def heights_told(faults: tuple[str, ...], export: Export) -> tuple[str, ...]:
+def heights_files(faults: tuple[str, ...], export: Export) -> tuple[str, ...]:
     """What is reported of a plane, without what heights count from where they count from nothing that was measured."""
     from raybundle.io.geo.parsed_systems import system_name  # noqa: PLC0415
     from raybundle.results.record import STATE  # noqa: PLC0415
@@ -123,7 +123,7 @@ def heights_told(faults: tuple[str, ...], export: Export) -> tuple[str, ...]:
     return (*(t for t in faults if t not in export.frame.remarks), relative)
 
 
-def outside_told(done: Surface, grids: Grids) -> tuple[str, ...]:
+def outside_words(done: Surface, grids: Grids) -> tuple[str, ...]:
     """How many points lie beside the area of heights, orthophoto and mesh, and how to have them."""
     from raybundle.workflows.surface_grids import area_of_points  # noqa: PLC0415
 

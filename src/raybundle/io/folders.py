@@ -43,7 +43,7 @@ def new_folder(path: Path, *, replacing: bool = False) -> Generator[Path]:
     stood = _identity(path) if replacing else None
     with _sibling(path) as temporary:
         yield temporary
-        with _told(path):
+        with _named_failure(path):
             if stood is None:
                 _take_free_name(temporary, path)
             else:
@@ -60,7 +60,7 @@ def continued_folder(path: Path, ended: Callable[[], bool]) -> Generator[Path]:
     path = place_of(path)
     make_parent(path)
     stem = os.fsdecode(os.fsencode(path.name)[:NAME_BYTES])
-    with _told(path):
+    with _named_failure(path):
         folder, lock = _free(path.parent / f".{stem}.parts")
     try:
         yield folder
@@ -84,7 +84,7 @@ def _free(first: Path) -> tuple[Path, int | None]:
 
 def make_parent(path: Path) -> None:
     """Make the folder in which a file or folder is to stand; raises InputError where that cannot be."""
-    with _told(path):
+    with _named_failure(path):
         missing = [path.parent]
         while not missing[-1].exists():
             missing.append(missing[-1].parent)
@@ -99,7 +99,7 @@ def place_of(path: Path) -> Path:
     """
     if not path.is_absolute() and path.parts and _SCHEME.fullmatch(path.parts[0]):
         raise InputError("folder.url", scheme=path.parts[0], file=path)
-    with _told(path):
+    with _named_failure(path):
         place = Path(os.path.realpath(path))
         if any(part.is_symlink() for part in (place, *place.parents)):
             raise InputError("file.link_loop", file=path)
@@ -113,7 +113,7 @@ def check_place(path: Path, wanted: Literal["file", "folder", "either"] = "eithe
     A folder is made, and deleted, where the first folder that `new_folder` would have to make is to stand: what the
     system refuses, it refuses here (permissions are no measure: to the superuser they say yes everywhere).
     """
-    with _told(path):
+    with _named_failure(path):
         place = place_of(path)
         if place.exists():  # or it is a name that is too long
             _check_kind(path, place, wanted)
@@ -162,7 +162,7 @@ def check_new_folder(path: Path) -> None:
     For what does not replace a folder of its own kind: nothing that stands there is lost.
     """
     check_place(path, "folder")
-    with _told(path):
+    with _named_failure(path):
         place = place_of(path)
         if place.exists() and names_in(place):
             raise InputError("folder.exists", file=path)
@@ -190,13 +190,13 @@ def new_files(*paths: Path) -> Generator[tuple[Path, ...]]:
     with _sibling(target) as temporary:
         yield tuple(temporary / p.name for p in paths)
         for path in paths:
-            with _told(path):
+            with _named_failure(path):
                 if (temporary / path.name).exists():
                     (temporary / path.name).replace(place_of(path))
 
 
 @contextmanager
-def _told(path: Path) -> Generator[None]:
+def _named_failure(path: Path) -> Generator[None]:
     """Turn what the system refuses into a message."""
     try:
         yield
@@ -210,14 +210,14 @@ def _told(path: Path) -> Generator[None]:
 def _sibling(path: Path) -> Generator[Path]:
     """A new folder beside a path, locked while it is in use, deleted in the end."""
     stem = os.fsdecode(os.fsencode(path.name)[:NAME_BYTES])
-    with _told(path):
+    with _named_failure(path):
         for left in _left_beside(path.parent, stem):
             shutil.rmtree(left, ignore_errors=True)
         temporary = path.parent / f".{stem}.{uuid.uuid4().hex[:8]}.partial"
         temporary.mkdir()
         lock = lock_of(temporary)
     try:
-        with _told(path):
+        with _named_failure(path):
             yield temporary
     finally:
         unlock(lock)
@@ -248,7 +248,7 @@ def names_in(folder: Path) -> set[str]:
 
 def clear_left(folder: Path) -> None:
     """Delete what writers that were killed have left in a folder, under whatever name they wrote."""
-    with _told(folder):
+    with _named_failure(folder):
         for left in _left(folder, _ANY_SIBLING):
             shutil.rmtree(left, ignore_errors=True)
 

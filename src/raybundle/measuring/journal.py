@@ -134,7 +134,7 @@ class Journal:
     def open(cls, path: str | Path, known: Known) -> Journal:
         """Open a journal, or begin one; raises InputError where it is no journal or cannot be written."""
         path = Path(path)
-        with _telling(path):
+        with _named_failure(path):
             # autocommit: transactions are begun and ended here
             db = sqlite3.connect(path, timeout=30, isolation_level=None, check_same_thread=False)
             try:
@@ -240,7 +240,7 @@ class Journal:
 
     def entries(self, after: int = 0) -> list[Entry]:
         """The rows with larger numbers, in order."""
-        with self._lock, _telling(self.path):
+        with self._lock, _named_failure(self.path):
             rows = self.db.execute(
                 "SELECT seq, id, time, author, verb, arguments FROM actions WHERE seq > ? ORDER BY seq", (after,)
             ).fetchall()
@@ -254,7 +254,7 @@ class Journal:
 
     @contextmanager
     def _transaction(self) -> Generator[None]:
-        with _telling(self.path):
+        with _named_failure(self.path):
             self.db.execute("BEGIN IMMEDIATE")
             try:
                 yield
@@ -275,7 +275,7 @@ def entries_of(path: str | Path) -> list[Entry]:
     # a log's index is a file that SQLite makes, also to read: where it cannot, nobody else writes either
     alone = not can_be_written(path) and not (log.exists() and log.stat().st_size)
     how = "immutable=1" if alone else "mode=ro"
-    with _telling(path):
+    with _named_failure(path):
         db = sqlite3.connect(f"{path.absolute().as_uri()}?{how}", uri=True, timeout=30, isolation_level=None)
         try:
             rows = db.execute("SELECT seq, id, time, author, verb, arguments FROM actions ORDER BY seq").fetchall()
@@ -351,7 +351,7 @@ def can_be_written(path: Path) -> bool:
 
 
 @contextmanager
-def _telling(path: Path) -> Generator[None]:
+def _named_failure(path: Path) -> Generator[None]:
     """Turn what SQLite complains of into a message that states what to do."""
     try:
         yield

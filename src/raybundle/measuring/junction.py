@@ -93,7 +93,7 @@ def fit_junction(grey: Array, start: Array, half: int, model: Model) -> Junction
     g, x, y = g[inside], x[inside], y[inside]
     p = _start(g, x, y, start - [cx + 0.5, cy + 0.5], model)
     p, J, e, ended = _iterate(p, g, x, y, model, half)
-    made = _told(p, J, e, g, model)
+    made = _junction(p, J, e, g, model)
     return replace(made, xy=made.xy + np.array([cx + 0.5, cy + 0.5]), ended=made.ended and ended)
 
 
@@ -257,7 +257,7 @@ def _blur_weight(e: Array, freedom: int, model: Model) -> float:
     return max(float(e @ e) / max(freedom, 1), ROUNDING) / USUAL_BLUR_SIGMA**2
 
 
-def _told(p: Array, J: Array, e: Array, g: Array, model: Model) -> Junction:
+def _junction(p: Array, J: Array, e: Array, g: Array, model: Model) -> Junction:
     """The result, its place relative to the middle of the window."""
     N = J.T @ J
     N[4, 4] += _blur_weight(e, len(g) - J.shape[1], model)

@@ -56,7 +56,7 @@ class Merged:
     """whether photographs were oriented from the marks"""
     lacking: tuple[Lack, ...] = ()
     """what photographs without orientation lack; their marks do not stand in the block"""
-    untold: tuple[str, ...] = ()
+    unknown: tuple[str, ...] = ()
     """cameras whose constant comes from the marks alone"""
     film: tuple[str, ...] = ()
     """what is to be stated of fiducial marks, in sentences"""
@@ -89,7 +89,7 @@ def merge(block: Block, state: State, scans: Scans | None = None) -> Merged:
     if state.datum is not None:
         made = _in_axes(made, state.datum)
     return Merged(
-        block=_with_rejected(made, state), left_out=out, new=start.new, untold=start.untold,
+        block=_with_rejected(made, state), left_out=out, new=start.new, unknown=start.unknown,
         lacking=(*film.lacking, *(k for k in start.lacking if k.image not in {f.image for f in film.lacking})),
         film=film.words, marked=frozenset(p for _, p in state.marks),
     )  # fmt: skip

@@ -79,7 +79,7 @@ def with_wrong_marks(result: Adjustment, marked: frozenset[str], *, alone: bool)
     chance makes as large a test value anywhere in one of a thousand blocks.
     """
     if result.options.reject == "snooping":
-        return _told(result, result, _beyond_chance(result, _left(result, marked)))
+        return _with_notices(result, result, _beyond_chance(result, _left(result, marked)))
     if (
         not result.options.statistics
         or len(result.given.observations) > TESTED_UP_TO
@@ -91,7 +91,7 @@ def with_wrong_marks(result: Adjustment, marked: frozenset[str], *, alone: bool)
         tested = decide(start, replace(result.options, reject="snooping"))
     except NotSolvable:
         return result
-    return _told(result, tested, _beyond_chance(tested, _left(tested, marked)))
+    return _with_notices(result, tested, _beyond_chance(tested, _left(tested, marked)))
 
 
 def _doubtful(result: Adjustment, marked: frozenset[str], *, alone: bool) -> bool:
@@ -111,7 +111,7 @@ def _beyond_chance(tested: Adjustment, found: Sequence[Wrong]) -> tuple[Wrong, .
     return tuple(w for w in found if w.tau > limit)
 
 
-def _told(result: Adjustment, tested: Adjustment, found: Sequence[Wrong]) -> Adjustment:
+def _with_notices(result: Adjustment, tested: Adjustment, found: Sequence[Wrong]) -> Adjustment:
     if not found:
         return result
     took_part = tested is not result

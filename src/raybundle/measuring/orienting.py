@@ -21,7 +21,7 @@ class Oriented:
     new: bool = False
     """whether photographs were oriented here"""
     lacking: tuple[Lack, ...] = ()
-    untold: tuple[str, ...] = ()
+    unknown: tuple[str, ...] = ()
     """cameras whose constant comes from the marks alone"""
     by_control: bool = False
     """whether it stands in the frame of control already"""
@@ -51,7 +51,7 @@ def oriented(block: Block, state: State, *, free: bool) -> Oriented:
     made = replace(block, images=images, cameras=cameras)
     left = (unoriented(made) & by_hand)[block.observations.image]
     return Oriented(
-        block=_without_rows(made, left), new=bool(found.new.any()), lacking=found.lacking, untold=found.untold,
+        block=_without_rows(made, left), new=bool(found.new.any()), lacking=found.lacking, unknown=found.unknown,
         by_control=found.by_control,
     )  # fmt: skip
 

@@ -40,7 +40,7 @@ def readjusted(block: Block, progress: Progress = silent, options: AdjustmentOpt
 
 def adjusted_again(folder: str | Path, progress: Progress = silent) -> Adjustment:
     """The adjustment of a project, result or block folder, of a result under its options; see `readjusted`."""
-    block, options = _told(folder)
+    block, options = _stored(folder)
     return readjusted(block, progress, options)
 
 
@@ -49,11 +49,11 @@ def adjusted_as_free(given: Block | str | Path, progress: Progress = silent) -> 
 
     Control then has no part in the shape of the network, and no point is without error.
     """
-    block, options = (given, AdjustmentOptions()) if isinstance(given, Block) else _told(given)
+    block, options = (given, AdjustmentOptions()) if isinstance(given, Block) else _stored(given)
     return readjusted(block, progress, replace(options, datum="inner", datum_points=()))
 
 
-def _told(folder: str | Path) -> tuple[Block, AdjustmentOptions]:
+def _stored(folder: str | Path) -> tuple[Block, AdjustmentOptions]:
     """The block of a folder, and the options that its result was made under."""
     inner = block_folder(folder)
     return made_as(inner, read_block(inner))

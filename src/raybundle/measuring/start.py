@@ -32,7 +32,7 @@ class Standing:
     images: int
     lacking: tuple[Lack, ...] = ()
     wrong: tuple[Wrong, ...] = ()
-    untold: tuple[str, ...] = ()
+    unknown: tuple[str, ...] = ()
     """sentences on camera constants that nothing states"""
     film: tuple[str, ...] = ()
     """sentences on fiducial marks"""
@@ -53,7 +53,7 @@ class Standing:
     def words(self) -> tuple[str, ...]:
         """All of it in sentences, the line apart."""
         return (
-            *(k.words for k in self.lacking), *(w.words for w in self.wrong), *self.film, *self.untold,
+            *(k.words for k in self.lacking), *(w.words for w in self.wrong), *self.film, *self.unknown,
             *([self.trouble] if self.trouble else []),
         )  # fmt: skip
 
@@ -162,12 +162,12 @@ def standing_after(made: Merged, result: Adjustment) -> Standing:
 def _standing(made: Merged, block: Block, result: Adjustment | None, trouble: str) -> Standing:
     out = unoriented(block)
     return Standing(
-        oriented=int((~out).sum()), images=len(out), lacking=made.lacking, untold=_untold(made.untold, result),
+        oriented=int((~out).sum()), images=len(out), lacking=made.lacking, unknown=_unknown(made.unknown, result),
         wrong=() if result is None else wrong_marks(result, made.marked), trouble=trouble, film=made.film,
     )  # fmt: skip
 
 
-def _untold(cameras: Sequence[str], result: Adjustment | None) -> tuple[str, ...]:
+def _unknown(cameras: Sequence[str], result: Adjustment | None) -> tuple[str, ...]:
     """What became of camera constants that nothing states."""
     if result is None:
         return ()

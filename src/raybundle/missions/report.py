@@ -244,7 +244,7 @@ def warnings(
             f"{mission.camera.interval_s:g} s",
             fault=True,
         )
-    _tell_overlap(notify, mission, facts)
+    _judge_overlap(notify, mission, facts)
     if facts.rolling_px is not None and facts.rolling_px > 1:
         notify(
             "shutter",
@@ -270,7 +270,7 @@ def _more_photographs(mission: Mission, facts: MissionFacts) -> str:
     return f"that is at its edges: widen it ({option('margin')})"
 
 
-def _tell_overlap(notify: Callable[[str, str], None], mission: Mission, facts: MissionFacts) -> None:
+def _judge_overlap(notify: Callable[[str, str], None], mission: Mission, facts: MissionFacts) -> None:
     pattern = patterns[mission.pattern]
     advice, where = pattern.more(), ""
     if mission.terrain and pattern.ground:

@@ -59,7 +59,7 @@ class ObservedParameter(ObservationKind):
                 if i.sigma.get(i.symbols[k], 0) > 0:
                     item, component = [*item, r], [*component, k]
                     value, sigma = [*value, i.given[i.symbols[k]]], [*sigma, i.sigma[i.symbols[k]]]
-            places, expected, C = _told(i)
+            places, expected, C = _calibrated(i)
             if not places:
                 continue
             size = np.sqrt(np.diagonal(C))
@@ -88,7 +88,7 @@ class ObservedParameter(ObservationKind):
         return replace(block, cameras=tuple(map(of, block.cameras)))
 
 
-def _told(interior: Interior) -> tuple[list[int], Array, Array]:
+def _calibrated(interior: Interior) -> tuple[list[int], Array, Array]:
     """Positions of the free parameters that a calibration shows, what it expects of them, and their covariance."""
     known: Calibrated | None = interior.calibrated
     if known is None:

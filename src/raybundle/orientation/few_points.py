@@ -84,7 +84,7 @@ class FewPoints:
     lacking: tuple[Lack, ...] = ()
     by_control: bool = False
     """whether control in the photographs, not their common points, began it: it stands in the frame of control"""
-    untold: tuple[str, ...] = ()
+    unknown: tuple[str, ...] = ()
     """cameras whose constant nothing states; it comes from the points alone"""
 
 
@@ -123,25 +123,25 @@ def orient_few(block: Block, *, control: bool = True) -> FewPoints:
     given = images.oriented | scenes
     if not left.any():
         return FewPoints(block=block, new=np.zeros(len(images), bool), lacking=lacking(block, counts))
-    start, untold = _prepared(block, given)
+    start, unknown = _prepared(block, given)
     known = _finite(block.points.xyz) & (np.asarray(block.points.role) != Role.CHECK)
     full = np.asarray(block.points.is_control.all(axis=1), bool)
     known &= full if not given.any() else ~full | control
-    best, by_control = _started(start, given, known, left, untold)
+    best, by_control = _started(start, given, known, left, unknown)
     if best is None:
         return FewPoints(block=block, new=np.zeros(len(images), bool), lacking=lacking(block, counts))
     made = _returned(block, best.block)
     return FewPoints(
         block=made, new=made.images.oriented & ~images.oriented, lacking=lacking(made, counts),
-        by_control=by_control, untold=untold,
+        by_control=by_control, unknown=unknown,
     )  # fmt: skip
 
 
-def _started(start: Block, given: Mask, known: Mask, left: Mask, untold: Sequence[str]) -> tuple[_Trial | None, bool]:
+def _started(start: Block, given: Mask, known: Mask, left: Mask, unknown: Sequence[str]) -> tuple[_Trial | None, bool]:
     """The best way of all, and whether control began it."""
     best: _Trial | None = None
     by_control = False
-    for block in _with_constants(start, untold, left):
+    for block in _with_constants(start, unknown, left):
         if given.any() or known.any():
             placed = _Trial(_unplaced(block, known), given, known, left)
             found = _grown(_intersected(placed))
@@ -187,7 +187,7 @@ def _finite(xyz: Array) -> Mask:
 def _prepared(block: Block, given: Mask) -> tuple[Block, tuple[str, ...]]:
     """The block with cameras as a start frees them, and those whose constant nothing shows."""
     cameras: list[Camera] = []
-    untold: list[str] = []
+    unknown: list[str] = []
     used = set(np.asarray(block.images.camera)[given].tolist())
     for k, camera in enumerate(block.cameras):
         scale = camera.sensor.scale_symbol
@@ -201,9 +201,9 @@ def _prepared(block: Block, given: Mask) -> tuple[Block, tuple[str, ...]]:
             before = known_before(camera).get(scale)
             sigma = CONSTANT if before is None else before.sigma
         if sigma >= UNTOLD:
-            untold.append(camera.id)
+            unknown.append(camera.id)
         cameras.append(_freed(camera, scale, sigma))
-    return replace(block, cameras=tuple(cameras), tables={}), tuple(untold)
+    return replace(block, cameras=tuple(cameras), tables={}), tuple(unknown)
 
 
 def _freed(camera: Camera, scale: str, sigma: float) -> Camera:
@@ -220,16 +220,16 @@ def _freed(camera: Camera, scale: str, sigma: float) -> Camera:
     return replace(freed, estimate=(scale, radial), relations=(*freed.relations, lens))
 
 
-def _with_constants(block: Block, untold: Sequence[str], left: Mask) -> Iterator[Block]:
+def _with_constants(block: Block, unknown: Sequence[str], left: Mask) -> Iterator[Block]:
     """The block with the camera constants that may be, where nothing shows them."""
-    if not untold:
+    if not unknown:
         yield block
         return
     projective = _projective(block, left)
     if projective is not None:
-        yield _scaled(block, {n: projective[n] for n in untold if n in projective})
+        yield _scaled(block, {n: projective[n] for n in unknown if n in projective})
     for factor in FACTORS:
-        yield _scaled(block, {c.id: c.values[c.sensor.scale_symbol] * factor for c in block.cameras if c.id in untold})
+        yield _scaled(block, {c.id: c.values[c.sensor.scale_symbol] * factor for c in block.cameras if c.id in unknown})
 
 
 def _scaled(block: Block, constants: dict[str, float]) -> Block:

@@ -127,18 +127,18 @@ def work(where: str, jobs: int, notify: Callable[[str], None]) -> None:
 async def _work(where: str, jobs: int, notify: Callable[[str], None]) -> None:
     _end_on_signal()
     with tempfile.TemporaryDirectory() as folder:
-        telling = _Telling(notify, Path(folder))
-        _checked_version(await _there(where, telling, NoScheduler), where)
-        now_and_then = asyncio.create_task(telling.now_and_then())
+        notifying = _Notifying(notify, Path(folder))
+        _checked_version(await _there(where, notifying, NoScheduler), where)
+        now_and_then = asyncio.create_task(notifying.now_and_then())
         try:
-            await asyncio.gather(*(_one_worker(where, telling) for _ in range(jobs)))
+            await asyncio.gather(*(_one_worker(where, notifying) for _ in range(jobs)))
         finally:
             now_and_then.cancel()
-            notify(f"{counted(telling.count(), 'task')} done in all")
+            notify(f"{counted(notifying.count(), 'task')} done in all")
 
 
 @dataclass(slots=True)
-class _Telling:
+class _Notifying:
     """What workers of one command say: what stays as it is once."""
 
     notify: Callable[[str], None]
@@ -169,7 +169,7 @@ class _Telling:
             before = count
 
 
-async def _there(where: str, telling: _Telling, waited_for: type[InputError]) -> Cluster:
+async def _there(where: str, notifying: _Notifying, waited_for: type[InputError]) -> Cluster:
     """The cluster, when its scheduler answers; raises InputError of other kinds than what is waited for.
 
     A folder that does not exist is waited for, too, for `FOLDER_S`: a scheduler makes it, and so does a name mistyped.
@@ -181,7 +181,7 @@ async def _there(where: str, telling: _Telling, waited_for: type[InputError]) ->
             await asyncio.to_thread(check_answers, cluster)
         except waited_for as error:
             if _has_folder(where):
-                telling.waiting(error.why if isinstance(error, NoScheduler) else str(error))
+                notifying.waiting(error.why if isinstance(error, NoScheduler) else str(error))
                 until = time.monotonic() + FOLDER_S
             elif time.monotonic() > until:
                 raise InputError(
@@ -191,10 +191,10 @@ async def _there(where: str, telling: _Telling, waited_for: type[InputError]) ->
                     file=where,
                 ) from None
             else:
-                telling.waiting(f"{where}: there is no such folder; where none comes within {FOLDER_S:g} s this ends")
+                notifying.waiting(f"{where}: there is no such folder; where none comes within {FOLDER_S:g} s this ends")
             await asyncio.sleep(LOOK_S)
         else:
-            telling.waits = ""
+            notifying.waits = ""
             return cluster
 
 
@@ -203,19 +203,19 @@ def _has_folder(where: str) -> bool:
     return "://" in where or Path(where).is_dir()
 
 
-async def _one_worker(where: str, telling: _Telling) -> None:
+async def _one_worker(where: str, notifying: _Notifying) -> None:
     """One worker after the other: each lives as long as its connection to the scheduler."""
     while True:
-        cluster = await _there(where, telling, InputError)  # it was there when this began
+        cluster = await _there(where, notifying, InputError)  # it was there when this began
         _checked_version(cluster, where)
         nanny = Nanny(
             cluster.address, nthreads=1, security=security_of(cluster), resources={signature(): 1}, memory_limit="0",
             death_timeout=PATIENCE_S, dashboard=False, host=_listens(cluster),
-            dashboard_address="127.0.0.1:0", config=config.config, env={COUNTS: str(telling.folder)},
+            dashboard_address="127.0.0.1:0", config=config.config, env={COUNTS: str(notifying.folder)},
         )  # fmt: skip
         try:
             await nanny
-            telling.notify(f"worker of {cluster.address} ({signature()})")
+            notifying.notify(f"worker of {cluster.address} ({signature()})")
             await nanny.finished()
         except (OSError, TimeoutError, RuntimeError):  # the scheduler went away meanwhile
             await asyncio.sleep(LOOK_S)

@@ -300,7 +300,7 @@ class Objects:
 
     def _lost(self, error: Exception) -> StoreLost:
         """What is wrong, and what to do."""
-        found = _said(error)
+        found = _reason(error)
         if isinstance(error, PermissionError) or REFUSED.search(f"{type(error).__name__} {found}"):
             cause = "refused"
         elif isinstance(error, OSError) and error.errno in FULL:
@@ -310,7 +310,7 @@ class Objects:
         return StoreLost("store.lost", cause=cause, n=TRIES, detail=found, file=self.url)
 
 
-def _said(error: Exception) -> str:
+def _reason(error: Exception) -> str:
     """What a service states, in its words."""
     stated = str(getattr(error, "strerror", None) or error).strip().partition("\n")[0]
     return stated or "no reason is given"
@@ -348,11 +348,11 @@ def _opened(url: str) -> tuple[Any, str]:
         fs, root = fsspec.core.url_to_fs(url, use_listings_cache=False)  # others write there
     except ImportError as error:
         package = PACKAGES.get(urlsplit(url).scheme, "")
-        raise StoreLost("store.service_package", detail=_said(error), package=package or "-", file=url) from None
+        raise StoreLost("store.service_package", detail=_reason(error), package=package or "-", file=url) from None
     except ValueError as error:
-        raise StoreLost("store.invalid_url", detail=_said(error), file=url) from None
+        raise StoreLost("store.invalid_url", detail=_reason(error), file=url) from None
     except Exception as error:  # noqa: BLE001  (some ask their service already)
-        raise StoreLost("store.not_reachable", detail=_said(error), file=url) from None
+        raise StoreLost("store.not_reachable", detail=_reason(error), file=url) from None
     root = root.rstrip("/")
     if not root and not url.startswith("memory:"):
         raise InputError("store.no_bucket_name", file=url)

@@ -171,7 +171,7 @@ def observe_attitudes(state: Placing, photos: Sequence[Photo], given: Given, fra
         imus.append(_imu(name, mounted.misalignment, NOMINAL if nominal else None))
         if len(mounted.rows):
             used.append(mounted)
-            _tell_convergence(state, block, part, mounted, frame)
+            _note_convergence(state, block, part, mounted, frame)
     if used and nominal:
         state.notify("attitudes_nominal", sigma_deg=float(np.degrees(NOMINAL)))
     _observe(state, part, image, used, imus if given.misalignment else [])
@@ -236,7 +236,7 @@ def _mounted(state: Placing, recorded: PhotoAttitudes, rows: Index, R: Array, im
     doubt = other is not None and (fit.scatter > DOUBT * sigma or fit.askew > MOUNTED)
     alone = fit.askew > MOUNTED and (fit.scatter > DOUBT * sigma or _one_heading(recorded, rows))
     if fit.scatter > limit or doubt or alone:
-        _tell_contradiction(state, recorded, fit, sigma, other)
+        _note_contradiction(state, recorded, fit, sigma, other)
         return nothing
     turn = fit.mount if fit.askew > MOUNTED else fit.quarters
     if fit.askew > MOUNTED or fit.quarter:
@@ -254,7 +254,7 @@ def _mounted(state: Placing, recorded: PhotoAttitudes, rows: Index, R: Array, im
     return _Mounted(rows=rows[~far], imu=imu, turn=turn, misalignment=_vector(fit.mount @ turn.T))
 
 
-def _tell_contradiction(
+def _note_contradiction(
     state: Placing, recorded: PhotoAttitudes, fit: Fit, sigma: float, other: tuple[str, Fit] | None
 ) -> None:
     """Add the fault of attitudes that contradict the photographs, and how they would fit better."""
@@ -317,7 +317,7 @@ def _one_heading(recorded: PhotoAttitudes, rows: Index) -> bool:
     return bool(_angles(np.einsum("ij,bij->b", recorded.rotation[rows[0]], recorded.rotation[rows])).max() < MOUNTED)
 
 
-def _tell_convergence(
+def _note_convergence(
     state: Placing, block: Block, recorded: PhotoAttitudes, mounted: _Mounted, frame: LocalFrame
 ) -> None:
     """Say so where the misalignment about the vertical is what true north and grid north differ by."""

@@ -70,7 +70,7 @@ def take_at_their_size(state: Placing, control: Sequence[ControlFile], mark_px: 
             step = xy[rows] * (found.sigma / found.long_side)
             cov[rows] += np.column_stack([step[:, 0] ** 2, step[:, 1] ** 2, step[:, 0] * step[:, 1]])
         state.block = replace(block, observations=replace(o, xy_px=xy, cov_px2=cov))
-        state.notices.append(_told(file, found, float(_long_sides(block)[o.image[rows]].max())))
+        state.notices.append(_notice(file, found, float(_long_sides(block)[o.image[rows]].max())))
 
 
 def size_of_copies(block: Block, points: Index, mark_px: float) -> Size | None:
@@ -161,7 +161,7 @@ def _factors(block: Block, rows: Index, side: float) -> Array:
     return _long_sides(block)[block.observations.image[rows]] / side
 
 
-def _told(file: ControlFile, found: Size, full: float) -> Notice:
+def _notice(file: ControlFile, found: Size, full: float) -> Notice:
     return Notice(
         code="marks_reduced", ids=(str(file.path.name),),
         values={

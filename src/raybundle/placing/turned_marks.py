@@ -69,7 +69,7 @@ def take_turned_back(state: Placing, photos: Sequence[Photo], control: Sequence[
                 state.notices.append(_open(file, photos, o.image[rows[turned]], before, after, limit))
                 continue
         state.block = block
-        state.notices.append(_told(file, photos, o.image[rows[turned]], before, after, outside=outside))
+        state.notices.append(_notice(file, photos, o.image[rows[turned]], before, after, outside=outside))
 
 
 def reading(block: Block, rows: Index, turned: Mask, mark_px: float) -> Reading | None:
@@ -128,7 +128,7 @@ def _apart(r: Reading | None) -> float | None:
     return r.median if r is not None and np.isfinite(r.median) else None
 
 
-def _told(
+def _notice(
     file: ControlFile, photos: Sequence[Photo], image: Index, before: Reading | None, after: Reading | None, *,
     outside: bool,
 ) -> Notice:  # fmt: skip

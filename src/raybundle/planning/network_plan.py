@@ -206,7 +206,7 @@ def plan_network(
         more.append(repeated(designer, design.stations, repeat))
         design = designer.design(more[-1].stations)
     with threadpool_limits(1):
-        return _told(
+        return _plan(
             designer, design, wanted, tuple(tried), left_out, known or Wanted(), tuple(more), in_order=as_given
         )
 
@@ -361,7 +361,7 @@ def _not_determined(site: Site, design: Design, least: int, *, as_given: bool) -
     return message("plan.not_determined", stations=len(s), free=bool(site.free))
 
 
-def _told(
+def _plan(
     d: Designer, design: Design, wanted: float | None, tried: tuple[tuple[int, float], ...], left_out: SurfacePoints,
     known: Wanted, more: tuple[Densified, ...], *, in_order: bool,
 ) -> NetworkPlan:  # fmt: skip

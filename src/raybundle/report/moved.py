@@ -61,7 +61,7 @@ class MovedFacts:
     """in which axes it stands, in words; empty: in those of the first epoch"""
 
 
-def axes_told(file: str, fit: BestFit) -> str:
+def axes_words(file: str, fit: BestFit) -> str:
     """In which axes displacements stand, in words."""
     return phrase("report_moved.axes_fitted", name=file, n=int(fit.fitted.sum()), rms_mm=MM * fit.rms)
 

@@ -27,7 +27,7 @@ ALONE = (UNCERTAIN**2 - 1) / (UNCERTAIN**2 + 1)
 
 Of means of n1 and n2 values, a and b of them in one alone, the difference has the variance (a + b) / (n1 n2), and
 s2^2 - s1^2 is (b - a) / (n1 n2): the ratio is that factor squared at a / b of this."""
-TOLD = 1e-3
+LEAST_VARIANCE = 1e-3
 """Share of a variance below which a difference of two variances shows nothing: they are linearised at two places."""
 
 
@@ -71,7 +71,7 @@ class Shared:
         factors = [(s[whole] / k) ** 2 if k > 0 and s[whole] > 0 else 1.0 for k in s]
         parts = (factors[0] * one, factors[1] * two)
         more = parts[1 - whole] - parts[whole]
-        return np.sqrt(np.where(more > TOLD * parts[1 - whole], more, np.nan))
+        return np.sqrt(np.where(more > LEAST_VARIANCE * parts[1 - whole], more, np.nan))
 
     @property
     def sentences(self) -> tuple[Text, ...]:

@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from raybundle.adjustment.result import as_told
+from raybundle.adjustment.result import sorted_notices
 from raybundle.adjustment.severity import Severity
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.io.folders import new_files
@@ -138,7 +138,7 @@ def _adjustment(rests: Occasion | None) -> list[Section]:
     """What the points rest on: the key figures of the adjustment, its statements, all that warns of it."""
     if rests is None:
         return []
-    faults = [n for n in as_told(rests.view.adjustment.notices) if n.severity is not Severity.NOTE]
+    faults = [n for n in sorted_notices(rests.view.adjustment.notices) if n.severity is not Severity.NOTE]
     d = rests.delivery or delivery_of(rests.view.adjustment)
     parts: list[Part] = [Heading(text=phrase("report_surface.warnings")), warnings_table(faults)] if faults else []
     parts += [*glance_parts(rests, d), Statements(statements=rests.reported.statements)]

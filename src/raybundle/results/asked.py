@@ -48,11 +48,11 @@ def made_as(block: Path, given: Block) -> tuple[Block, AdjustmentOptions]:
         hold = dict.fromkeys((*asked.hold, *(pair for pair, is_free in chosen.items() if not is_free)))
         asked = replace(asked, estimate="given", free=tuple(free), hold=tuple(hold))
     if given.points.is_control.any():
-        given = _as_told(given, table_file(folder, "points"), moved=asked.datum in {"inner", "minimal"})
+        given = _with_roles(given, table_file(folder, "points"), moved=asked.datum in {"inner", "minimal"})
     return given, asked
 
 
-def _as_told(block: Block, points: Path, *, moved: bool) -> Block:
+def _with_roles(block: Block, points: Path, *, moved: bool) -> Block:
     """The block with its control points in the roles that a result's table gives them, and `moved` to their places."""
     table = read_table(points, columns_of_table("points"), least_rows=0, own=True)
     if not table.rows:

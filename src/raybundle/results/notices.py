@@ -18,17 +18,17 @@ def as_its_result(adjustment: Adjustment, folder: Path) -> Adjustment:
 
     folder  the result; one without a result.json, as of a block, has none but the adjustment's own
     """
-    found = _told(folder)
+    found = _result(folder)
     return adjustment if found is None else replace(adjustment, notices=tuple(notice_of(n) for n in notices_in(found)))
 
 
 def lost_accuracy(folder: Path) -> bool:
     """Whether an accuracy was asked for of a result that is not kept."""
-    result = _told(folder)
+    result = _result(folder)
     return result is not None and lost(result)
 
 
-def _told(folder: Path) -> Mapping[str, Any] | None:
+def _result(folder: Path) -> Mapping[str, Any] | None:
     try:
         result = read_json(folder / "result.json").value
     except InputError:

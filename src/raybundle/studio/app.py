@@ -125,7 +125,7 @@ class Studio:
         ]
         return Starlette(
             routes=routes, middleware=[Middleware(Guard, session=self.session)], lifespan=self._lifespan,
-            exception_handlers={HTTPException: _refused, RaybundleError: _told, TooLarge: _large},
+            exception_handlers={HTTPException: _refused, RaybundleError: _failed, TooLarge: _large},
         )  # fmt: skip
 
     @asynccontextmanager
@@ -204,7 +204,7 @@ class Studio:
     def _done(self, seq: int) -> dict[str, Any]:
         """What is answered of an action that was done, when all tabs have been reported."""
         state = answers.state_of(self.desk)
-        self.live.tell_from_thread({"type": "state", "state": state})
+        self.live.notify_from_thread({"type": "state", "state": state})
         self.work.soon()
         e = next(iter(self.desk.journal.entries(seq - 1)))
         return {"seq": seq, "state": state, "command": command_of(self.desk.source, e.verb, e.arguments)}
@@ -231,7 +231,7 @@ class Studio:
         for k, action in enumerate(found.actions):
             self.desk.journal.append(action, id=f"{first}-{k}", author=str(given.get("author", ""))[:100])
         state = answers.state_of(self.desk)
-        self.live.tell_from_thread({"type": "state", "state": state})
+        self.live.notify_from_thread({"type": "state", "state": state})
         self.work.soon()
         return {"found": [a.name for a in found.actions], "left": dict(found.left), "state": state}
 
@@ -339,7 +339,7 @@ async def _refused(_: Request, error: Exception) -> Response:
     return JSONResponse({"error": error.detail}, status_code=error.status_code)
 
 
-async def _told(_: Request, error: Exception) -> Response:
+async def _failed(_: Request, error: Exception) -> Response:
     return JSONResponse({"error": str(error)}, status_code=409)
 
 

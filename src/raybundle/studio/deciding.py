@@ -83,7 +83,7 @@ class Deciding:
         elif not _same_asked(entry, given):
             raise HTTPException(409, f"action id {name[:40]!r} was used before; give each action an id of its own")
         state = state_of(self.desk)
-        self.live.tell_from_thread({"type": "state", "state": state})
+        self.live.notify_from_thread({"type": "state", "state": state})
         return {"seq": entry.seq, "state": state, "command": command_of(self.desk.source, entry.verb, entry.arguments)}
 
     async def _page(self, request: Request) -> Response:

@@ -116,7 +116,7 @@ class Detecting:
                 image, text = self._waiting[0]
                 left = len(self._waiting)
             share = len(done) / (len(done) + left)
-            self.live.tell_from_thread({"type": "progress", "stage": f"targets in {image}", "share": share})
+            self.live.notify_from_thread({"type": "progress", "stage": f"targets in {image}", "share": share})
             try:
                 self._one(image, text)
             except RaybundleError as error:
@@ -127,7 +127,7 @@ class Detecting:
             done.append(image)
             with self._lock:
                 self._waiting.remove((image, text))
-        self.live.tell_from_thread({"type": "targets", "images": done, "error": trouble})
+        self.live.notify_from_thread({"type": "targets", "images": done, "error": trouble})
 
     def _one(self, image: str, text: str) -> None:
         targets, photo = targets_of(text), self._photo(image)

@@ -43,7 +43,7 @@ class Live:
                     queue.get_nowait()
                 queue.put_nowait(None)  # the tab is closed, it connects again and reads everything
 
-    def tell_from_thread(self, message: dict[str, Any]) -> None:
+    def notify_from_thread(self, message: dict[str, Any]) -> None:
         """Show every tab, from any thread."""
         if self.loop is not None and not self.loop.is_closed():
             self.loop.call_soon_threadsafe(self._put, _text(message))

@@ -89,7 +89,7 @@ class Running:
     """with the settings of the page"""
     run: Run | None = None
     _thread: threading.Thread | None = None
-    _told: float = 0.0
+    _sent: float = 0.0
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
     @property
@@ -135,7 +135,7 @@ class Running:
         if self.run is None or not self.busy:
             return False
         self.run.child.stop()
-        self._tell(self.run)
+        self._notify(self.run)
         return True
 
     def close(self) -> None:
@@ -156,8 +156,8 @@ class Running:
             if step != run.step:
                 run.step, run.step_began = step, time.time()
             run.share = share
-            if time.time() - self._told > EVERY_S:
-                self._tell(run)
+            if time.time() - self._sent > EVERY_S:
+                self._notify(run)
 
         over = threading.Event()
         beat = threading.Thread(target=self._beat, args=(run, over), daemon=True)
@@ -174,13 +174,13 @@ class Running:
             self._read_anew(run)
         else:
             run.outcome, run.words = "failed", stated or f"the command ended with status {status}"
-        self._tell(run)
+        self._notify(run)
 
     def _beat(self, run: Run, over: threading.Event) -> None:
         """Show of the stages where the command itself states nothing for a while."""
         while not over.wait(BEAT_S):
-            if time.time() - self._told > BEAT_S:
-                self._tell(run)
+            if time.time() - self._sent > BEAT_S:
+                self._notify(run)
 
     def _read_anew(self, run: Run) -> None:
         """Go on with the new result."""
@@ -190,6 +190,6 @@ class Running:
         except RaybundleError as error:
             run.outcome, run.words = "failed", f"the new result cannot be read: {error.text()}"
 
-    def _tell(self, run: Run) -> None:
-        self._told = time.time()
-        self.live.tell_from_thread({"type": "run", "run": run.reported()})
+    def _notify(self, run: Run) -> None:
+        self._sent = time.time()
+        self.live.notify_from_thread({"type": "run", "run": run.reported()})

@@ -48,7 +48,7 @@ class Shelf:
     kept: list[Kept] = field(default_factory=list[Kept])
     _made: int = 0
     _lock: threading.Lock = field(default_factory=threading.Lock)
-    _told: dict[int, dict[str, Any]] = field(default_factory=dict[int, dict[str, Any]])
+    _shown: dict[int, dict[str, Any]] = field(default_factory=dict[int, dict[str, Any]])
 
     @classmethod
     def of(cls, source: Path, folder: Path) -> Shelf:
@@ -73,7 +73,7 @@ class Shelf:
             self._put(Kept(number=self._made, folder=result, words=words, command=command))
             while len(self.kept) > MOST:
                 oldest = self.kept.pop(1)
-                self._told.pop(oldest.number, None)
+                self._shown.pop(oldest.number, None)
                 shutil.rmtree(oldest.folder, ignore_errors=True)
             return self._made
 
@@ -107,9 +107,9 @@ class Shelf:
         """Each in figures, the first first."""
         found: list[dict[str, Any]] = []
         for each in [*self.kept]:
-            if each.number not in self._told:
-                self._told[each.number] = _figures(each)
-            found.append(self._told[each.number])
+            if each.number not in self._shown:
+                self._shown[each.number] = _figures(each)
+            found.append(self._shown[each.number])
         return found
 
 

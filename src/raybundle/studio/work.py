@@ -134,7 +134,7 @@ class Work:
             trouble = f"a fault of the program: {type(error).__name__}: {error}"
         a = self.desk.adjustment
         self._over = True
-        self.live.tell_from_thread({
+        self.live.notify_from_thread({
             "type": "adjusted", "sigma0": None if a is None else finite(a.sigma0), "folder": folder, "error": trouble,
         })  # fmt: skip
         with self._at_once:
@@ -160,11 +160,11 @@ class Work:
                 self.desk.replaced(self.desk.session, standing)
             else:
                 self.desk.replaced(found.session, found.standing)
-        self.live.tell_from_thread({"type": "oriented", "seq": seq})
+        self.live.notify_from_thread({"type": "oriented", "seq": seq})
 
     def _as_it_is(self) -> str:
-        self._tell("covariances", 0.0)
-        self.desk.replaced(self.desk.adjusted(self._tell))
+        self._notify("covariances", 0.0)
+        self.desk.replaced(self.desk.adjusted(self._notify))
         return ""
 
     def _measured(self) -> str:
@@ -178,14 +178,14 @@ class Work:
         state, options = desk.journal.state, self.options
         decided = with_decisions(options, state)
         made = merge(desk.given, state, desk.scans)
-        done = adjusted(made, lambda block: adjust(block, decided, self._tell))
+        done = adjusted(made, lambda block: adjust(block, decided, self._notify))
         folder = measured_result(desk.source)
-        write_result(done, folder, progress=self._tell)
+        write_result(done, folder, progress=self._notify)
         self.shelf.put(folder, command_of_adjusting(desk.source, options))
         desk.replaced(Session.of(done), standing_after(made, done))
         return str(folder)
 
-    def _tell(self, stage: str, share: float) -> None:
+    def _notify(self, stage: str, share: float) -> None:
         if self._stop.is_set():
             raise Stopped
-        self.live.tell_from_thread({"type": "progress", "stage": stage, "share": share})
+        self.live.notify_from_thread({"type": "progress", "stage": stage, "share": share})

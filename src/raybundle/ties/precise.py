@@ -155,7 +155,7 @@ def refine(
         rejected=np.zeros(len(block.observations), bool), scale_px=tie.scale_px[keep],
         angle=tie.angle[keep],
     )  # fmt: skip
-    _take_features(work, _told_more_by_features(work, tie.block))
+    _take_features(work, _better_by_features(work, tie.block))
     # weights and blunders need no more: the final adjustment converges fully
     options = AdjustmentOptions(jobs=threads, tolerance=1e-2)
     _settle(work, options, first=31)
@@ -183,7 +183,7 @@ def refine(
     )
 
 
-def _told_more_by_features(work: _Work, start: Block) -> list[int]:
+def _better_by_features(work: _Work, start: Block) -> list[int]:
     """Oriented images of which all features together show more than the few points that matching measured.
 
     Information is number over variance: by the weights before any residual is known, 25 features are worth a match.

@@ -78,8 +78,8 @@ def start(
         ways.append(lambda: by_growing(block, progress))
     if method in ("averaging", "auto"):
         ways.append(lambda: by_averaging(block, progress))
-    if method == "auto" and (untold := untold_constants(raw)):
-        ways += [lambda sign=sign: by_growing(_scaled(block, untold, sign), progress) for sign in (-1, 1)]
+    if method == "auto" and (unknown := unknown_constants(raw)):
+        ways += [lambda sign=sign: by_growing(_scaled(block, unknown, sign), progress) for sign in (-1, 1)]
     loose: dict[str, str] = {}
     _connected(block, loose)
     best: Found | None = None
@@ -128,7 +128,7 @@ def likelihood(found: Found) -> float:
     return float(np.log(area / (2 * np.pi * np.e * sigma**2)).sum())
 
 
-def untold_constants(raw: Block) -> frozenset[str]:
+def unknown_constants(raw: Block) -> frozenset[str]:
     """Cameras of which nothing shows the constant: nothing is stated, and pairs of their own images are too few."""
     seen = np.bincount(raw.images.camera[np.unique(raw.observations.image)], minlength=len(raw.cameras))
     return frozenset(

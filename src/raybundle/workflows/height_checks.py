@@ -13,8 +13,8 @@ import numpy as np
 
 from raybundle.block.block import LengthUnit
 from raybundle.errors import InputError, Message, message
-from raybundle.io.geo.parsed_systems import parse_crs, plan_of, system_name, told_grid
-from raybundle.io.geo.told_systems import plan_system
+from raybundle.io.geo.parsed_names import plan_system
+from raybundle.io.geo.parsed_systems import geoid_file, parse_crs, plan_of, system_name
 from raybundle.io.raster_library import raster_errors
 from raybundle.io.reading.trees import Json
 from raybundle.numerics.arrays import Array
@@ -307,6 +307,6 @@ def _vertical_datum(system: str) -> str | None:
         code = high.to_authority(min_confidence=100)
         if code:
             return f"{high.name} ({':'.join(code)})"
-        grid = told_grid(system)
+        grid = geoid_file(system)
         return grid or high.name
     return "ellipsoid" if len(found.axis_info) == 3 else None

@@ -12,7 +12,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
-from raybundle.io.geo.told_systems import system_with_heights
+from raybundle.io.geo.parsed_names import system_with_heights
 from raybundle.io.pictures.geotiff import Write, new_geotiff
 from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library

@@ -23,8 +23,8 @@ COLUMNS = (
     "region", "x", "y", "area", "area_sigma", "mean", "mean_sigma", "amount", "amount_sigma", "volume", "volume_sigma",
     "outline_sigma", "peak",
 )  # fmt: skip
-TOLD_SMALLEST = "# of squares: the smallest movement found with a chance of 80 %, in the median and in the best quarter"
-TOLD = "# mean: volume / area; amount: movement of the inner part, where the outline does not count"
+SMALLEST_LINE = "# of squares: the smallest movement found with a chance of 80 %, in the median and in the best quarter"
+COLUMNS_LINE = "# mean: volume / area; amount: movement of the inner part, where the outline does not count"
 
 
 def write_movements(
@@ -48,7 +48,12 @@ def write_movements(
             write(0, 0, np.stack(bands, axis=2).astype(np.float32))
         rows = [_row(o, k, r) for k, r in enumerate(found.regions, 1)]
         unit = o.unit or "no unit: the scale is free"
-        lines = [f"# lengths in {unit}", TOLD, ",".join(COLUMNS), *(",".join(f"{v:.8g}" for v in row) for row in rows)]
+        lines = [
+            f"# lengths in {unit}",
+            COLUMNS_LINE,
+            ",".join(COLUMNS),
+            *(",".join(f"{v:.8g}" for v in row) for row in rows),
+        ]
         (new / TABLE).write_text("\n".join(lines) + "\n", encoding="utf-8")
         drawn = [d for row, r in zip(rows, found.regions, strict=True) for d in _areas(o, row, r)]
         write_geojson(new / LINES, drawn, o.file.wkt)
@@ -64,7 +69,7 @@ def write_movements(
 def _would(smallest: tuple[SmallestMovement, ...]) -> list[str]:
     """What the table of the smallest movements states."""
     rows = [",".join("" if np.isnan(v) else f"{v:.4g}" for v in (s.side, s.amount, s.best)) for s in smallest]
-    return [TOLD_SMALLEST, "side,amount,amount_best_quarter", *rows]
+    return [SMALLEST_LINE, "side,amount,amount_best_quarter", *rows]
 
 
 def _row(o: Opened, number: int, r: Region) -> list[float]:

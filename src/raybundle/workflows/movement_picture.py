@@ -69,7 +69,7 @@ def picture(o: Opened, model: HeightModel, found: Movements, smallest: tuple[Sma
     sheet.text(LEFT, TOP - 12, _title(found), 18, "ls")
     _outlines(sheet, found, o.unit)
     _axes(sheet, o)
-    _told(sheet, o, size, smallest)
+    _legend(sheet, o, size, smallest)
     return image
 
 
@@ -178,7 +178,7 @@ def _axes(sheet: _Sheet, o: Opened) -> None:
     sheet.text(6, TOP - 14, f"{names[1]}{unit}", 13, "ls")
 
 
-def _told(sheet: _Sheet, o: Opened, size: float, smallest: tuple[SmallestMovement, ...]) -> None:
+def _legend(sheet: _Sheet, o: Opened, size: float, smallest: tuple[SmallestMovement, ...]) -> None:
     """A scale bar, what colours are, and how small a movement would have been found."""
     y, draw = sheet.bottom + 56, sheet.draw
     unit = o.unit or "no unit: the scale is free"

@@ -15,12 +15,12 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.errors import InputError, Text, phrase
 from raybundle.io.geo.coordinate_systems import LocalFrame
+from raybundle.io.geo.parsed_names import plan_system
 from raybundle.io.geo.parsed_systems import system_name
-from raybundle.io.geo.told_systems import plan_system
 from raybundle.measuring.axes import IN_LINE
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.planes import in_plane, plane_of_most
-from raybundle.workflows.plumb import Plumb, points_at, told_plumb
+from raybundle.workflows.plumb import Plumb, asked_plumb, points_at
 
 if TYPE_CHECKING:
     from pyproj import CRS
@@ -261,7 +261,7 @@ def plane_of(
     unnamed points have in common.
     """
     asked = asked or PlaneAsked()
-    plumb = told_plumb(block, asked.up, about or {})
+    plumb = asked_plumb(block, asked.up, about or {})
     xyz = block.points.xyz
     seen = (np.bincount(block.observations.point, minlength=len(xyz)) > 1) & np.isfinite(xyz).all(axis=1)
     chosen = points_at(block, asked.points) if asked.points else np.flatnonzero(seen)

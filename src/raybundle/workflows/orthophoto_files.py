@@ -118,10 +118,10 @@ def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path, state
         about.write_text(
             toml_text({**_about(surface, plane, unit, pixels), **({STATE: state} if state else {})}), encoding="utf-8"
         )
-    return _told(surface, pixels, some, f" {plane.unit if isinstance(plane, MapLevel) else unit}".rstrip())
+    return _lines(surface, pixels, some, f" {plane.unit if isinstance(plane, MapLevel) else unit}".rstrip())
 
 
-def _told(surface: Surface, pixels: dict[int, int], sigma: list[Array], of: str) -> tuple[str, ...]:
+def _lines(surface: Surface, pixels: dict[int, int], sigma: list[Array], of: str) -> tuple[str, ...]:
     """What is to be stated: how much of it is seen and why not more, how far pixels are off, and how many by far."""
     made, heights = surface.orthophoto, surface.heights
     assert made is not None

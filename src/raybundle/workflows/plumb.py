@@ -50,7 +50,7 @@ def points_at(block: Block, names: Sequence[str]) -> Index:
     return np.array([index[n] for n in names], np.int64)
 
 
-def told_plumb(block: Block, way: str, about: Mapping[str, Any]) -> Plumb:
+def asked_plumb(block: Block, way: str, about: Mapping[str, Any]) -> Plumb:
     """The vertical that is asked for.
 
     way     z: the Z axis; lines: the plumb lines that were measured; A,B: two points, the second above the first

@@ -40,7 +40,7 @@ def convert(source: Path, **given: Any) -> None:
     for caution in found.cautions:
         click.echo(f" warning: {caution}")
     for conversion in found.conversions:
-        _tell(conversion)
+        _print(conversion)
     files = write_converted(settings, found).files
     facts(files=files, cameras=[
         {
@@ -53,7 +53,7 @@ def convert(source: Path, **given: Any) -> None:
         click.echo(f" {settings.to}: {path}")
 
 
-def _tell(conversion: Conversion) -> None:
+def _print(conversion: Conversion) -> None:
     c = conversion.calibration
     how = (
         "exact"

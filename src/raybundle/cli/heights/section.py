@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
-from raybundle.cli.heights.words import FREE, LEAST_TOLD, cautions, measured, plain
+from raybundle.cli.heights.words import FREE, LEAST_SHARE, cautions, measured, plain
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import notice_line
 from raybundle.commands.heights.section import HeightsSectionSettings, run_section
@@ -66,7 +66,7 @@ def _lines(found: MeasuredSections) -> list[str]:
         )
         if share < 1:
             lines.append(notice_line(warning("section.partly_measured", name=m.name, share=share)))
-        if m.section.filled_share >= LEAST_TOLD:
+        if m.section.filled_share >= LEAST_SHARE:
             lines.append(f"{m.section.filled_share:.2%} of what has a height was filled: no photograph measured it")
         if m.difference is not None:
             lines.append(f"difference of height: {measured(m.difference.value, m.difference.sigma, found.unit)}")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, Command, facts
-from raybundle.cli.heights.words import FREE, LEAST_TOLD, cautions, measured, plain, two_digits
+from raybundle.cli.heights.words import FREE, LEAST_SHARE, cautions, measured, plain, two_digits
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.volume import HeightsVolumeSettings, run_volume
 from raybundle.settings import made
@@ -58,7 +58,7 @@ def _lines(found: MeasuredVolume) -> list[str]:
         f"mean height above the base: {measured(v.net.value / v.plan_area, v.mean_sigma, unit)}",
         f"area in plan {plain(v.plan_area)}{square}, true area {measured(v.true_area, v.true_area_sigma, unit, 2)}",
     ]
-    if v.filled >= LEAST_TOLD:
+    if v.filled >= LEAST_SHARE:
         lines.append(
             f"{v.filled:.2%} of the area was filled; sigma of the net volume by that {two_digits(v.filled_sigma)}"
         )

@@ -9,7 +9,7 @@ from raybundle.cli.common import grouped, significant
 
 MOST_PLACES = 9
 GROUPED = 1e4
-LEAST_TOLD = 5e-5
+LEAST_SHARE = 5e-5
 """Share that is reported: less is 0.00 %."""
 FREE = "the scale is free: lengths have no unit"
 

@@ -245,12 +245,12 @@ def _task(s: MissionSettings) -> tuple[Any, Ground, tuple[str, ...]]:
         name=s.name, pattern=s.pattern, outline=outline, crs=crs, wish=wish, vehicle=vehicle, speed=s.speed,
         blur_px=s.blur, take_off=None if home is None else (float(home[0]), float(home[1])), no_go=zones, ground=ground,
         terrain=terrain, ground_step=step,
-        tolerance=s.follow, trigger_by=s.trigger, settings=_told(s),
+        tolerance=s.follow, trigger_by=s.trigger, settings=_settings(s),
     )  # fmt: skip
     return task, lenient, remarks
 
 
-def _told(s: MissionSettings) -> Mapping[str, object]:
+def _settings(s: MissionSettings) -> Mapping[str, object]:
     """The settings as numbers and texts; files by their names alone."""
     values: dict[str, object] = {"area": Path(s.area).name if Path(s.area).exists() else s.area}
     for field in settings_of(MissionSettings):

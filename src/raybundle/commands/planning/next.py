@@ -193,7 +193,7 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
     block = plan.extended()
     unit = plan.result.length_unit
     about = f"{block.about}; {len(words)} photographs proposed, their image points are where they would be".lstrip("; ")
-    reported, columns = next_told(plan), next_table(plan)
+    reported, columns = next_figures(plan), next_table(plan)
     with new_folder(settings.out) as folder:
         (folder / "block").mkdir()
         write_block_files(replace(block, about=about), folder / "block")
@@ -270,7 +270,7 @@ def _name(plan: NextPlan, point: int) -> str:
     return plan.block.points.ids[point] if point >= 0 else ""
 
 
-def next_told(plan: NextPlan) -> dict[str, Any]:
+def next_figures(plan: NextPlan) -> dict[str, Any]:
     """The figures of the proposals, as next.json has them."""
     import numpy as np  # noqa: PLC0415
 

@@ -100,7 +100,7 @@ def _scene_of(path: Path, width: int, height: int, rpc: Any) -> Scene:
     elif isinstance(rpc, str | Path):
         scene = _read(Path(rpc))
     else:
-        scene = _told(path, rpc)
+        scene = _described(path, rpc)
     return scene_of_size(scene, width, height, path)
 
 
@@ -121,7 +121,7 @@ def _model(path: Path) -> Path:
     return model
 
 
-def _told(path: Path, rpc: Any) -> Scene:
+def _described(path: Path, rpc: Any) -> Scene:
     from raybundle.io.scenes import Scene  # noqa: PLC0415
     from raybundle.scenes.rasterio_rpc import rpc_from_rasterio  # noqa: PLC0415
     from raybundle.scenes.rpc import Rpc as Own  # noqa: PLC0415

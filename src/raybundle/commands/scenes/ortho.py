@@ -200,7 +200,7 @@ def _target(plan: Ortho, picture: Picture, s: RpcOrthoSettings, nodata: float) -
     import numpy as np  # noqa: PLC0415
 
     from raybundle.io.folders import new_files  # noqa: PLC0415
-    from raybundle.io.geo.told_systems import told_system  # noqa: PLC0415
+    from raybundle.io.geo.parsed_names import parsed_system  # noqa: PLC0415
     from raybundle.io.pictures.geotiff import new_geotiff  # noqa: PLC0415
     from raybundle.io.raster_library import raster_library  # noqa: PLC0415
 
@@ -219,7 +219,7 @@ def _target(plan: Ortho, picture: Picture, s: RpcOrthoSettings, nodata: float) -
                 left=g.left,
                 top=g.top,
                 pixel=g.pixel,
-                wkt=told_system(plan.crs).to_wkt(),
+                wkt=parsed_system(plan.crs).to_wkt(),
             ) as write,
         ):
             yield write, None

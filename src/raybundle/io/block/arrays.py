@@ -30,13 +30,13 @@ LISTED: Mapping[str, type[Camera | Instrument]] = {"cameras": Camera, "instrumen
 
 def arrays_of_block(block: Block) -> dict[str, Array]:
     """The arrays; `block_of_arrays` makes the equal block of them."""
-    lists = {name: [_told(thing) for thing in getattr(block, name)] for name in LISTED}
+    lists = {name: [_as_json(thing) for thing in getattr(block, name)] for name in LISTED}
     parts: dict[str, Records] = {
         "images": block.images, "observations": block.observations, "points": block.points, **block.tables,
     }  # fmt: skip
     scenes = {SCENES: np.array(_text_of_scenes(block))} if any(c.is_scene for c in block.cameras) else {}
     return {
-        "head": np.array(json.dumps({**_told(block), **lists})),
+        "head": np.array(json.dumps({**_as_json(block), **lists})),
         **scenes,
         **{f"{part}.{name}": values for part, table in parts.items() for name, values in arrays_of_records(table)},
     }
@@ -124,11 +124,11 @@ def _plain(kind: type) -> list[str]:
     return [f.name for f in fields(kind) if f.name not in apart]
 
 
-def _told(thing: Any) -> dict[str, Any]:
+def _as_json(thing: Any) -> dict[str, Any]:
     """The plain fields of a data class as JSON holds them."""
     return {name: msgspec.to_builtins(getattr(thing, name)) for name in _plain(type(thing))}
 
 
 def _known(kind: type, entry: Mapping[str, Any]) -> dict[str, Any]:
-    """The fields that `_told` was given."""
+    """The fields that `_as_json` was given."""
     return {name: msgspec.convert(entry[name], _hints(kind)[name]) for name in _plain(kind)}

@@ -32,7 +32,7 @@ KIND, ARRAY = "", "array"
 def text_of_scenes(block: Block) -> str:
     """The frame and the sensors of a block's scenes, by the numbers of their cameras."""
     sensors = {k: _of_sensor(cast("RpcSensor | LineSensor", c.scene)) for k, c in enumerate(block.cameras) if c.scene}
-    return json.dumps({"place": _told(block.place), "sensors": sensors})
+    return json.dumps({"place": _as_json(block.place), "sensors": sensors})
 
 
 def with_scenes(block: Block, entry: Mapping[str, Any]) -> Block:
@@ -46,9 +46,9 @@ def with_scenes(block: Block, entry: Mapping[str, Any]) -> Block:
 def _of_sensor(sensor: RpcSensor | LineSensor) -> dict[str, Any]:
     """What a sensor is made of."""
     if isinstance(sensor, RpcSensor):
-        return {"rpc": _told(sensor.rpc), "size": sensor.size_px, "bias": sensor.bias}
+        return {"rpc": _as_json(sensor.rpc), "size": sensor.size_px, "bias": sensor.bias}
     return {
-        "line": _told(sensor.scene), "corrections": _told(sensor.corrections), "height_m": sensor.height_m,
+        "line": _as_json(sensor.scene), "corrections": _as_json(sensor.corrections), "height_m": sensor.height_m,
         "smooth": sensor.smooth,
     }  # fmt: skip
 
@@ -62,7 +62,7 @@ def _sensor(place: Any, entry: Mapping[str, Any]) -> RpcSensor | LineSensor:
     )  # fmt: skip
 
 
-def _told(value: Any) -> Any:
+def _as_json(value: Any) -> Any:
     """A value as JSON holds it, data classes with their names."""
     if isinstance(value, np.ndarray):
         return {KIND: ARRAY, "shape": value.shape, "values": value.ravel().tolist()}
@@ -70,12 +70,12 @@ def _told(value: Any) -> Any:
         return {KIND: "Projected", "name": value.name, "origin": value.origin}
     if is_dataclass(value):
         kind = KINDS[type(value).__name__]
-        return {KIND: kind.__name__, **{f.name: _told(getattr(value, f.name)) for f in fields(kind)}}
+        return {KIND: kind.__name__, **{f.name: _as_json(getattr(value, f.name)) for f in fields(kind)}}
     return value
 
 
 def _made(entry: Any) -> Any:
-    """The inverse of `_told`."""
+    """The inverse of `_as_json`."""
     if isinstance(entry, list):
         return tuple(cast("list[Any]", entry))
     if not isinstance(entry, dict):

@@ -17,8 +17,8 @@ from raybundle.cameras.conversions import camera_rays
 from raybundle.errors import InputError
 from raybundle.io.formats.base import Export, Scene, scene
 from raybundle.io.geo.coordinate_systems import LocalFrame
+from raybundle.io.geo.parsed_names import parsed_system
 from raybundle.io.geo.parsed_systems import system_name
-from raybundle.io.geo.told_systems import told_system
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.natural import natural
@@ -73,7 +73,7 @@ class Surveyed:
     @cached_property
     def system(self) -> CRS | None:
         """None: a local system."""
-        return None if self.frame is None else told_system(self.frame.crs)
+        return None if self.frame is None else parsed_system(self.frame.crs)
 
     @property
     def system_name(self) -> str:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from raybundle.errors import InputError, Text, note
+from raybundle.io.geo.parsed_names import parsed_system
 from raybundle.io.geo.parsed_systems import plan_of, system_name
-from raybundle.io.geo.told_systems import told_system
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.length_units import UNITS
 
@@ -123,7 +123,7 @@ def _beside(crs: str, x: float, y: float) -> _Beside:
 @lru_cache(maxsize=64)
 def _area(crs: str) -> tuple[float, float, float, float] | None:
     """West, south, east, north of the plan of a system; None where it states none, as a PROJ string of its own."""
-    area = told_system(crs).area_of_use or plan_of(crs).area_of_use
+    area = parsed_system(crs).area_of_use or plan_of(crs).area_of_use
     return None if area is None else area.bounds
 
 

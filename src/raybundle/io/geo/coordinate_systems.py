@@ -25,11 +25,11 @@ from raybundle.errors import InputError, Text, note
 from raybundle.io.geo.parsed_systems import (
     ELLIPSOID,
     code_of,
+    geoid_file,
     height_name,
     of_older_datum,
     parse_crs,
     system_name,
-    told_grid,
 )
 from raybundle.io.reading.words import finite
 from raybundle.numerics.arrays import Array
@@ -319,7 +319,7 @@ def _vertical(crs: str) -> tuple[Transformer | None, str]:
     if best is not None and ("ballpark" not in best.description.lower() or "vgridshift" in best.definition):
         return best, ""
     grids = [g.full_name or g.short_name for o in group.unavailable_operations for g in o.grids]
-    return None, next(iter(grids), "") or told_grid(crs)
+    return None, next(iter(grids), "") or geoid_file(crs)
 
 
 @lru_cache(maxsize=64)

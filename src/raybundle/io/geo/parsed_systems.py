@@ -118,7 +118,7 @@ def system_name(crs: str) -> str:
         plan = plan.source_crs
     how = plan.coordinate_operation
     name = "geographic" if how is None else how.name if how.name not in ("unknown", "") else how.method_name
-    grid = told_grid(crs)
+    grid = geoid_file(crs)
     heights = f", heights by {grid.replace(chr(92), '/').rpartition('/')[2]}" if grid else ""
     return f"{name} ({'PROJ string' if proj else 'WKT'}{heights})"
 
@@ -130,7 +130,7 @@ def height_name(crs: str) -> str:
     return name if name not in ("unknown", "") else f"the height system of {system_name(crs)}"
 
 
-def told_grid(crs: str) -> str:
+def geoid_file(crs: str) -> str:
     """The file of a geoid that a PROJ string or WKT names itself; empty where it names none."""
     found = re.search(r"geoidgrids=([^\s,\"\]]+)", crs)
     return found[1] if found else ""

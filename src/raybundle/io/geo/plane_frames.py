@@ -6,8 +6,8 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.geo.coordinate_systems import WGS84, LocalFrame, local_frame
+from raybundle.io.geo.parsed_names import plan_system
 from raybundle.io.geo.parsed_systems import utm_at
-from raybundle.io.geo.told_systems import plan_system
 from raybundle.numerics.places import Local, Place
 
 SAME_DEG, SAME_M = 1e-8, 1e-3

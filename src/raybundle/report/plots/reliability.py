@@ -67,7 +67,7 @@ def _detectable(axes: Axes, mdb: Array) -> None:
     counts_axis(axes, "image coordinates")
     axes.set(xlabel="smallest detectable blunder [px]")
     lost = mdb.size - len(found)
-    untold = f"\n{grouped(lost)} with r below {UNTESTED:g} not counted" if lost else ""
+    unknown = f"\n{grouped(lost)} with r below {UNTESTED:g} not counted" if lost else ""
     if not len(found):
         axes.set_title("no image coordinate is controlled:\nno blunder can be found", fontsize="medium")
         axes.set_xticks([])
@@ -79,4 +79,4 @@ def _detectable(axes: Axes, mdb: Array) -> None:
     axes.axvline(middle, color=BLACK, linewidth=1.2)
     axes.set_xlim(low, top)
     largest = significant(float(found.max()), 2)
-    axes.set_title(f"median {significant(middle, 2)} px (line), largest {largest} px{untold}", fontsize="medium")
+    axes.set_title(f"median {significant(middle, 2)} px (line), largest {largest} px{unknown}", fontsize="medium")

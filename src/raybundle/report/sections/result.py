@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
-from raybundle.adjustment.result import Adjustment, Notice, as_told
+from raybundle.adjustment.result import Adjustment, Notice, sorted_notices
 from raybundle.adjustment.severity import Severity
 from raybundle.adjustment.spread import few_hold
 from raybundle.errors import Message, Text, Value, note, phrase
@@ -48,7 +48,7 @@ NOTHING_OPEN: dict[str, Value] = {"which": "nothing", "parts": []}
 def result_section(view: View, verdict: Verdict) -> Section:
     """What a client reads."""
     parts: list[Part] = [Facts(facts=_key_figures(view)), Statements(statements=verdict.statements)]
-    notices = as_told(view.adjustment.notices)
+    notices = sorted_notices(view.adjustment.notices)
     if notices:
         parts += [Heading(text=phrase("result_section.warnings")), warnings_table(notices)]
     parts.append(Heading(text=phrase("result_section.limits")))

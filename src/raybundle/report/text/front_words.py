@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from raybundle import words
-from raybundle.adjustment.result import Notice, as_told
+from raybundle.adjustment.result import Notice, sorted_notices
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.calibration.quality import CalibrationQuality
 from raybundle.errors import Message, Text, note, phrase
@@ -60,7 +60,7 @@ def verdict_sentence(o: Occasion) -> Text:
 def _verdict(o: Occasion) -> list[Message]:
     a = o.view.adjustment
     faults = sum(1 for n in a.notices if n.severity is Severity.FAULT)
-    warnings = sum(1 for n in as_told(a.notices, many=1) if n.severity is Severity.WARNING)
+    warnings = sum(1 for n in sorted_notices(a.notices, many=1) if n.severity is Severity.WARNING)
     outcomes = () if o.delivery is None else o.delivery.outcomes
     if faults:
         return [note("front.faults", n=faults)]
@@ -94,7 +94,7 @@ def steps_left(o: Occasion) -> int:
 
 def _steps(o: Occasion) -> tuple[tuple[str, str], ...]:
     """Faults, what to photograph next for a calibration, warnings."""
-    found = [(n.severity, _step(n, o.language)) for n in as_told(o.view.adjustment.notices, many=1)]
+    found = [(n.severity, _step(n, o.language)) for n in sorted_notices(o.view.adjustment.notices, many=1)]
     next_ = [("next", _advice(q, o.language)) for q in o.qualities if q.advice]
     faults, warnings = ([(s.value, w) for s, w in found if s is of] for of in (Severity.FAULT, Severity.WARNING))
     return (*faults, *next_, *warnings)

@@ -85,7 +85,7 @@ def _adjusted(i: Inputs, means: Means) -> Adjusted:
         pixel_shape="any" if options.shear else "sensor", weights="residuals",
     )  # fmt: skip
     n = _completed(i, settings, progress)
-    start, first, split, groups = _told_apart(n.start, n.first, i, settings, progress)
+    start, first, split, groups = _distinguished(n.start, n.first, i, settings, progress)
     notices, rows, lost = (*notices, *split), n.rows, dict(i.start.lost)
     strange = _strange(first)
     if strange:
@@ -137,7 +137,7 @@ def _completed(i: Inputs, settings: AdjustmentOptions, progress: Progress) -> _N
     return _Network(start=start, rows=rows, radius=radius, first=first, added=added, linked=linked)
 
 
-def _told_apart(
+def _distinguished(
     start: Block, first: Adjustment, i: Inputs, settings: AdjustmentOptions, progress: Progress
 ) -> tuple[Block, Adjustment, tuple[Notice, ...], tuple[CameraGroup, ...]]:
     """Photographs of two cameras distinguished, those of one sensor that are stored differently joined."""

@@ -24,7 +24,7 @@ def measure(i: Inputs, means: Means) -> tuple[tuple[Marks, ...], ...]:
     return measure_targets(means, i.photos, i.targets)
 
 
-def _told(state: CalibrateState) -> str:
+def _outcome(state: CalibrateState) -> str:
     read = sum(int(m.named.sum()) for sets in state.marks for m in sets)
     return f"{read} points of {', '.join(t.title for t in state.targets)}"
 
@@ -36,7 +36,7 @@ STAGE = CALIBRATE.register(
         inputs=lambda s: Inputs(photos=s.photos, targets=s.targets),
         function=measure,
         put=lambda s, marks: replace(s, marks=marks),
-        reported=_told,
+        reported=_outcome,
         when=lambda s: bool(s.targets),
     )
 )

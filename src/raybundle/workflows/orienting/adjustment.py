@@ -223,7 +223,7 @@ def with_target_weights(block: Block, result: Adjustment, given: Given) -> Block
     rows = mine[o.point] & s.used
     v = s.residuals_px[rows] / np.sqrt(o.cov_px2[rows, :2])
     r = float(np.nansum(s.redundancy[rows]))
-    if r < TOLD:
+    if r < LEAST_REDUNDANCY:
         return None
     ratio = float(np.nansum(v**2)) / r / result.sigma0**2
     if abs(ratio - 1) < np.sqrt(2 / r) * 3:  # as precise as all others, by what so many show
@@ -233,7 +233,7 @@ def with_target_weights(block: Block, result: Adjustment, given: Given) -> Block
     return replace(block, observations=replace(block.observations, cov_px2=cov))
 
 
-TOLD = 20.0
+LEAST_REDUNDANCY = 20.0
 """Redundancy of the targets from which on their residuals show a standard deviation, to a sixth."""
 
 
@@ -251,11 +251,11 @@ def _put(state: OrientState, done: Adjusted) -> OrientState:
     )
 
 
-def _told(state: OrientState) -> str:
+def _outcome(state: OrientState) -> str:
     assert state.adjustment is not None
     return phrase("stage_summary.adjustment", sigma0=state.adjustment.sigma0)
 
 
 STAGE = ORIENT.register(
-    Stage(name="adjustment", after=("scene_precision",), inputs=_inputs, function=adjust, put=_put, reported=_told)
+    Stage(name="adjustment", after=("scene_precision",), inputs=_inputs, function=adjust, put=_put, reported=_outcome)
 )

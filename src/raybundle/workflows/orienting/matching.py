@@ -99,7 +99,7 @@ def _put(state: OrientState, m: Matched) -> OrientState:
     return replace(state, pairs=m.pairs, rounds=m.rounds, repeats=m.repeats, notices=(*state.notices, *m.notices))
 
 
-def _told(state: OrientState) -> str:
+def _outcome(state: OrientState) -> str:
     good = sum(1 for p in state.pairs if len(p.matches))
     tried = len(state.pairs)
     if not state.rounds:
@@ -119,7 +119,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=match,
         put=_put,
-        reported=_told,
+        reported=_outcome,
         when=lambda s: bool(s.photos),
     )
 )

@@ -97,7 +97,7 @@ def _put(state: OrientState, product: Searched) -> OrientState:
     )
 
 
-def _told(state: OrientState) -> str:
+def _outcome(state: OrientState) -> str:
     found = [note("stage_summary.photographs", n=len(state.photos), refused=len(state.refused))]
     scenes = state.scenes_found
     if scenes is not None and (scenes.scenes or scenes.refused):
@@ -126,4 +126,4 @@ def _too_few(
     )  # fmt: skip
 
 
-STAGE = ORIENT.register(Stage(name="photographs", inputs=_inputs, function=search, put=_put, reported=_told))
+STAGE = ORIENT.register(Stage(name="photographs", inputs=_inputs, function=search, put=_put, reported=_outcome))

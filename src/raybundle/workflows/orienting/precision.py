@@ -87,7 +87,7 @@ def _put(state: OrientState, m: Measured) -> OrientState:
     )  # fmt: skip
 
 
-def _told(state: OrientState) -> str:
+def _outcome(state: OrientState) -> str:
     dropped, used = state.dropped, sum(len(b.observations) for b in state.blocks)
     assert dropped is not None
     return phrase(
@@ -137,7 +137,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=measure,
         put=_put,
-        reported=_told,
+        reported=_outcome,
         codec=Codec(arrays=_arrays, product=_product),
         when=lambda s: s.asked.options.precise and bool(s.photos),
     )

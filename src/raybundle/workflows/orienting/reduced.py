@@ -27,10 +27,10 @@ def _begin(before: OrientState, first: OrientState | None) -> OrientState | None
 
 def _better(first: OrientState, second: OrientState) -> OrientState:
     """The second way where it orients more photographs, with a word."""
-    return _said(second, first.oriented) if second.oriented > first.oriented else first
+    return _with_notice(second, first.oriented) if second.oriented > first.oriented else first
 
 
-def _said(state: OrientState, whole: int) -> OrientState:
+def _with_notice(state: OrientState, whole: int) -> OrientState:
     values = {"size_px": LONGEST_PX, "oriented": state.oriented, "photographs": len(state.photos), "whole": whole}
     return replace(state, notices=(*state.notices, Notice(code="reduced_features", values=values)))
 
@@ -41,7 +41,7 @@ ALTERNATIVE = ORIENT.register_alternative(
         second=("features", "matching", "start"),
         begin=_begin,
         better=_better,
-        only=lambda s: _said(s, 0),
+        only=lambda s: _with_notice(s, 0),
         nothing=NoOrientation,
     )
 )

@@ -64,7 +64,7 @@ def _put(state: OrientState, m: Matched) -> OrientState:
     return replace(state, scenes=replace(scenes, pairs=m.pairs, lost=(*scenes.lost, *m.lost)))
 
 
-def _told(state: OrientState) -> str:
+def _outcome(state: OrientState) -> str:
     pairs = state.with_scenes.pairs
     good = sum(1 for p in pairs if len(p.pair.matches))
     return phrase("stage_summary.scene_pairs", n=len(pairs), verified=good)
@@ -78,7 +78,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=match,
         put=_put,
-        reported=_told,
+        reported=_outcome,
         when=lambda s: s.scenes is not None,
     )
 )

@@ -49,7 +49,7 @@ def _put(state: OrientState, tie: TieBlock) -> OrientState:
     return replace(state, scenes=replace(scenes, tie=tie, block=tie.block, lost=(*scenes.lost, *lost)))
 
 
-def _told(state: OrientState) -> str:
+def _outcome(state: OrientState) -> str:
     tie = state.with_scenes.tie
     return "" if tie is None else phrase("stage_summary.scene_points", n=len(tie.block.points))
 
@@ -63,7 +63,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=begin,
         put=_put,
-        reported=_told,
+        reported=_outcome,
         codec=Codec(arrays=arrays_of_tie, product=tie_of_arrays),
         when=lambda s: s.scenes is not None,
     )

@@ -120,7 +120,7 @@ def _put(state: OrientState, started: Started) -> OrientState:
     )
 
 
-def _told(state: OrientState) -> str:
+def _outcome(state: OrientState) -> str:
     oriented = sum(int(t.block.images.oriented.sum()) for t in state.ties)
     points = sum(len(t.block.points) for t in state.ties)
     return phrase(
@@ -151,7 +151,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=begin,
         put=_put,
-        reported=_told,
+        reported=_outcome,
         codec=Codec(arrays=_arrays, product=_product),
         when=lambda s: bool(s.photos),
     )

@@ -140,7 +140,7 @@ def _put(state: OrientState, seen: Seen) -> OrientState:
     return replace(state, given=seen.given, notices=(*state.notices, *seen.notices))
 
 
-def _told(state: OrientState) -> str:
+def _outcome(state: OrientState) -> str:
     rays = sum(int(np.isfinite(c.measurements.covariances).all(axis=1).sum()) for c in state.given.control)
     return phrase("stage_summary.targets", n=rays)
 
@@ -153,7 +153,7 @@ STAGE = ORIENT.register(
         inputs=_inputs,
         function=measure,
         put=_put,
-        reported=_told,
+        reported=_outcome,
         when=lambda s: bool(s.asked.options.targets and s.photos),
     )
 )

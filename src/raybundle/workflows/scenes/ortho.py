@@ -19,8 +19,8 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.geo.ground import Ground
+from raybundle.io.geo.parsed_names import parsed_system
 from raybundle.io.geo.parsed_systems import system_name, utm_at
-from raybundle.io.geo.told_systems import told_system
 from raybundle.io.pictures.resampling import REACH, Kernel, between, sampled
 from raybundle.io.scenes.pictures import Picture
 from raybundle.numerics.arrays import Array, Mask
@@ -67,7 +67,7 @@ class Ortho:
     @cached_property
     def _same_plan(self) -> bool:
         """Whether map and raster of heights are in one plane system."""
-        return told_system(self.ground.plan).equals(told_system(self.crs), ignore_axis_order=True)
+        return parsed_system(self.ground.plan).equals(parsed_system(self.crs), ignore_axis_order=True)
 
     def tiles(self) -> Iterator[tuple[int, int, int, int]]:
         """Column, row, width, height of each part of the map."""
@@ -149,11 +149,11 @@ def ortho_of(
     raises InputError where scene and raster have nothing in common, or the map has too many pixels
     """
     system = crs or utm_of(rpc)
-    if told_system(system).is_compound or told_system(system).is_geocentric:
+    if parsed_system(system).is_compound or parsed_system(system).is_geocentric:
         raise InputError("crs.plane_needed", system=system)
     lon, lat, height = rpc.ground_offset.tolist()
     about = local_frame(system, _in_system(system, lon, lat, height))
-    unit = about.units_m[0] if not told_system(system).is_geographic else DEGREE_M
+    unit = about.units_m[0] if not parsed_system(system).is_geographic else DEGREE_M
     gsd = np.linalg.norm(rpc.pixel_on_ground(), axis=1)
     size = pixel or two_digits(float(gsd.max()) / unit)
     extent = np.array(area) if area is not None else whole_pixels(_outline(rpc, size_px, ground, about), size)
@@ -197,7 +197,7 @@ def utm_of(rpc: Rpc) -> str:
 def _in_system(crs: str, lon: float, lat: float, height: float) -> tuple[float, float, float]:
     from pyproj import Transformer  # noqa: PLC0415  (only where a coordinate system is used)
 
-    x, y = Transformer.from_crs("EPSG:4326", told_system(crs), always_xy=True).transform(lon, lat)
+    x, y = Transformer.from_crs("EPSG:4326", parsed_system(crs), always_xy=True).transform(lon, lat)
     if not (np.isfinite(x) and np.isfinite(y)):
         raise InputError("scene.outside_system", longitude_deg=lon, latitude_deg=lat, system=system_name(crs))
     return float(x), float(y), height

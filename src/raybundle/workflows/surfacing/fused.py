@@ -190,7 +190,7 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     known = np.isfinite(mine.t)
     if not task.others or not known.any():
         none = _cloud(store, task, block, found, mine, np.zeros(0, int), (np.zeros(0, np.uint8), np.ones(0)))
-        return {**none, **_told(int(known.sum()), 0.0)}
+        return {**none, **_counts(int(known.sum()), 0.0)}
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
     box = None if task.region is None else _around(mine, known)
     tables = [places_in(block, mine.rays, j, between, box) for j in task.others]
@@ -203,7 +203,7 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     given = agreed.kept & inside & (share >= CONFIRMED)
     more = by_contrast(agreed.scatter, np.asarray(found.contrast)[known])[given]
     cloud = _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], (agreed.confirming[given], more))
-    return {**cloud, **_told(int(inside.sum()), share)}
+    return {**cloud, **_counts(int(inside.sum()), share)}
 
 
 def _around(view: MapView, known: Mask) -> Box:
@@ -213,7 +213,7 @@ def _around(view: MapView, known: Mask) -> Box:
     return left, top, right, bottom
 
 
-def _told(depths: int, share: float) -> Product:
+def _counts(depths: int, share: float) -> Product:
     """What is kept beside the points: depths in what is asked for, and the share of them that other maps confirm."""
     return {"depths": np.array(depths), "share": np.array(share)}
 

@@ -104,14 +104,14 @@ def _why(s: Sources) -> Text:
     return Text.of(message("depths.no_useful_partner"), message_of_text(refusal))
 
 
-def _told(state: SurfaceState) -> str:
+def _outcome(state: SurfaceState) -> str:
     pairs = sum(len(s.sources) for s in state.chosen)
     return f"{len(state.chosen)} references, {pairs} pairs"
 
 
 STAGE = SURFACE.register(
     Stage(
-        name="sources", function=choose, put=_put, reported=_told, little=True,
+        name="sources", function=choose, put=_put, reported=_outcome, little=True,
         inputs=lambda s: Inputs(block=s.block, images=tuple(sorted(s.photos)), region=s.options.region, lost=s.lost),
     )
 )  # fmt: skip

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 @lru_cache(maxsize=64)
-def told_system(crs: str) -> CRS:
+def parsed_system(crs: str) -> CRS:
     """The system of a text; of the register of EPSG where it is one of it under another name, as PROJ strings are.
 
     Of a projected system in three dimensions the plan, which the register has and which programs know.
@@ -37,13 +37,13 @@ def system_with_heights(crs: str) -> CRS | None:
     if system.is_bound or plan_system(crs) is None:
         return None
     if system.is_compound:
-        return None if any(part.is_bound for part in system.sub_crs_list) else told_system(crs)
-    return told_system(crs).to_3d() if len(system.axis_info) == 3 else None
+        return None if any(part.is_bound for part in system.sub_crs_list) else parsed_system(crs)
+    return parsed_system(crs).to_3d() if len(system.axis_info) == 3 else None
 
 
 def plan_system(crs: str) -> CRS | None:
     """The plan part of a system, for pictures in it; None where its coordinates are no lengths in a plane."""
-    system = told_system(crs)
+    system = parsed_system(crs)
     if system.is_compound:
         system = system.sub_crs_list[0]
     return system if system.is_projected else None
