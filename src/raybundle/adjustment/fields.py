@@ -61,7 +61,7 @@ class Noise:
     focus_px: float = 0.0
     """Standard deviation of each image's scale, which a wandering focus makes: displacement at half the longer side"""
     directions: int = 0
-    """Independent combinations of the fields that the residuals reports"""
+    """Independent combinations of the fields that the residuals show"""
     chi_square: float = 1.0
     """Mean square of the residuals in these directions, in units of what white noise would leave there"""
     images: int = 0

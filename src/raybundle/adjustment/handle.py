@@ -12,7 +12,7 @@ class Handle:
     """The factored normal equations behind a result, for `raybundle.adjustment.queries`.
 
     A result is plain data and can be copied, kept and sent to another process; its handle stays behind: the copy has an
-    empty one, and whoever asks it is asked to adjust again.
+    empty one, and an error asks for a new adjustment.
     """
 
     __slots__ = ("work",)

@@ -34,7 +34,7 @@ class Twins:
 def identical_control(block: Block) -> list[Twins]:
     """Pairs of control or check points whose coordinates agree within the standard deviation of their difference.
 
-    Two names of one point are possible, and two points so close that their survey does not show them apart.  That they
+    Two names of one point are possible, and two points so close that their survey does not distinguish them.  That they
     are different ones and wrongly given is stated by a photograph that shows both: farther apart than APART standard
     deviations of the measurement, and than APART of their coordinates at the largest scale at which control points
     stand in any photograph.  Where no two lie far enough apart to show that scale, only numbers that are the same do:

@@ -145,7 +145,7 @@ class Layout:
 
 
 def lay_out(block: Block, used: Used, free: dict[str, tuple[str, ...]]) -> tuple[Layout, Scope, Mapping[str, Any]]:
-    """The nodes, what observations outside the images are reported of the block, and their tables by kind.
+    """The nodes, what observations outside the images use of the block, and their tables by kind.
 
     free  camera id -> symbols of the free parameters
     """

@@ -106,7 +106,7 @@ class Spread:
     points: Array
     """(p, 3, 3) of the points"""
     own_fields: tuple[OwnField, ...] = ()
-    """What the residuals of single images reports a field of their own, of the images that were asked"""
+    """What the residuals of single images show of a field of their own, of the images that were asked"""
 
     def solve(self, nodes: Array, points: Array) -> tuple[Array, Array]:
         """The covariance applied to right sides for nodes (N, k) and points (p, 3, k), k <= 16; as `Normals.solve`.

@@ -301,7 +301,7 @@ def _photographs(result: Adjustment) -> list[Notice]:
 
 
 def _stored_ways(result: Adjustment) -> list[Notice]:
-    """Files whose pixels are not those in which image points are reported."""
+    """Files whose pixels are not those in which image points are given."""
     found: list[Notice] = []
     for way in stored_ways(result.given):
         camera = result.given.cameras[way.camera].id

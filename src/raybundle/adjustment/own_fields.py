@@ -29,7 +29,7 @@ DEGREE = np.repeat([a + b for a, b in TERMS], 2)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OwnField:
-    """What the residuals of one image reports a field of its own."""
+    """What the residuals of one image show of a field of its own."""
 
     image: int
     square: float

@@ -9,7 +9,7 @@ import numpy as np
 from raybundle.numerics.arrays import Array
 
 HANDFUL = 0.05
-"""Share of the points that a statement of 95 %, as tests here make, leaves out: a mean that rests on them reports
+"""Share of the points that a statement of 95 %, as tests here make, leaves out: a mean that rests on them shows
 them, not of the others."""
 
 

@@ -25,7 +25,7 @@ the lowest smooth fields (two tilts, a radial one) are three.  The F test takes 
 LEAST_IMAGES = 3
 """Of a camera, from which on one can be distinguished from the others."""
 LEAST_REDUNDANCY = 10
-"""Of an image: some two times what its exterior orientation takes; below, its residuals reports it too little."""
+"""Of an image: some two times what its exterior orientation takes; below, its residuals show too little of it."""
 SPREAD = 0.25
 """Share of an image's points that bear its square sum: (sum q)^2 / (k sum q^2) of k points, q = v'Pv.
 

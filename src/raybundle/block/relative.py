@@ -1,4 +1,4 @@
-"""Relative aerial control: what GNSS and INS reports a flight line by the differences between its exposures.
+"""Relative aerial control: what GNSS and INS measure of a flight line by the differences between its exposures.
 
 Errors that stay the same along a line, as of a base in another datum, wrong ambiguities or a misalignment that changed
 when the aircraft turned, cancel in the differences from one exposure to the next.  Differences g2 - g1, g3 - g2, ... of

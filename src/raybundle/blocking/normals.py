@@ -360,7 +360,7 @@ class PartsNormals:
 
         return self.parts.noted("outside", keys, find)["outside"]
 
-    # -- points that go astray: whoever asks for the adjustment is reported of them (`stored`)
+    # -- points that go astray: they are reported to the caller (`stored`)
 
     def before(self, state: State) -> State:
         """The state as it is: points behind their cameras are not moved."""

@@ -63,7 +63,7 @@ class MarkNotice(Notice):
 
 
 def wrong_marks(result: Adjustment, marked: frozenset[str]) -> tuple[Wrong, ...]:
-    """Marks that contradict the others: those that left a result, and those that took part and are reported of.
+    """Marks that contradict the others: those that left a result, and those that took part and are reported.
 
     marked  the points that are marked by hand: of others nobody can look a mark at again
     """

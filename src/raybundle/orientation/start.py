@@ -15,7 +15,7 @@ PAIRS = 12
 COMMON = 8
 """Common points that a starting pair needs."""
 TELLING = 3
-"""Common points that show poses apart: one or two may lie where the candidates' epipolar lines cross."""
+"""Common points that distinguish poses: one or two may lie where the candidates' epipolar lines cross."""
 JUDGES = 5
 """Oriented images that judge the candidates of another, those with the most common points."""
 

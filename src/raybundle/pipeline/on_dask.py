@@ -57,7 +57,7 @@ BLIND = 3
 CONFIGURED = {
     "distributed.comm.timeouts.connect": "10s",
     "distributed.comm.timeouts.tcp": "30s",
-    # a line that is cut looks like a death: `queues` is reported of it when it has happened so often to the same tasks
+    # a line that is cut looks like a death: `queues` gets it when it has happened so often to the same tasks
     "distributed.scheduler.allowed-failures": 5,
     "distributed.scheduler.worker-ttl": "60s",
     # a task's memory is its own affair: what Dask takes for too much would be killed
@@ -345,6 +345,6 @@ def _count(more: int) -> None:
 
 
 def dask_setup(worker: DaskWorker) -> None:
-    """Make a worker that somebody else started one of ours, where it is asked to load this module before."""
+    """Make a worker that somebody else started one of ours, where it is set to load this module before."""
     worker.state.total_resources[signature()] = 1
     worker.state.available_resources[signature()] = 1

@@ -45,7 +45,7 @@ from raybundle.pipeline.store import Folder, Product, kind_of, writing
 
 SCHEMA = 1
 HERE = "project"
-"""Stated of a store: the project folder itself."""
+"""Name of a store: the project folder itself."""
 OWN = {
     "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "block", "film", "surface",
     "measured.db", "measured.db-wal", "measured.db-shm", "measured-result", "measured-masks", "failed-tasks.log",

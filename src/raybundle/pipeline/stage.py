@@ -44,7 +44,7 @@ class Codec(Generic[P]):
 
 @dataclass(slots=True)
 class Counting:
-    """Shows how far the tasks of a stage are, those included that earlier runs have done."""
+    """Reports how far the tasks of a stage are, those included that earlier runs have done."""
 
     progress: Progress
     what: str
@@ -137,7 +137,7 @@ class Means:
         return failed
 
     def _mend(self, stopped: Sequence[Done]) -> None:
-        """Make again what tasks found damaged, and what else they need of it: each of them reports one product alone.
+        """Make again what tasks found damaged, and what else they need of it: each of them names one product alone.
 
         raises  ProductGone where no task of this run makes it
         """

@@ -1,4 +1,4 @@
-"""Attitudes that an INS or a gimbal reports photographs: whether they are used, whether they are what they are called.
+"""Attitudes of photographs that an INS or a gimbal measured: whether they are used and rightly named.
 
 They are observed with a misalignment (boresight) for each camera.  A misalignment is one small rotation for all
 photographs, so that a wrong convention shows: after the best mounting the turns of the photographs against what was
@@ -76,7 +76,7 @@ class Fit:
     """How attitudes fit the photographs with one mounting of the camera."""
 
     mount: Array
-    """(3, 3) asked to image axes"""
+    """(3, 3) recorded to image axes"""
     apart: Array
     """(n,) angles of the photographs from it [rad]"""
 

@@ -71,7 +71,7 @@ class Given:
     """from the projection centre to the antenna, to the right, upwards in the image and backwards, and the standard
     deviation of each; 0: held"""
     attitudes: PhotoAttitudes | None = None
-    """what an INS or a gimbal reports the photographs' attitudes"""
+    """what an INS or a gimbal measured of the photographs' attitudes"""
     misalignment: bool = True
     """a misalignment of each camera against its attitudes is estimated"""
     defaults: ControlDefaults = DEFAULTS

@@ -1,4 +1,4 @@
-"""Positions that GNSS reports photographs: in which frame, of which point of the aircraft, from which flight.
+"""Positions of photographs that GNSS measured: in which frame, of which point of the aircraft, from which flight.
 
 Besides control they are observed with a shift of each flight's own, which control determines: a base station in another
 datum, heights above the sea instead of the ellipsoid, and what changes slowly in single positions all end in it.

@@ -1,4 +1,4 @@
-"""What stands between a projection centre and the position that GNSS reports it."""
+"""What stands between a projection centre and the position that GNSS measures of it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands between the attitude of an image and that which an inertial measurement unit reports it."""
+"""What stands between the attitude of an image and that which an inertial measurement unit measures of it."""
 
 from __future__ import annotations
 

@@ -153,7 +153,7 @@ def _name(result: ResultFolder) -> str:
 
 
 def _apart(first: Path, second: Path) -> tuple[str, str]:
-    """The last folders of two paths, as many as show them apart: "a/result" and "b/result"."""
+    """The last folders of two paths, as many as distinguish them: "a/result" and "b/result"."""
     a, b = first.resolve().parts, second.resolve().parts
     for n in range(1, max(len(a), len(b)) + 1):
         if a[-n:] != b[-n:]:

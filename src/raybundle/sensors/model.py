@@ -84,7 +84,7 @@ class SensorModel:
     fixes_scale: ClassVar[bool] = False
     """Whether the model itself knows lengths in object space, as a satellite scene does."""
     followers: ClassVar[list[Callable[[SensorModel], None]]] = []
-    """Stated of every model that registers itself later: platforms carry it"""
+    """Notified of every model that registers itself later: platforms carry it"""
     lines: ClassVar[dict[str, SensorModel]] = {}
     """Sensors of one line, which are models on platforms alone"""
     line: ClassVar[bool] = False

@@ -1,4 +1,4 @@
-"""What the studio reports a desk: plain data, made from block, adjustment and journal; pixels are those of files."""
+"""What the studio shows of a desk: plain data, made from block, adjustment and journal; pixels are those of files."""
 
 from __future__ import annotations
 

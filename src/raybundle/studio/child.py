@@ -41,7 +41,7 @@ class Child:
     asked: int = 0
     """how often it was asked to stop"""
     hears: bool = False
-    """whether it has reported its progress: an interrupt before that may be lost while the program is loaded"""
+    """whether it has sent progress: an interrupt before that may be lost while the program is loaded"""
 
     @classmethod
     def begin(cls, words: Sequence[str]) -> Child:
@@ -59,7 +59,7 @@ class Child:
         return cls(process, printed)
 
     def follow(self, progress: Progress) -> tuple[int, str]:
-        """Show its progress until it ends; its exit status and what it printed."""
+        """Report its progress until it ends; its exit status and what it printed."""
         assert self.process.stderr is not None
         for line in self.process.stderr:
             found = _progress(line)

@@ -30,7 +30,7 @@ class Live:
         self.tabs.discard(queue)
 
     def notify(self, message: dict[str, Any]) -> None:
-        """Show every tab, from the server's own thread; what is reported is written down once for all of them."""
+        """Send it to every tab, from the server's own thread; what is reported is written down once for all of them."""
         self._put(_text(message))
 
     def _put(self, text: str) -> None:
@@ -44,7 +44,7 @@ class Live:
                 queue.put_nowait(None)  # the tab is closed, it connects again and reads everything
 
     def notify_from_thread(self, message: dict[str, Any]) -> None:
-        """Show every tab, from any thread."""
+        """Send it to every tab, from any thread."""
         if self.loop is not None and not self.loop.is_closed():
             self.loop.call_soon_threadsafe(self._put, _text(message))
 

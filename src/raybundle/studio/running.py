@@ -177,7 +177,7 @@ class Running:
         self._notify(run)
 
     def _beat(self, run: Run, over: threading.Event) -> None:
-        """Show of the stages where the command itself states nothing for a while."""
+        """Report the stages where the command itself states nothing for a while."""
         while not over.wait(BEAT_S):
             if time.time() - self._sent > BEAT_S:
                 self._notify(run)

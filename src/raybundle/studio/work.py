@@ -26,7 +26,7 @@ REST_S = 0.3
 
 
 class Stopped(Exception):
-    """The person stated stop."""
+    """The person stopped it."""
 
 
 @dataclass(slots=True)

@@ -34,7 +34,7 @@ EIGHT = np.ones((3, 3), int)
 TWO_LEVELS = 5.0
 """Standard deviations within them that two levels of a rim lie apart; the halves of an even slope do by 3.5"""
 LEAST_SIDE, LEAST_RIM = 0.15, 8
-"""Share of a rim that is a side of it, and the cells that reports any"""
+"""Share of a rim that is a side of it, and the cells that show any"""
 
 
 def filled(model: HeightModel, limit: float, within: Mask | None = None) -> HeightModel:

@@ -207,7 +207,7 @@ class Fine:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Approximate:
-    """Refined pixels of a coarse grid, and what they reports all."""
+    """Refined pixels of a coarse grid, and what they show of all."""
 
     found: Refined
     grid: PixelGrid

@@ -2,7 +2,7 @@
 
 Patches of the reference are compared with what sources show there, on the refined surface, brightness and contrast
 free. What is left is noise of both, and texture: where the surface is off by e pixels, the residual is e times the
-gradient.  So the patches of the weakest texture reports the noise.  A source's noise is smoothed by interpolation, as
+gradient.  So the patches of the weakest texture show the noise.  A source's noise is smoothed by interpolation, as
 is known, and the sum of both is solved for that of a single photograph.
 """
 
@@ -23,7 +23,7 @@ FEWEST = 30
 SAME = 0.8
 """Share of refined pixels about a patch's middle: else it lies on an edge of things."""
 WEAKEST = 0.2
-"""Share of the patches, those of the weakest texture, that reports the noise."""
+"""Share of the patches, those of the weakest texture, that show the noise."""
 
 
 def autocovariance(reference: Array, sources: Sequence[Source], grid: PixelGrid, found: Refined) -> Array:

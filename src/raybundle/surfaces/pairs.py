@@ -119,7 +119,7 @@ def _sources(block: Block, k: int, mine: list[Index], images_of: list[Index], mo
 
 
 def _pair(block: Block, k: int, j: int, at: Index, theirs: Index) -> tuple[PairOfImages, Array]:
-    """Two images, and what the second reports the depths (n,) of the first's points, in units of the best pair.
+    """Two images, and what the second shows of the depths (n,) of the first's points, in units of the best pair.
 
     Of a scene by its nominal viewpoint, from which its middle is seen as the scene does: what angles and sizes differ
     by over its width is less than a choice of pairs has to know.

@@ -42,7 +42,7 @@ class Reason(IntEnum):
     REFINED = 0
     NO_START = 1
     NO_TEXTURE = 2
-    """The window shows no more than noise, or does not show depth from slopes"""
+    """The window shows no more than noise, or does not separate depth from slopes"""
     LEFT_IMAGE = 3
     """The window leaves the reference or all sources, or the depth the range of the tables"""
     NO_CORRELATION = 4

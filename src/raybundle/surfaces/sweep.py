@@ -149,7 +149,7 @@ def _of_band(
     image: Array, census: Array, sources: tuple[Sequence[Array], Sequence[Mask | None]], tables: Sequence[Transfer],
     at: tuple[int, int, Array],
 ) -> tuple[Array, Array]:  # fmt: skip
-    """Levels of the rows of a reduced reference, and whether one is reported.
+    """Levels of the rows of a reduced reference, and whether one is given.
 
     sources  reduced, and where they may be measured in
     at       scale, the band's first row, depth parameters of the levels

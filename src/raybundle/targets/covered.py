@@ -64,7 +64,7 @@ LEAST_EDGE = 0.5
 """Least share of the edge that is free: of what is judged by the majority, the majority must be right (Rousseeuw 1984).
 """
 EVEN_PX = 0.12
-"""Distance up to which the outline of a dot is asked to lie on an ellipse: four times what noise of a hundredth of the
+"""Distance up to which the outline of a dot is taken to lie on an ellipse: four times what noise of a hundredth of the
 contrast makes of an edge blurred by a pixel."""
 NO_OUTLINE = 0.65
 """Share of the outline that lies on its ellipse below which a spot that is suspect is refused.

@@ -8,7 +8,7 @@ place of a pixel in modules, by the homography of the four corners,
 
 s_u is the blur s and the breadth of a pixel (variance 1/12) over the length of a module along u, so that the image of
 a module that is smaller than a pixel is still its mean.  Thirteen unknowns: eight coordinates of the corners, s, dark,
-light, g_x, g_y.  Every edge within the tag reports the corners, not only its rim.
+light, g_x, g_y.  Every edge within the tag shows the corners, not only its rim.
 """
 
 from __future__ import annotations

@@ -19,7 +19,7 @@ CLASSES = 10
 FEWEST = 20
 LEAST_FLOOR_PX2 = 0.01**2
 CONTROLLED = 0.2
-"""Redundancy of a point from which on its residuals reports its variance."""
+"""Redundancy of a point from which on its residuals show its variance."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -50,7 +50,7 @@ NEAR = np.radians(15.0)
 COMPARED = 400
 """Pairs within groups that are looked at."""
 CELLS = 10
-"""Barren cells between two groups that are enough to show them apart."""
+"""Barren cells between two groups that are enough to distinguish them."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -44,7 +44,7 @@ NARROW = 2.0
 """Camera constant in longer sides of the format from which on both kinds are tried: the view is within 28 degrees.
 
 The poses of an image of which depth is given by little but the perspective come in twos, mirrored about the line of
-sight (Schweighofer and Pinz 2006), and a free camera constant takes up what shows them apart: an image that is added
+sight (Schweighofer and Pinz 2006), and a free camera constant takes up what distinguishes them: an image that is added
 to others may take the wrong one, and the rays that contradict it leave.  All pairs at once outvote it.
 """
 

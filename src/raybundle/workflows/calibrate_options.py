@@ -40,4 +40,4 @@ class CalibrateOptions:
     """errors of image coordinates: white; fields: smooth ones that differ from image to image, and a floor; auto:
     fields where there are five photographs or more"""
     split: bool = True
-    """show the photographs of two cameras apart where they cannot be of one"""
+    """distinguish the photographs of two cameras where they cannot be of one"""

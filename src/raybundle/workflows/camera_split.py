@@ -1,4 +1,4 @@
-"""Photographs of cameras that are two distinguished, and stated where one camera was not stable."""
+"""Photographs of two cameras distinguished, and a notice where one camera was not stable."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def _promising(trial: Block, camera: Camera, first: Adjustment, settings: Adjust
 
 
 def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> Notice:
-    """A notice that photographs differ in their interior orientation though neither names nor order show them apart."""
+    """A notice that photographs differ in their interior orientation though neither names nor order distinguish them."""
     dc, dx, dy = split.difference
     names = [after.given.images.ids[i] for i in split.groups[1]]
     n = len(split.groups[0]), len(names)

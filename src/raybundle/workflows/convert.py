@@ -86,7 +86,7 @@ def placed(
 
 
 def _place(block: Block, frame: LocalFrame) -> Place | None:
-    """What block.toml reports a frame; of a block with scenes, or in millimetres, what it was reported before."""
+    """What block.toml states of a frame; of a block with scenes, or in millimetres, what it stated before."""
     if block.length_unit != "m" or any(c.is_scene for c in block.cameras):
         return block.place
     return local_in(frame.crs, frame.origin, frame.undulation_m)

@@ -148,7 +148,7 @@ def surface(
 def _checked(made: Adjustment, source: Path, *, free_scale: bool) -> Adjustment:
     """An adjustment whose block states whether its scale is free; raises InputError where that is not wanted.
 
-    Whatever a folder reports it: a block states nothing, and observations of a result may be gone.
+    Whatever a folder states of it: a block states nothing, and observations of a result may be gone.
     """
     free = made.free_scale
     if free and not free_scale:

@@ -32,7 +32,7 @@ TABLE = "table"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GivenFixes:
-    """Fixes, and what a file reports the corrections there."""
+    """Fixes, and what a file states of the corrections there."""
 
     curve: Curve
     values: dict[str, float] = field(default_factory=dict[str, float])

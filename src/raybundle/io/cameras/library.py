@@ -44,7 +44,7 @@ SAME_FOCAL = 5e-4
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CameraKey:
-    """What EXIF reports a camera; empty or None where it is not known."""
+    """What EXIF states of a camera; empty or None where it is not known."""
 
     make: str = ""
     model: str = ""

@@ -1,4 +1,4 @@
-"""Coordinate systems as files and people are reported them."""
+"""Coordinate systems as files and messages name them."""
 
 from __future__ import annotations
 

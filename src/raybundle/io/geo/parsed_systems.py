@@ -1,4 +1,4 @@
-"""Coordinate systems as texts name them, and as people are reported of them."""
+"""Coordinate systems as texts name them, and as messages name them."""
 
 from __future__ import annotations
 

@@ -249,7 +249,7 @@ def _name(metadata: Metadata) -> str:
 
 
 def _ids(photos: Sequence[Photo]) -> list[str]:
-    """Short readable ids: model and focal length, then what shows equal ones apart."""
+    """Short readable ids: model and focal length, then what distinguishes equal ones."""
     ids: list[str] = []
     for photo in photos:
         m = photo.metadata

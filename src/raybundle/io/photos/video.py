@@ -227,7 +227,7 @@ def choose(analysis: Analysis, options: FrameOptions) -> tuple[list[int], list[s
         place, width = analysis.time_s, options.every_s
     elif options.count is not None:
         count = min(options.count, n)
-        # where nothing moves, time has to show the pieces apart
+        # where nothing moves, time has to distinguish the pieces
         place = analysis.motion + 1e-6 * analysis.time_s
         width = float(place[-1]) / count if count else 1.0
     else:

@@ -51,7 +51,7 @@ def new_geotiff(
 ) -> Generator[Write]:  # fmt: skip
     """A GeoTIFF that is written part by part, tiled, deflated; overviews follow when the body ends.
 
-    bands   what rasterio is reported of them: count, dtype, nodata
+    bands   what rasterio gets of them: count, dtype, nodata
     wkt     empty: a plane that is in no map
     names   of the bands
     raises  InputError where the library cannot write the system or the file

@@ -100,7 +100,7 @@ def _size_of(root: Element) -> tuple[int, int] | None:
 
 
 def read_gdal_json(path: Path) -> Scene:
-    """What gdalinfo or rasterio reports an RPC."""
+    """What gdalinfo or rasterio print of an RPC."""
     root = read_json(path, MOST_BYTES)
     size: tuple[int, int] | None = None
     if root.has("size") and isinstance(root.get("size").value, list):

@@ -21,7 +21,7 @@ TWICE_STEP = 2e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PhotoAttitudes:
-    """What an INS or a gimbal reports the attitudes of photographs."""
+    """What an INS or a gimbal measured of the attitudes of photographs."""
 
     names: tuple[str, ...]
     """(n,) of the photographs"""

@@ -19,7 +19,7 @@ from raybundle.report.text.numbers import significant
 from raybundle.report.view import View
 
 BLUE, ORANGE, GREEN, VERMILION, GREY, BLACK = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#8A8A8A", "#1A1A1A"
-"""Stated apart by eyes that see no red or green, and in grey (Okabe and Ito 2008)"""
+"""Distinguished by eyes that see no red or green, and in grey (Okabe and Ito 2008)"""
 DPI = 150
 """Of what is drawn as dots of an image, and of a figure in a notebook"""
 RASTERIZED = 1500

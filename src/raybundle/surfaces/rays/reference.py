@@ -117,4 +117,4 @@ class ReferenceRays(ABC):
 
     @abstractmethod
     def depths(self, t: Array) -> Array:
-        """Depths as they are asked to people."""
+        """Depths as people read them."""

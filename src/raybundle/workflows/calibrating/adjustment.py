@@ -70,7 +70,7 @@ def _inputs(state: CalibrateState) -> Inputs:
 
 
 def adjust(i: Inputs, means: Means) -> Adjusted:
-    """Adjust, complete, show cameras apart, choose models, correct centres; raises NotSolvable with the reason."""
+    """Adjust, complete, distinguish cameras, choose models, correct centres; raises NotSolvable with the reason."""
     try:
         return _adjusted(i, means)
     except (InputError, NotSolvable) as error:

@@ -209,7 +209,7 @@ def largest_component(main: Adjustment, parts: Sequence[ConnectedComponent]) -> 
 def with_target_weights(block: Block, result: Adjustment, given: Given) -> Block | None:
     """The block with standard deviations of the targets as their residuals show them beside those of all; None: as is.
 
-    What grey values reports a target's centre is not what photographs hold of it: with its own weight it would bend
+    What grey values show of a target's centre is not what photographs hold of it: with its own weight it would bend
     tie points, or be rejected.  From residuals as the weights of tie points are, for all targets together.
     """
     names = {

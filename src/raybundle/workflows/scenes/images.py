@@ -195,7 +195,7 @@ def read_scene_image(path: Path, model: Path) -> SceneImage:
 
 
 def scene_of_size(scene: Scene, width: int, height: int, path: Path) -> Scene:
-    """What a file reports a scene, for its image; raises InputError where that is an image of another size."""
+    """What a file states of a scene, for its image; raises InputError where that is an image of another size."""
     model = scene.file.name
     if scene.width_px and scene.height_px and (scene.width_px, scene.height_px) != (width, height):
         raise InputError(
