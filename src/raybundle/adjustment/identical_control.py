@@ -93,7 +93,7 @@ def _largest_scale(block: Block, rows: Array, least: float) -> float:
 
 
 def identical_notices(block: Block) -> list[Notice]:
-    """A fault for pairs that photographs show apart, a caution for others."""
+    """A fault for pairs that photographs distinguish, a caution for others."""
     pairs = identical_control(block)
     found: list[Notice] = []
     for wrong in (True, False):

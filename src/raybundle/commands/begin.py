@@ -32,7 +32,7 @@ def begin(
 
     photos    folders and files
     out       project folder; None: PHOTOS-project beside the folder of photographs
-    stated      gets a line of each file that is no usable photograph
+    notify      gets a line of each file that is no usable photograph
     settings  calibration, own_camera, library: as of `orient`; film, pixel_mm, film_transformation: scans of film
     raises    InputError where there is no photograph, or something else stands at `out`
 

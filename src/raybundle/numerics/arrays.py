@@ -1,7 +1,7 @@
 """The array types of the numeric layers.
 
 The names show what is inside; NumPy's own types lose the element type in ordinary arithmetic, so a
-checker is reported only that it is an array.  Shapes stand in the docstrings.
+checker sees only that it is an array.  Shapes stand in the docstrings.
 """
 
 from __future__ import annotations

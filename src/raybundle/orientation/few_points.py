@@ -1,6 +1,6 @@
 """Approximate values of photographs in which few points are measured, and these by hand.
 
-Thousands of matched points show one pair of candidates from another by counting; six points fit several.  Here every
+Thousands of matched points distinguish pairs of candidates by counting; six points fit several.  Here every
 candidate of a start is carried to the end, a bundle of all photographs with their camera constants and first radial
 terms free within what is known of them, and that is taken which orients most and leaves the smallest residuals
 (Cauchy's estimator: a mistaken mark weighs little against the others).

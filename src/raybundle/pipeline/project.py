@@ -137,8 +137,9 @@ class Project:
     def open(cls, folder: Path, *, create: bool = True, store: str = "") -> Project:
         """Open a project folder for a run, or begin one; `create=False` only looks at one, and changes nothing.
 
-        store   URL of the object store of its products; "project": they lie in the folder; empty: as the last run
-        stated raises  InputError where something else stands there, another run works there, or nothing can be written
+        store   URL of the object store of its products; "project": they lie in the folder; empty: that of the last
+                run
+        raises  InputError where something else stands there, another run works there, or nothing can be written
         """
         file = folder / "project.db"
         if not create:

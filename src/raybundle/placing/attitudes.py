@@ -313,7 +313,7 @@ def _vector(rotation: Array) -> Array:
 
 
 def _one_heading(recorded: PhotoAttitudes, rows: Index) -> bool:
-    """Whether the attitudes differ too little to show a mounting from a wrong zero of their angles."""
+    """Whether the attitudes differ too little to separate a mounting from a wrong zero of their angles."""
     return bool(_angles(np.einsum("ij,bij->b", recorded.rotation[rows[0]], recorded.rotation[rows])).max() < MOUNTED)
 
 

@@ -99,7 +99,7 @@ def ranking(
     """What a goal amounts to with each candidate (n,) by itself; None for those not asked, or seeing too little.
 
     asked  (n,) which are
-    stated   is given the share that is done
+    notify   is given the share that is done
     """
     measure = measure_of(outlook, goal)
     found: list[Standing | None] = [None] * len(candidates)

@@ -13,7 +13,7 @@ class ThinPrism(SensorModel):
     To the distorted point of `rational` s1 r^2 + s2 r^4 is added in x, s3 r^2 + s4 r^4 in y, r the ideal radius (Weng,
     Cohen and Herniou 1992 for the first of each pair; with the second in the form with twelve coefficients that OpenCV
     documents; y points up here, so that s3 and s4 have the opposite sign).  In a narrow angle s1 and s3 are hardly
-    stated from the principal point, and p1, p2: estimate them where residuals ask for them.
+    distinguished from the principal point, and p1, p2: estimate them where residuals ask for them.
     """
 
     name = "thin_prism"

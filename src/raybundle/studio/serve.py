@@ -61,7 +61,7 @@ def serve(
 
     port     0: a free one
     browser  open the page
-    stated     gets the address once; it works once
+    notify     gets the address once; it works once
     header_s seconds within which the header of a request is complete
     raises   InputError where there is nothing to open, or the port is taken
     """

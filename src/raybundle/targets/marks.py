@@ -95,7 +95,7 @@ class Target(Protocol):
 
     @property
     def turns(self) -> int:
-        """Positions of a board that nobody can show apart: 1 at best.
+        """Positions of a board that nobody can distinguish: 1 at best.
 
         With 2 or 4, names may run from another corner in another photograph: such a board must be taken for exact.
         """

@@ -159,7 +159,7 @@ def groups(block: Block) -> tuple[tuple[Index, ...], int, int]:
             root[find(j)] = find(i)
     group = np.array([find(i) for i in range(n)])
     between = [d for d in doubted if group[d[0]] != group[d[1]]]
-    # what too few cells show apart is no group of its own; nor is what nothing was looked at between
+    # what too few cells distinguish is no group of its own; nor is what nothing was looked at between
     counts: dict[tuple[int, int], int] = {}
     for i, j, barren, _ in between:
         key = (int(min(group[i], group[j])), int(max(group[i], group[j])))

@@ -271,7 +271,7 @@ def match_pairs(
 def from_one_spot(pairs: Sequence[VerifiedPair], photos: Sequence[Photo], store: FeatureStore) -> bool:
     """Whether a mere turn of the camera explains every pair that matches, within a thousandth of the format.
 
-    What is left beside the turn is all that there is to show depth from.  The camera constant may lie anywhere
+    What is left beside the turn is all that there is to get depth from.  The camera constant may lie anywhere
     within one standard deviation of what the photographs state; strong distortion hides what this looks for.
     """
     groups = camera_groups(photos)

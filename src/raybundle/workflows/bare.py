@@ -30,7 +30,7 @@ def bare_block(
     calibration  cameras whose interior orientation is known
     separate     patterns of names of photographs that are of a camera apart
     library      camera library whose calibrations are taken; None: none
-    stated         gets a line of each file that is no usable photograph, and of what else is to be stated
+    notify         gets a line of each file that is no usable photograph, and of what else is to be stated
     raises       InputError where there is no photograph
     """
     found = find_photos(inputs, progress=progress)

@@ -100,7 +100,7 @@ def _promising(trial: Block, camera: Camera, first: Adjustment, settings: Adjust
 
 
 def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> Notice:
-    """A notice that photographs differ in their interior orientation though neither names nor order distinguish them."""
+    """A notice that photographs differ in their interior orientation though neither names nor order differ."""
     dc, dx, dy = split.difference
     names = [after.given.images.ids[i] for i in split.groups[1]]
     n = len(split.groups[0]), len(names)

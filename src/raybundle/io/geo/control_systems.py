@@ -21,8 +21,8 @@ MAP_M = 1e5
 def in_one_system(files: Sequence[ControlFile], crs: str | None = None) -> tuple[ControlFile, ...]:
     """The files, of which those that name no coordinate system stand in that of the others, or else in `crs`.
 
-    crs     the system that the user names, also of heights of which a file with the same plan states nothing; None:
-    none raises  InputError for coordinates that no use of `crs` has
+    crs     the system that the user names, also of heights of which a file with the same plan has none; None: none
+    raises  InputError for coordinates that no use of `crs` has
     A remark states in what they are taken, beside files with a system where their coordinates do not lie among the
     others', by which one sees that it is the same.
     """
