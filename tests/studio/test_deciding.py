@@ -323,14 +323,14 @@ def test_stopped_nothing_is_changed(client, studio, desk, project, monkeypatch):
     adjusted(client, studio)
     before, result = desk.adjustment, (measured_result(project) / "result.json").read_bytes()
     at, go = threading.Event(), threading.Event()
-    tell = work_module.Work._tell
+    notify = work_module.Work._notify
 
     def slowly(self, stage, share):
         at.set()
         go.wait(DEADLINE_S)
-        tell(self, stage, share)
+        notify(self, stage, share)
 
-    monkeypatch.setattr(work_module.Work, "_tell", slowly)
+    monkeypatch.setattr(work_module.Work, "_notify", slowly)
     assert client.post("/api/adjust", json={}).json() == {"begun": True}
     assert at.wait(DEADLINE_S)
     assert client.post("/api/adjust", json={}).json() == {"begun": False}
