@@ -129,10 +129,10 @@ def fitted(points: Array, surface: Surface | MeshSurface, half: float, sigma: Ar
     return moved, used
 
 
-def by_class(
+def surface_errors(
     surface: Surface | MeshSurface, points: Points, coordinates: Array, half: float, error_of: str = "surface"
-) -> Iterator[tuple[str, str, dict[str, float]]]:
-    """Statistics of points in the core: (class, whether flagged, statistics).
+) -> tuple[NDArray[np.bool_], Array, Array]:
+    """Points in the core (n,), their errors from the true surface and standard deviations (m,) [m].
 
     error_of             "surface": along the shortest way to the surface by the covariance; "normal": along the normal
                          of the plane of best fit in the window; "window": from the mean of the surface over it
@@ -141,7 +141,7 @@ def by_class(
     half                 half side of the matching window on the object [m]
     """
     inside = surface.in_core(coordinates)
-    part, flagged = coordinates[inside], points.flagged[inside]
+    part = coordinates[inside]
     normals, covariances = surface.normals(part, half), points.covariances()[inside]
     error = surface.window_distances(part, normals, half)
     sigma = np.sqrt(np.einsum("pi,pij,pj->p", normals, covariances, normals))
@@ -150,7 +150,15 @@ def by_class(
         exact = surface.distances(part, ways)
         met = np.isfinite(exact)
         error, sigma = np.where(met, exact, error), np.where(met, length, sigma)
-    codes = surface.classes_at(part, half)
+    return inside, error, sigma
+
+
+def by_class(
+    surface: Surface | MeshSurface, points: Points, coordinates: Array, half: float, error_of: str = "surface"
+) -> Iterator[tuple[str, str, dict[str, float]]]:
+    """Statistics of points in the core: (class, whether flagged, statistics); arguments as of surface_errors."""
+    inside, error, sigma = surface_errors(surface, points, coordinates, half, error_of)
+    flagged, codes = points.flagged[inside], surface.classes_at(coordinates[inside], half)
     for code, name in enumerate(NAMES):
         for label, chosen in (("", ~flagged), ("flagged", flagged)):
             of_class = (codes == code) & chosen

@@ -7,11 +7,12 @@ from pathlib import Path
 
 import numpy as np
 from renderer.classes import NAMES
-from renderer.judging import Points, read_points
+from renderer.judging import read_points
+from renderer.judging import surface_errors as shortest_errors
 from renderer.truth import read_surface
 from tests.truth.bands import whitener
 
-from ledger.errors import Array, Collected, Errors
+from ledger.errors import Collected, Errors
 from ledger.judges.projects import oriented, rendered
 from ledger.judges.similarity import station_errors
 from ledger.judges.surfaces import surface_errors
@@ -82,13 +83,8 @@ def _tie_points(scene: Path, project: Path) -> list[Errors]:
     surface = read_surface(scene)
     points = read_points(project / "result" / "points.csv")
     half = WINDOW_PX * surface.gsd
-    inside = surface.in_core(points.coordinates)
-    xyz, flagged = points.coordinates[inside], points.flagged[inside]
-    normals = surface.normals(xyz, half)
-    error = surface.distances(xyz, normals)
-    error = np.where(np.isfinite(error), error, surface.window_distances(xyz, normals, half))
-    sigma = _along(points, inside, normals)
-    codes = surface.classes_at(xyz, half)
+    inside, error, sigma = shortest_errors(surface, points, points.coordinates, half)
+    flagged, codes = points.flagged[inside], surface.classes_at(points.coordinates[inside], half)
     found = []
     for code, name in enumerate(NAMES):
         for flag in (False, True):
@@ -97,13 +93,7 @@ def _tie_points(scene: Path, project: Path) -> list[Errors]:
                 found.append(
                     Errors(
                         module="tie points", label=name, flagged=flag, ratio=error[mine] / sigma[mine],
-                        sigma=sigma[mine], unit="m", coordinate=["normal"] * int(mine.sum()),
+                        sigma=sigma[mine], unit="m", coordinate=["surface"] * int(mine.sum()),
                     )
                 )  # fmt: skip
     return found
-
-
-def _along(points: Points, inside, normals: Array) -> Array:
-    whole = np.zeros((len(points.coordinates), 3))
-    whole[inside] = normals
-    return points.sigma_along(whole)[inside]
