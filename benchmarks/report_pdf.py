@@ -20,8 +20,8 @@ from runs import peak_mb
 from raybundle import adjust
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.report.document import write_report
 from raybundle.report.paper import copy
+from raybundle.report.writing import write_report
 
 DENSITIES = (355, 3550, 8900)
 """Points an image: about 2 000, 20 000 and 50 000 in the block."""

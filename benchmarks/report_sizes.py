@@ -17,8 +17,8 @@ from runs import peak_mb
 from raybundle import adjust
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.report.document import write_report
 from raybundle.report.network_page import write_network_page
+from raybundle.report.writing import write_report
 
 RESULTS = Path(__file__).parent / "results/report_sizes.json"
 FLIGHTS = ("6", "8", "60", "40", "50", "60", "100", "100", "25")

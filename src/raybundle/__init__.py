@@ -109,7 +109,6 @@ if TYPE_CHECKING:
     from raybundle.planning.flight import plan_flight
     from raybundle.planning.uav_networks import Flight
     from raybundle.report.compare import write_comparison
-    from raybundle.report.document import write_report
     from raybundle.report.network_page import write_network_page
     from raybundle.report.plotting import (
         plot_control,
@@ -120,6 +119,7 @@ if TYPE_CHECKING:
     )
     from raybundle.report.tables import table, table_names
     from raybundle.report.write import write_result
+    from raybundle.report.writing import write_report
     from raybundle.results.folder import read_result
     from raybundle.results.matrices_file import write_matrices
     from raybundle.workflows.adjust import adjust
@@ -263,7 +263,7 @@ _HOME = {
     "write_block": "io.block.folder",
     "write_comparison": "report.compare",
     "write_network_page": "report.network_page",
-    "write_report": "report.document",
+    "write_report": "report.writing",
     "write_result": "report.write",
     "write_target_sheet": "commands.target_settings",
 }

@@ -8,7 +8,7 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import NotSolvable, message
-from raybundle.orientation.assembly import approximate_values
+from raybundle.orientation.approximate import approximate_values
 from raybundle.placing.image_doubts import origin_message
 from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate

@@ -14,8 +14,8 @@ from raybundle.io.calibrations.base import write_whole
 from raybundle.io.scenes.writing import write_rpc
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.report.document import write_report
 from raybundle.report.network_page import write_network_page
+from raybundle.report.writing import write_report
 from raybundle.scenes.rpc import Rpc
 
 KILLED = """

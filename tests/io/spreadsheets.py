@@ -73,7 +73,7 @@ def grid_scene_control(folder):
 
 
 def strip(folder):
-    from raybundle.io.block.toml import read_toml
+    from raybundle.io.block.toml_section import read_toml
     from raybundle.io.scenes import airborne
 
     top = read_toml(folder / "s.toml")

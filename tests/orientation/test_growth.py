@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.orientation.assembly import possible_values
+from raybundle.orientation.approximate import possible_values
 from raybundle.orientation.candidates import Pose
 from raybundle.orientation.growth import GRID, OFTEN, Growth
 from raybundle.orientation.rays import rays_of

@@ -22,10 +22,11 @@ from raybundle.pipeline.confirmed_stores import confirm_store
 from raybundle.pipeline.copies import Copies
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import ProductGone, StoreLost
 from raybundle.pipeline.project import Project, products_of
 from raybundle.pipeline.shards import Shards, do_shard
 from raybundle.pipeline.stage import Means
-from raybundle.pipeline.store import Folder, ProductGone, StoreLost
+from raybundle.pipeline.store import Folder
 from tests.pipeline.graph import digest, done_by, executions, tasks_of
 from tests.pipeline.machines import Machines
 

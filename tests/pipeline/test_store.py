@@ -11,8 +11,9 @@ import pytest
 
 from raybundle.pipeline.archives import ALIGNED, is_complete, members_of, write_archive
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import ProductGone, StoreLost, mark_of
 from raybundle.pipeline.store import KEY as KEY_NAME
-from raybundle.pipeline.store import Folder, ProductGone, StoreLost, mark_of
+from raybundle.pipeline.store import Folder
 
 KEY = key_of("test", 1)
 PRODUCT = {

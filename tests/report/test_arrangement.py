@@ -10,7 +10,7 @@ from raybundle.adjustment.result import Notice
 from raybundle.report import chapters as rooms
 from raybundle.report.arrangement import LONG, Measure, all_sections, arranged, rows_of_figures, undivided
 from raybundle.report.chapters import Occasion, chapter
-from raybundle.report.document import document_of, write_report
+from raybundle.report.document import document_of
 from raybundle.report.figures.svg import drawing
 from raybundle.report.paper.copy import part_copies
 from raybundle.report.parts import (
@@ -33,6 +33,7 @@ from raybundle.report.sections.result import result_section
 from raybundle.report.sections.tables import tables_section
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
+from raybundle.report.writing import write_report
 from tests.report.conftest import rich
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from raybundle.report.document import write_report
+from raybundle.report.writing import write_report
 from tests.report.conftest import rich
 from tests.studio.test_accessible import AXE, serious
 

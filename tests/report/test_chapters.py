@@ -4,10 +4,10 @@ import pytest
 
 from raybundle.report import chapters as rooms
 from raybundle.report.chapters import Occasion, chapters, section
-from raybundle.report.document import write_report
 from raybundle.report.parts import Paragraph, Section
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
+from raybundle.report.writing import write_report
 from tests.report.conftest import free
 
 ORDER = (

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from raybundle.io.block.folder import read_block
-from raybundle.report.document import write_report
 from raybundle.report.parts import MOST_ROWS
 from raybundle.report.sections.control import control_section
 from raybundle.report.sections.tables import tables_section
 from raybundle.report.text.numbers import fixed, grouped, significant
 from raybundle.report.view import view_of
+from raybundle.report.writing import write_report
 from raybundle.words import headline
 from raybundle.workflows.adjust import adjust
 from tests.report.conftest import HOSTILE

@@ -10,10 +10,10 @@ import pytest
 import raybundle
 from raybundle.adjustment.result import Notice
 from raybundle.errors import InputError, Text
-from raybundle.report.document import write_report
 from raybundle.report.languages import Localised, language_codes
 from raybundle.report.languages.language import UNITS, Language, language_of
 from raybundle.report.paper.copy import copy_of
+from raybundle.report.writing import write_report
 
 from .conftest import MAKERS, made
 

@@ -16,7 +16,7 @@ from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.block.folder import write_block
 from raybundle.report.chapters import Occasion
-from raybundle.report.document import Document, document_of, write_report
+from raybundle.report.document import Document, document_of
 from raybundle.report.figures.svg import drawing, histogram, label
 from raybundle.report.paper import press
 from raybundle.report.paper.copy import COPIES, ROOM, STACKED, copy_of, laid_out, part_copies
@@ -42,6 +42,7 @@ from raybundle.report.parts import (
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from raybundle.report.write import write_result
+from raybundle.report.writing import write_report
 from raybundle.words import headline
 from tests.report.test_arrangement import client  # noqa: F401  (a fixture)
 

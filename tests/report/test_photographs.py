@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.report.document import write_report
 from raybundle.report.facts import CameraFact, PairFact, PhotoFact, PhotographFacts, StageFact
 from raybundle.report.figures.photographs import common_points, edges_of, overlap_cells, plan_of, taken_images
 from raybundle.report.view import view_of
+from raybundle.report.writing import write_report
 from raybundle.words import headline
 from tests.report.conftest import HOSTILE
 from tests.report.test_document import parsed

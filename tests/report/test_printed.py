@@ -14,7 +14,6 @@ from raybundle.errors import phrase
 from raybundle.metrology.congruence import Congruence
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import delivery_of
-from raybundle.report.document import write_report
 from raybundle.report.facts import PhotographFacts, StageFact
 from raybundle.report.languages.language import language_of
 from raybundle.report.moved import write_moved_report
@@ -24,6 +23,7 @@ from raybundle.report.text.numbers import unbroken
 from raybundle.report.text.widths import broken, kept_together
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
+from raybundle.report.writing import write_report
 from raybundle.results.record import Record
 from raybundle.settings import in_words
 from raybundle.words.render import Reader

@@ -9,13 +9,13 @@ from raybundle.adjustment.result import Notice
 from raybundle.block import Role
 from raybundle.calibration.quality import calibration_qualities
 from raybundle.errors import phrase
-from raybundle.report.document import write_report
 from raybundle.report.figures.photographs import KEY_CHARACTER, colour_key
 from raybundle.report.figures.svg import CHARACTER, labels_apart
 from raybundle.report.sections.control import control_section
 from raybundle.report.text.numbers import plain
 from raybundle.report.text.summary import accuracy
 from raybundle.report.view import FREE_UNIT, view_of
+from raybundle.report.writing import write_report
 
 BOX = (0.0, 0.0, 300.0, 200.0)
 

@@ -5,12 +5,12 @@ import re
 import numpy as np
 import pytest
 
-from raybundle.report.document import write_report
 from raybundle.report.sections.accuracy import accuracy_section
 from raybundle.report.sections.result import result_section
 from raybundle.report.text.numbers import grouped, significant
 from raybundle.report.text.words import free_std, relative_values, verdict
 from raybundle.report.view import rms, view_of
+from raybundle.report.writing import write_report
 
 MM = {"mm": 1.0, "m": 1000.0, "units": 1.0}
 

@@ -11,7 +11,6 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.engine import adjust_block
 from raybundle.errors import Text
-from raybundle.report.document import write_report
 from raybundle.report.figures.corrections import correction_figures
 from raybundle.report.figures.series import running
 from raybundle.report.sections.control import control_section
@@ -23,6 +22,7 @@ from raybundle.report.sections.trajectories import trajectory_section
 from raybundle.report.text.summary import details
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
+from raybundle.report.writing import write_report
 from tests.adjustment.test_antennas import SHIFT, flight
 from tests.adjustment.test_moving_sensors import SIGMA, rolling
 from tests.report.conftest import free

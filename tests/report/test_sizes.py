@@ -9,8 +9,8 @@ import pytest
 from raybundle import adjust, words
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.report.document import write_report
 from raybundle.report.network_page import write_network_page
+from raybundle.report.writing import write_report
 
 
 @pytest.fixture(scope="module")

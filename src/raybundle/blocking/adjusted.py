@@ -14,7 +14,7 @@ from raybundle.blocking.kept import cut_columns
 from raybundle.blocking.memory import Memory, Serial
 from raybundle.blocking.network import LEAF, cut
 from raybundle.blocking.normals import Parts
-from raybundle.blocking.tasks import Store
+from raybundle.blocking.store import Store
 from raybundle.blocking.tree import WORTH
 from raybundle.blocking.whole import WholeNormals
 from raybundle.numerics.arrays import Mask

@@ -15,9 +15,10 @@ from raybundle.adjustment.reliability import image_statistics
 from raybundle.adjustment.transformation import Transformation
 from raybundle.blocking import sweeps
 from raybundle.blocking.network import PartWork
-from raybundle.blocking.tasks import Store, known, part_at, work_of
+from raybundle.blocking.store import Store
+from raybundle.blocking.tasks import known, part_at, work_of
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.pipeline.store import Product
+from raybundle.pipeline.place import Product
 
 SAMPLE = 500
 """Object points of a part that stand for all of its own where the middle of the network is asked for."""

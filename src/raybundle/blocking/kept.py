@@ -20,7 +20,7 @@ from raybundle.blocking.cutting import cut_of
 from raybundle.blocking.network import LEAF, Network, parts_ready
 from raybundle.blocking.part import Part
 from raybundle.blocking.skeleton import Skeleton, skeleton_from
-from raybundle.blocking.tasks import VERSION, Store
+from raybundle.blocking.store import VERSION, Store
 from raybundle.blocking.tree import WORTH, Tree
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.numerics.arrays import Array, Index, Mask

@@ -8,7 +8,7 @@ from typing import Any
 
 from raybundle.adjustment.dense import one_thread
 from raybundle.numerics.arrays import Array
-from raybundle.pipeline.store import Product
+from raybundle.pipeline.place import Product
 from raybundle.pipeline.tasks import Done, Task, do
 
 

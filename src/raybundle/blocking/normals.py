@@ -11,7 +11,8 @@ import numpy as np
 from raybundle.adjustment.assemble import State
 from raybundle.blocking import sweeps, tasks
 from raybundle.blocking.network import Network
-from raybundle.blocking.tasks import Known, Store, remember
+from raybundle.blocking.store import Store
+from raybundle.blocking.tasks import Known, remember
 from raybundle.errors import as_error
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask

@@ -25,7 +25,7 @@ from raybundle.blocking.kept import cut_columns
 from raybundle.blocking.network import LEAF, Network
 from raybundle.blocking.normals import Parts, PartsNormals, PartsState
 from raybundle.blocking.similarity import onto
-from raybundle.blocking.tasks import Store
+from raybundle.blocking.store import Store
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect, TooFewObservations
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent

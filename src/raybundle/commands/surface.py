@@ -169,7 +169,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     """Measure what the settings ask for, and write the points."""
     from raybundle.measuring.session import adjusted_again  # noqa: PLC0415
     from raybundle.pipeline.choosing import check_cluster  # noqa: PLC0415
-    from raybundle.pipeline.store import ProductGone  # noqa: PLC0415
+    from raybundle.pipeline.place import ProductGone  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.results.fingerprint import fingerprint  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415

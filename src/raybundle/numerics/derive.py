@@ -25,19 +25,6 @@ except ModuleNotFoundError as error:
 POINT = ("x", "y", "X", "Y", "Z")
 
 
-class AngleRatio(sp.Function):
-    """atan2(r, w) / r as a function of r**2 and w, smooth at r = 0."""
-
-    def fdiff(self, argindex: int = 1) -> Any:
-        """Partial derivatives, closed in these two functions."""
-        r2, w = cast("tuple[Any, Any]", self.args)
-        return AngleRatioSlope(r2, w) if argindex == 1 else -1 / (r2 + w * w)
-
-
-class AngleRatioSlope(sp.Function):
-    """Derivative of `AngleRatio` by r**2."""
-
-
 @dataclass(frozen=True, slots=True)
 class Derived:
     """Residuals and partial derivatives of a condition with shared subexpressions."""

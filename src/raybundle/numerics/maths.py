@@ -48,7 +48,7 @@ def sqrt(x: Scalar) -> Scalar:
 def angle_ratio(r2: Scalar, w: Scalar) -> Scalar:
     """atan2(r, w) / r as a function of r**2 and w: smooth at r = 0 for w > 0."""
     if _symbolic(r2):
-        from raybundle.numerics.derive import AngleRatio  # noqa: PLC0415
+        from raybundle.numerics.angle_ratio import AngleRatio  # noqa: PLC0415
 
         return AngleRatio(r2, w)
     return AngleRatio_numpy(r2, w)

@@ -1,6 +1,7 @@
 """Approximate values and the classical orientation problems, each with its precision."""
 
-from raybundle.orientation.assembly import ApproximateValues, approximate_values, possible_values
+from raybundle.orientation.approximate import approximate_values, possible_values
+from raybundle.orientation.assembly import ApproximateValues
 from raybundle.orientation.dlt import Dlt, dlt
 from raybundle.orientation.epipolar import FundamentalMatrix, fundamental_matrix
 from raybundle.orientation.intersection import Intersection, intersection

@@ -17,9 +17,8 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block
-from raybundle.block.rigs import has_rigs
 from raybundle.block.select import points_left, with_rows
-from raybundle.errors import NoOrientation, Text, excluded, joined_texts, phrase
+from raybundle.errors import Text, joined_texts, phrase
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.absolute import onto_control, onto_points, onto_scale
@@ -63,39 +62,6 @@ class ApproximateValues:
 @dataclass(slots=True)
 class _Failures:
     reasons: dict[int, Text] = field(default_factory=dict[int, Text])
-
-
-def approximate_values(block: Block, progress: Progress = silent) -> ApproximateValues:
-    """Fill the missing exterior orientations and object coordinates of a block.
-
-    What is given is used and kept (it is refined by the adjustment, not here).
-    Raises NoOrientation, which names each image that could not be oriented, and why.
-    """
-    found = possible_values(block, progress)
-    left = found.not_oriented
-    if left:
-        observed = len(np.unique(block.observations.image))
-        raise NoOrientation(
-            "orientation.not_found",
-            details=excluded(list(left.items())),
-            n=len(left),
-            total=observed,
-            images=left,
-        )
-    return found
-
-
-def possible_values(block: Block, progress: Progress = silent) -> ApproximateValues:
-    """Fill the orientations and coordinates that can be filled; like `approximate_values`, but without an error.
-
-    Images that could not be oriented, and points that only they see, keep what was given, NaN for the most part.
-    Images of rigs are oriented one by one first (`rigs`).
-    """
-    if not has_rigs(block):
-        return image_values(block, progress)
-    from raybundle.orientation.rigs import rig_values  # noqa: PLC0415  (which needs the values of single images)
-
-    return rig_values(block, progress)
 
 
 def image_values(block: Block, progress: Progress = silent) -> ApproximateValues:

@@ -20,7 +20,7 @@ from pathlib import Path
 
 from raybundle.errors import InputError
 from raybundle.io.user_folders import made_again_folder
-from raybundle.pipeline.store import FULL, StoreLost
+from raybundle.pipeline.place import FULL, StoreLost
 
 VARIABLE, VARIABLE_GB = "RAYBUNDLE_PRODUCTS", "RAYBUNDLE_PRODUCTS_GB"
 SHARE = 0.5

@@ -26,7 +26,7 @@ from urllib.parse import urlsplit
 from raybundle.errors import InputError, Message, message
 from raybundle.pipeline.archives import write_archive
 from raybundle.pipeline.copies import Copies, copies_folder
-from raybundle.pipeline.store import FULL, FileMark, Product, StoreLost, kind_of
+from raybundle.pipeline.place import FULL, FileMark, Product, StoreLost, kind_of
 
 TRIES, PAUSE_S = 3, 0.5
 """Times that something is tried, and the pause before the second, doubled before each further one."""

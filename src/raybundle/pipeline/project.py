@@ -41,7 +41,8 @@ from raybundle.errors import InputError, Text, joined_texts
 from raybundle.io.reading.trees import json_of, read_json, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
-from raybundle.pipeline.store import Folder, Product, kind_of, writing
+from raybundle.pipeline.place import Product, kind_of
+from raybundle.pipeline.store import Folder, writing
 
 SCHEMA = 1
 HERE = "project"

@@ -21,8 +21,9 @@ from raybundle.numerics.progress import Counted, Progress, silent
 from raybundle.pipeline import running
 from raybundle.pipeline.executors import Executor, Processes, Threads
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import Product, ProductGone
 from raybundle.pipeline.project import Project, Timed
-from raybundle.pipeline.store import Folder, Product, ProductGone
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Done, Task, made
 
 S = TypeVar("S")

@@ -9,17 +9,16 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import os
 import shutil
 import sqlite3
 import uuid
 from collections import OrderedDict
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Lock
-from typing import BinaryIO, Protocol
+from typing import BinaryIO
 
 import numpy as np
 
@@ -34,12 +33,10 @@ from raybundle.pipeline.archives import (
     read_member,
     write_archive,
 )
+from raybundle.pipeline.place import FULL, FileMark, Place, Product, ProductGone, StoreLost, mark_of
 
-Product = Mapping[str, Array]
-"""What a task or a stage gives, as it is kept."""
 KEY = "__key__"
 """Array of a product that holds the key under which it was kept."""
-FULL = {errno.ENOSPC, errno.EDQUOT} if hasattr(errno, "EDQUOT") else {errno.ENOSPC}
 SHORT = {errno.EMFILE, errno.ENFILE, errno.ENOMEM}
 """What a system answers that is short of files or memory: the file itself may be whole"""
 HELD = 256
@@ -48,101 +45,6 @@ WRITES = 3
 """Times that a product is written whose file another process swept away while it was."""
 READS = 8
 """Times that a file is opened that others take away before: copies of a store that is full of them come and go."""
-
-
-class ProductGone(InputError):
-    """A product that was there is damaged or gone: the folder was changed meanwhile."""
-
-    def __init__(self, key: str, where: str) -> None:
-        super().__init__("product.gone", stage=kind_of(key), file=where)
-        self.key = key
-
-
-class StoreLost(InputError):
-    """Products can be neither read nor written any more: no task can be done, and none is to blame."""
-
-
-class Place(Protocol):
-    """Where the files of products lie."""
-
-    @property
-    def name(self) -> str:
-        """As people know it."""
-        ...
-
-    @property
-    def shared(self) -> bool:
-        """Whether other processes see it."""
-        ...
-
-    def check(self) -> None:
-        """Raise InputError where it cannot be reached, or nothing can be kept there."""
-        ...
-
-    def has(self, key: str) -> bool:
-        """Whether a whole file of this product is there."""
-        ...
-
-    def those(self, keys: Sequence[str]) -> set[str]:
-        """Those of which a whole file is there."""
-        ...
-
-    def file(self, key: str) -> Path | None:
-        """A file on this machine; None: there is none.  Another process may take it away before it is opened."""
-        ...
-
-    def damaged(self, key: str, again: bool, which: FileMark | None) -> None:  # noqa: FBT001  (which of two)
-        """Remove a file whose numbers are wrong; `again`: also the second one that was read.
-
-        which   the file that was read: where another stands there now, someone has made the product again, and it stays
-        """
-        ...
-
-    def keep(self, key: str, product: Product) -> None:
-        """Keep a product; its file appears whole or not at all."""
-        ...
-
-    def keys_of_kind(self, kind: str) -> list[str]:
-        """Keys of all products whose key begins with this word, in order."""
-        ...
-
-    def forget(self, *keys: str) -> None:
-        """Remove files."""
-        ...
-
-    def text(self, name: str) -> str | None:
-        """A text that is no product; None: there is none."""
-        ...
-
-    def keep_text(self, name: str, text: str) -> str:
-        """Keep a text, whole or not at all; where."""
-        ...
-
-    def forget_text(self, name: str) -> None:
-        """Remove a text."""
-        ...
-
-    def clear(self) -> None:
-        """Remove everything that is ours."""
-        ...
-
-
-FileMark = tuple[int, int, int]
-"""What shows a file from another one that is put in its place: number, time [ns], length."""
-
-
-def mark_of(file: Path | int) -> FileMark | None:
-    """Of a path, or a file that is open; None where there is none."""
-    try:
-        now = os.fstat(file) if isinstance(file, int) else file.stat()
-    except OSError:
-        return None
-    return now.st_ino, now.st_mtime_ns, now.st_size
-
-
-def kind_of(key: str) -> str:
-    """The word with which a key begins."""
-    return key.rpartition("-")[0]
 
 
 @dataclass(frozen=True, slots=True)

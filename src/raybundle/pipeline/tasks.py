@@ -16,7 +16,8 @@ from typing import Any, cast, get_type_hints
 import msgspec
 
 from raybundle.errors import InputError, Message, as_detail, as_error, message
-from raybundle.pipeline.store import Folder, Product, ProductGone, StoreLost
+from raybundle.pipeline.place import Product, ProductGone, StoreLost
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.task_functions import is_registered
 
 TaskFunction = Callable[[Folder, Any], Product]

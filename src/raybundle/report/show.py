@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Literal
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.report.document import write_report
 from raybundle.report.network_page import write_network_page
+from raybundle.report.writing import write_report
 
 LARGEST_INLINE = 8_000_000
 """Bytes of a page that a notebook shows within itself."""

@@ -18,7 +18,7 @@ from raybundle.numerics.length_units import precision_unit
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import delivery_of
-from raybundle.report.document import Document, set_document
+from raybundle.report.document import Document
 from raybundle.report.figures.raster import class_map, height_map, legend_of, photograph, small_map
 from raybundle.report.figures.surface import correlation_of, profile_of
 from raybundle.report.languages import ENGLISH
@@ -47,6 +47,7 @@ from raybundle.report.text.front_words import grade_of, verdict_sentence
 from raybundle.report.text.numbers import grouped, per_cent, significant
 from raybundle.report.text.words import Grade
 from raybundle.report.view import FREE_UNIT, in_unit
+from raybundle.report.writing import set_document
 from raybundle.surfaces.summary import HeightSummary, OrthophotoSummary, SurfaceSummary
 
 MOST_MAPS = 24

@@ -95,7 +95,7 @@ def write_result(
             more(folder)
         pages = [folder / name for name, wanted in (("report.html", report == "html"), ("report.pdf", pdf)) if wanted]
         if pages:
-            from raybundle.report.document import write_reports  # noqa: PLC0415  (Jinja2 only where it is used)
+            from raybundle.report.writing import write_reports  # noqa: PLC0415  (Jinja2 only where it is used)
 
             names = [*(entry.name for entry in folder.iterdir() if not _empty(entry)), *(p.name for p in pages)]
             names += ["network.html"] * (report == "html")

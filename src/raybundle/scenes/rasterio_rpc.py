@@ -5,15 +5,12 @@ Its offsets count from the centre of the first pixel (0, 0) as in all files of G
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.scenes.rpc import Rpc, rpc_of
-
-POLYNOMIALS = ("line_num_coeff", "line_den_coeff", "samp_num_coeff", "samp_den_coeff")
+from raybundle.scenes.rpc import POLYNOMIALS, Rpc, rpc_of
 
 
 def rpc_from_rasterio(rpcs: Any) -> Rpc:
@@ -33,26 +30,6 @@ def rpc_from_rasterio(rpcs: Any) -> Rpc:
         )
     except (AttributeError, TypeError, ValueError) as error:
         raise InputError("rpc.not_of_rasterio", kind=type(rpcs).__name__, detail=str(error)) from None
-
-
-def rasterio_from_rpc(rpc: Rpc) -> Any:
-    """A `rasterio.rpc.RPC`, which `dataset.rpcs = ...` and `rasterio.warp.reproject(rpcs=...)` take.
-
-    raises  InputError where rasterio is not installed
-    """
-    try:
-        kind: Any = import_module("rasterio.rpc").RPC  # an extra
-    except ImportError:
-        raise InputError("package.rasterio_missing") from None
-    x, y = (rpc.image_offset - 0.5).tolist()
-    lon, lat, height = rpc.ground_offset.tolist()
-    lon_scale, lat_scale, height_scale = rpc.ground_scale.tolist()
-    return kind(
-        height_off=height, height_scale=height_scale, lat_off=lat, lat_scale=lat_scale, long_off=lon,
-        long_scale=lon_scale, line_off=y, line_scale=float(rpc.image_scale[1]), samp_off=x,
-        samp_scale=float(rpc.image_scale[0]), err_bias=rpc.err_bias_m, err_rand=rpc.err_rand_m,
-        **{name: c.tolist() for name, c in zip(POLYNOMIALS, rpc.coefficients, strict=True)},
-    )  # fmt: skip
 
 
 def _known(value: Any) -> float | None:

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,8 @@ from raybundle.numerics.geodesy import LocalPlace, metres_per_geographic
 from raybundle.numerics.places import Local, Place
 from raybundle.scenes.bias import BiasKind, bias_design, bias_slope
 from raybundle.scenes.rpc_ground import LEAST_DENOMINATOR, ground_points
+
+POLYNOMIALS = ("line_num_coeff", "line_den_coeff", "samp_num_coeff", "samp_den_coeff")
 
 TERMS = (
     "1", "L", "P", "H", "LP", "LH", "PH", "LL", "PP", "HH",
@@ -178,8 +181,6 @@ class Rpc:
 
     def to_rasterio(self) -> Any:
         """The same as `rasterio.rpc.RPC`; raises InputError where rasterio is not installed."""
-        from raybundle.scenes.rasterio_rpc import rasterio_from_rpc  # noqa: PLC0415  (it makes RPC of this module)
-
         return rasterio_from_rpc(self)
 
     def shifted(self, shift_px: Array) -> Rpc:
@@ -411,3 +412,23 @@ def _rows(geographic: Array) -> Array:
     if rows.ndim != 2 or rows.shape[1] != 3:
         raise InputError("rpc.point_shape", shape=rows.shape)
     return rows
+
+
+def rasterio_from_rpc(rpc: Rpc) -> Any:
+    """A `rasterio.rpc.RPC`, which `dataset.rpcs = ...` and `rasterio.warp.reproject(rpcs=...)` take.
+
+    raises  InputError where rasterio is not installed
+    """
+    try:
+        kind: Any = import_module("rasterio.rpc").RPC  # an extra
+    except ImportError:
+        raise InputError("package.rasterio_missing") from None
+    x, y = (rpc.image_offset - 0.5).tolist()
+    lon, lat, height = rpc.ground_offset.tolist()
+    lon_scale, lat_scale, height_scale = rpc.ground_scale.tolist()
+    return kind(
+        height_off=height, height_scale=height_scale, lat_off=lat, lat_scale=lat_scale, long_off=lon,
+        long_scale=lon_scale, line_off=y, line_scale=float(rpc.image_scale[1]), samp_off=x,
+        samp_scale=float(rpc.image_scale[0]), err_bias=rpc.err_bias_m, err_rand=rpc.err_rand_m,
+        **{name: c.tolist() for name, c in zip(POLYNOMIALS, rpc.coefficients, strict=True)},
+    )  # fmt: skip

@@ -27,8 +27,9 @@ from raybundle.matching.signatures import (
 )
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import Product
 from raybundle.pipeline.stage import Means
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 from raybundle.ties.points import FeatureStore, features_from, verified_pairs
 

@@ -22,14 +22,15 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import silent
 from raybundle.numerics.rows import rows_of_each
 from raybundle.numerics.transform import SimilarityTransform
-from raybundle.orientation.assembly import possible_values
+from raybundle.orientation.approximate import possible_values
 from raybundle.orientation.cleaning import clean
 from raybundle.orientation.image_leaves import ImageLeaf, leaves_of
 from raybundle.orientation.independent_models import Model, joined_models
 from raybundle.orientation.rays import camera_rays
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import Product
 from raybundle.pipeline.stage import Means
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 from raybundle.ties.start import Found, by_growing, cleaned, kept_part
 

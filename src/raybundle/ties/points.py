@@ -19,8 +19,9 @@ from raybundle.matching.verify import VerifiedPair, beyond_chance, verify
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rows import rows_of_each
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import Product
 from raybundle.pipeline.stage import Means
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 
 VERIFICATION = 4

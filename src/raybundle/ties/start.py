@@ -19,7 +19,7 @@ from raybundle.errors import NoOrientation, phrase
 from raybundle.io.photos.start import BY_FACTOR
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
-from raybundle.orientation.assembly import approximate_values, possible_values
+from raybundle.orientation.approximate import approximate_values, possible_values
 from raybundle.orientation.averaging import average_start
 from raybundle.orientation.camera_constant import LEAST_PAIRS, checked_by_pairs
 from raybundle.orientation.cleaning import clean

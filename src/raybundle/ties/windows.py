@@ -29,8 +29,9 @@ from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.image_leaves import leaves_of
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import Product
 from raybundle.pipeline.stage import Means
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 from raybundle.ties.points import grey_of
 

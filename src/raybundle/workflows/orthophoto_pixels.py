@@ -14,7 +14,8 @@ from raybundle.io.block.arrays import block_of_arrays
 from raybundle.io.photos.photo import Photo
 from raybundle.io.pictures.resampling import sampled
 from raybundle.numerics.arrays import Array, Index
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.place import Product
+from raybundle.pipeline.store import Folder
 from raybundle.surfaces.displacement import displacement, gram
 from raybundle.surfaces.gaps import beside_steps, height_at, slopes_of
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance

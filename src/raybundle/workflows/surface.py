@@ -21,9 +21,10 @@ from raybundle.io.photos.masks import Masks, find_masks
 from raybundle.measuring.session import adjusted_again
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.choosing import executor_for
+from raybundle.pipeline.place import kind_of
 from raybundle.pipeline.project import Project, StageRecord
 from raybundle.pipeline.stage import Run
-from raybundle.pipeline.store import Folder, kind_of
+from raybundle.pipeline.store import Folder
 from raybundle.surfaces.depth_map import LEAST_SWEEP_BYTES, bytes_needed
 from raybundle.workflows.mask_notices import mask_notices
 from raybundle.workflows.photograph_contents import contents_of, other_contents

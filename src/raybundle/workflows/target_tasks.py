@@ -15,8 +15,9 @@ from raybundle.io.photos.photo import Photo, read_grey
 from raybundle.io.reading.texts import stored_text
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import Product
 from raybundle.pipeline.stage import Means
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 from raybundle.targets.codes import RingFamily
 from raybundle.targets.families import families

@@ -17,7 +17,7 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.block.toml import Section
+from raybundle.io.block.toml_section import Section
 from raybundle.io.digits import exact
 from raybundle.io.tables import Column, read_table, times_in_order
 from raybundle.numerics.arrays import Array

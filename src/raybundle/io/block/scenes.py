@@ -24,7 +24,7 @@ from raybundle.numerics.places import Geocentric, Local, Place, Projected
 
 if TYPE_CHECKING:
     from raybundle.io.block.scene_fixes import GivenFixes
-    from raybundle.io.block.toml import Section
+    from raybundle.io.block.toml_section import Section
     from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.sensor import LineSensor, RpcSensor
 

@@ -38,7 +38,7 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.block.toml import Section, read_toml
+from raybundle.io.block.toml_section import Section, read_toml
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.reading.words import quoted
 from raybundle.io.scenes.base import Scene, SceneFormat, register

@@ -16,8 +16,7 @@ from raybundle.io.reading.tiff import is_tiff
 from raybundle.io.scenes.base import is_scene
 from raybundle.io.scenes.rpc_text import write_geom, write_rpb, write_rpc_text
 from raybundle.io.scenes.tags import read_tiff
-from raybundle.scenes.rasterio_rpc import rasterio_from_rpc
-from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.rpc import Rpc, rasterio_from_rpc
 
 TEXTS: dict[str, Callable[[Rpc, Path], None]] = {".txt": write_rpc_text, ".rpb": write_rpb, ".geom": write_geom}
 RASTERS = (".tif", ".tiff")

@@ -10,7 +10,8 @@ from typing import Any
 
 from raybundle.adjustment.dense import one_thread
 from raybundle.numerics.arrays import Array
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.place import Product
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Done, Task, do
 
 

@@ -19,8 +19,9 @@ from raybundle.matching.verify import FEWEST, VerifiedPair, verify
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.places import Local
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import Product
 from raybundle.pipeline.stage import Means
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 from raybundle.ties.points import (
     PIXELS_A_SECOND,

@@ -14,8 +14,9 @@ from raybundle.io.photos.quantisation import quantisation_tables
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import Product
 from raybundle.pipeline.stage import Means, Stage
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.filters import Flag

@@ -16,8 +16,9 @@ from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.place import Product
 from raybundle.pipeline.stage import Means, Stage
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthOptions, by_bands, bytes_needed, depth_map
 from raybundle.surfaces.pairs import Sources
