@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State
 from raybundle.blocking import sweeps, tasks
 from raybundle.blocking.network import Network
-from raybundle.blocking.store import Store
+from raybundle.blocking.store import VERSION, Store
 from raybundle.blocking.tasks import Known, remember
 from raybundle.errors import as_error
 from raybundle.numerics import large
@@ -64,7 +64,7 @@ class Parts:
         keys = dict[int, str]()
         for t in range(count) if upwards else range(count - 1, -1, -1):
             o = options(t, keys)
-            keys[t] = key_of(name, tasks.VERSION, o)
+            keys[t] = key_of(name, VERSION, o)
             front = self.network.fronts[t]
             task = Task(
                 key=keys[t], function=f"raybundle.blocking.{module}:{name}", options=o,
@@ -94,7 +94,7 @@ class Parts:
         """
         if self.notes is None:
             return find()
-        key = key_of(name, tasks.VERSION, about)
+        key = key_of(name, VERSION, about)
         if self.notes.has(key):
             return {n: _own(values) for n, values in self.notes.lent(key).items()}
         found = find()

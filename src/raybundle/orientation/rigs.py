@@ -49,7 +49,7 @@ ROUNDS = 4
 
 
 def rig_values(block: Block, progress: Progress = silent) -> ApproximateValues:
-    """Approximate values of a block with rigs, as `assembly.possible_values`.
+    """Approximate values of a block with rigs, as `approximate.possible_values`.
 
     Mountings that are held, or observed with a standard deviation, stay as given; they give a free block its scale.
     """
