@@ -10,6 +10,7 @@ from raybundle.numerics import native
 from raybundle.surfaces import refine as module
 from raybundle.surfaces.refine import NUMBERS, PixelGrid, Reason, RefineOptions, Source, grow, refine
 from tests.surface import scene
+from tests.surface.refine_oracle import refine_rows
 
 needs_kernel = pytest.mark.skipif(not native.available(), reason="the kernels are not built")
 OPTIONS = RefineOptions(step=0.01, iterations=12)
@@ -48,7 +49,7 @@ def test_depths_are_found_with_every_sensor(model):
 def test_windows_that_reach_where_nothing_may_be_measured_are_not_used(ground, monkeypatch, on):
     """Grey values there are NaN, of the reference and of sources; elsewhere nothing changes."""
     if not on:
-        monkeypatch.setattr(native, "module", lambda: None)
+        monkeypatch.setattr(module, "_run", by_oracle)
     grid = ground.grid(9)
     start = ground.start(grid, 0.3)
     whole = refine(ground.grey[0], ground.sources, grid, start)
@@ -75,10 +76,15 @@ def test_windows_that_reach_where_nothing_may_be_measured_are_not_used(ground, m
     assert np.isfinite(found.shift).all()
 
 
+def by_oracle(work, found, todo, chain):
+    """In place of `refine._run`."""
+    refine_rows(work.reference, work.sources, work.grid, work.options, work.autocovariance, found, todo, chain)
+
+
 @needs_kernel
 @pytest.mark.parametrize("chain", [0, 1, -1])
 @pytest.mark.parametrize("coloured", [False, True])
-def test_kernel_is_its_twin(ground, monkeypatch, chain, coloured):
+def test_kernel_is_its_oracle(ground, monkeypatch, chain, coloured):
     grey, sources = noisy(ground, 3.0, 1)
     sources[2] = replace(sources[2], grey=sources[2].grey[:, ::-1])  # shows something else
     grid = ground.grid(9)
@@ -93,7 +99,7 @@ def test_kernel_is_its_twin(ground, monkeypatch, chain, coloured):
     for on in (True, False):
         result = module._empty(work, start, response=True)
         if not on:
-            monkeypatch.setattr(native, "module", lambda: None)
+            monkeypatch.setattr(module, "_run", by_oracle)
         module._run(work, result, np.ones((grid.rows, grid.columns), np.uint8), chain)
         found.append(result)
     kernel, twin = found
@@ -111,9 +117,9 @@ def test_kernel_is_its_twin(ground, monkeypatch, chain, coloured):
 
 
 @pytest.mark.parametrize("chain", [0, 1, -1])
-def test_twin_is_told_why_where_no_pixel_can_be_refined(ground, monkeypatch, chain):
+def test_oracle_has_a_reason_where_no_pixel_can_be_refined(ground, monkeypatch, chain):
     """As in columns that no refined neighbour reaches, or of grey values that are all alike."""
-    monkeypatch.setattr(native, "module", lambda: None)
+    monkeypatch.setattr(module, "_run", by_oracle)
     grid = ground.grid(9)
     nowhere = np.full((3, grid.rows, grid.columns), np.nan, np.float32)
     work = module._Work.of(ground.grey[0], ground.sources, grid, OPTIONS, None, 1)
@@ -143,7 +149,7 @@ def test_pixels_grow_with_the_twin_as_with_the_kernel(ground, monkeypatch, part)
     found = []
     for on in (True, False):
         if not on:
-            monkeypatch.setattr(native, "module", lambda: None)
+            monkeypatch.setattr(module, "_run", by_oracle)
         first = refine(grey, sources, grid, start, OPTIONS, response=True, wanted=wanted)
         found.append(grow(grey, sources, grid, first, OPTIONS, passes=6, wanted=wanted))
     kernel, twin = found

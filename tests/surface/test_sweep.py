@@ -10,10 +10,12 @@ from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.numerics import native
 from raybundle.surfaces import sweep
-from raybundle.surfaces.census import ACROSS, DOWN, NOWHERE, aggregate_twin, census_twin, costs_twin, fixed
 from raybundle.surfaces.pairs import sources_of_each
 from raybundle.surfaces.rays import ReferenceRays
+from raybundle.surfaces.sweep import NOWHERE, fixed
 from raybundle.surfaces.transfer import transfer
+from tests.surface.census_oracle import ACROSS, DOWN, aggregate_twin, census_twin, costs_twin
+from tests.surface.transfer_oracle import places_of
 
 DEMO = Path(__file__).parents[2] / "demo_data"
 
@@ -118,11 +120,11 @@ def test_places_are_those_of_the_twin(portal):
     table = transfer(block, ReferenceRays.of(block, 2), 3, (0.15, 0.5))
     xy, t = rng.uniform(-20, 1650, (5000, 2)), rng.uniform(0.12, 0.55, 5000)
     t[7] = np.nan
-    ours, theirs = table.at(xy, t), table.at_twin(xy[:7], t[:7])
+    ours, theirs = table.at(xy, t), places_of(table, xy[:7], t[:7])
     assert np.isnan(ours[7]).all()
     assert np.allclose(ours[:7], theirs, rtol=0, atol=1e-9, equal_nan=True)
     rest = np.arange(8, 5000)
-    assert np.allclose(ours[rest], table.at_twin(xy[rest], t[rest]), rtol=0, atol=1e-9, equal_nan=True)
+    assert np.allclose(ours[rest], places_of(table, xy[rest], t[rest]), rtol=0, atol=1e-9, equal_nan=True)
     assert np.isfinite(ours).any(axis=1).mean() > 0.3
 
 

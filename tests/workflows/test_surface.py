@@ -2,10 +2,7 @@
 
 import base64
 import json
-import os
 import re
-import subprocess
-import sys
 from dataclasses import replace
 
 import cv2
@@ -74,32 +71,11 @@ def test_what_was_done_is_not_done_again_and_gives_the_same_bits(found, half):
     assert all(np.array_equal(before[k], after[k], equal_nan=before[k].dtype.kind == "f") for k in before)
 
 
-@pytest.mark.long
-def test_without_compiled_kernels_a_surface_is_the_same_by_rounding(tmp_path):
-    """Of photographs at a quarter of their size, a part of few pixels."""
-    pytest.importorskip("rasterio")
-    if not native.available():
-        pytest.skip("the kernels are not built")
-    small = half_portal(tmp_path, by=4)
-    told, heights = [], []
-    for kernels in ("1", "0"):
-        words = (
-            f"surface {small}/block --photos {small} --out {tmp_path / kernels} --density 4 --dsm 0.1 --jobs 1 --json"
-        )
-        done = subprocess.run(
-            [sys.executable, "-m", "raybundle", *words.split(), "--extent", "-0.2", "-0.2", "0.3", "0.3"],
-            env={**os.environ, "RAYBUNDLE_NATIVE": kernels}, check=True, capture_output=True, text=True,
-        )  # fmt: skip
-        told.append(json.loads(done.stdout))
-        heights.append(read_heights(tmp_path / kernels)[0])
-    one, other = heights
-    assert told[0]["points"] > 50
-    assert abs(told[1]["points"] - told[0]["points"]) <= 2  # a limit may be met on one side in single precision
-    assert told[1]["median_sigma"] == pytest.approx(told[0]["median_sigma"], rel=0.01)
-    both = one.known & other.known
-    assert both.sum() >= 0.95 * max(one.known.sum(), other.known.sum()) > 0
-    assert np.quantile(np.abs(one.heights.height - other.heights.height)[both] / one.sigma[both], 0.9) < 0.02
-    assert np.quantile(np.abs(other.sigma / one.sigma - 1)[both], 0.9) < 0.02
+def test_without_compiled_kernels_no_surface(monkeypatch, tmp_path):
+    monkeypatch.setattr(native, "module", lambda: None)
+    with pytest.raises(InputError) as refused:
+        measured(tmp_path, tmp_path / "s", SurfaceOptions(), photos=[tmp_path])
+    assert refused.value.message.code == "environment.native_missing"
 
 
 def test_heights_are_written_with_what_orientation_does_to_them(half, tmp_path):

@@ -103,10 +103,10 @@ def _native_remark(available: bool) -> str:  # noqa: FBT001
     if available:
         return "compiled kernels are used"
     if os.environ.get("RAYBUNDLE_NATIVE") == "0":
-        return "switched off by RAYBUNDLE_NATIVE=0; the NumPy twins work, slower"
+        return "switched off by RAYBUNDLE_NATIVE=0; orientation and adjustment work, slower; surfaces do not"
     compiler = next((c for c in ("c++", "g++", "clang++") if which(c)), None)
     how = f"there is a compiler ({compiler}): install raybundle again" if compiler else "install a C++20 compiler first"
-    return f"not built; the NumPy twins work, slower; {how}"
+    return f"not built; orientation and adjustment work, slower; surfaces do not; {how}"
 
 
 def _lines(report: dict[str, Any]) -> list[str]:

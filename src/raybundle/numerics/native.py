@@ -32,6 +32,14 @@ def module() -> ModuleType | None:
     return _native
 
 
+def required() -> ModuleType:
+    """The compiled kernels; raises InputError where there are none."""
+    found = module()
+    if found is None:
+        raise InputError("environment.native_missing")
+    return found
+
+
 def available() -> bool:
     """Whether the compiled kernels are used."""
     return module() is not None

@@ -13,8 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.surfaces.refine import LAG, PixelGrid, Refined, RefineOptions, Source, interpolated_lags
-from raybundle.surfaces.twin import cubic
+from raybundle.surfaces.refine import LAG, PixelGrid, Refined, RefineOptions, Source, cubic, interpolated_lags
 
 PATCHES, HALF = 400, 12
 """Patches of 25 x 25 px: a lag of 3 px is then known to some 4 % of the variance from one of them, 0.2 % from all."""

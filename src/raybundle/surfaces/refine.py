@@ -13,7 +13,6 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from enum import IntEnum
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -21,7 +20,6 @@ from raybundle.errors import InputError
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.transfer import Transfer
-from raybundle.surfaces.twin import cubic, refine_rows
 
 LAG = 3
 """Pixels up to which grey values are correlated."""
@@ -373,6 +371,14 @@ def used_sources(views: Index, count: int) -> Index:
     return (np.asarray(views)[..., None] >> np.arange(count)) & 1
 
 
+def cubic(f: Array) -> tuple[Array, Array]:
+    """Weights (..., 4) of the four neighbours for fractions (...), and of the derivative (Keys 1981, a = -1/2)."""
+    f2, f3 = f**2, f**3
+    w = [-0.5 * f3 + f2 - 0.5 * f, 1.5 * f3 - 2.5 * f2 + 1, -1.5 * f3 + 2 * f2 + 0.5 * f, 0.5 * f3 - 0.5 * f2]
+    d = [-1.5 * f2 + 2 * f - 0.5, 4.5 * f2 - 5 * f, -4.5 * f2 + 4 * f + 0.5, 1.5 * f2 - f]
+    return np.stack(w, axis=-1), np.stack(d, axis=-1)
+
+
 def interpolated_lags() -> Array:
     """(7,) autocovariance of interpolated white noise of variance 1, by lag from -3 to 3 px, on average over places."""
     f = (np.arange(64) + 0.5) / 64
@@ -393,11 +399,7 @@ def left_by_interpolation(autocovariance: Array | None, views: int) -> Array:
 
 def _run(work: _Work, found: Refined, todo: Array, chain: int) -> None:
     """Refine in place; chain 1 or -1: a pixel without a start goes on from its left or right neighbour."""
-    module: Any = native.module()
-    if module is None:
-        return refine_rows(
-            work.reference, work.sources, work.grid, work.options, work.autocovariance, found, todo, chain
-        )
+    module = native.required()
     o, grid = work.options, work.grid
     fit = (o.half, o.sigma, o.iterations, o.step, o.reach, o.slope, o.correlation, o.contrast, o.share, o.apart)
     tables = [(t.u0_px, t.v0_px, t.step_px, t.t0, t.dt) for t in (s.transfer for s in work.sources)]
@@ -416,4 +418,3 @@ def _run(work: _Work, found: Refined, todo: Array, chain: int) -> None:
     else:
         with ThreadPoolExecutor(work.threads) as pool:
             list(pool.map(partial(strip), begins))
-    return None

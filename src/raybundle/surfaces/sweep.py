@@ -19,7 +19,6 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.surfaces.census import FRACTION, NOWHERE, aggregate_twin, census_twin, costs_twin, fixed
 from raybundle.surfaces.transfer import Transfer, lagrange
 
 STEP_PX = 16
@@ -252,7 +251,17 @@ def _laid_out(
     return census, fixed(moved - origin)
 
 
+FRACTION = 14
+"""Bits of a place behind the point: places are whole numbers, so that every processor finds the same pixels."""
+NOWHERE = np.iinfo(np.int32).min
 UNKNOWN = np.uint64(1) << np.uint64(63)
+
+
+def fixed(places: Array) -> Array:
+    """Places [px] as whole numbers [2^-14 px], int32; those that are not known, or far away, as `NOWHERE`."""
+    with np.errstate(invalid="ignore"):
+        near = (np.abs(places) < 2.0 ** (30 - FRACTION)).all(axis=-1, keepdims=True)
+    return np.where(near, np.floor(np.where(near, places, 0.0) * (1 << FRACTION)), NOWHERE).astype(np.int32)
 
 
 def _seen(places: Sequence[Array], census: Sequence[Array], size: tuple[int, int]) -> Mask:
@@ -266,27 +275,19 @@ def _seen(places: Sequence[Array], census: Sequence[Array], size: tuple[int, int
 
 
 def _census(image: Array) -> Array:
-    module = native.module()
-    if module is None:
-        return census_twin(image)
+    module = native.required()
     out = np.empty(image.shape, np.uint64)
     module.census(np.ascontiguousarray(image), out)
     return out
 
 
 def _costs(reference: Array, sources: Sequence[Array], places: Sequence[Array], cost: Array) -> None:
-    module = native.module()
-    if module is None:
-        cost[:] = costs_twin(reference, sources, places, STEP_PX)
-    else:
-        module.sweep_costs(reference, list(sources), list(places), STEP_PX, cost)
+    native.required().sweep_costs(reference, list(sources), list(places), STEP_PX, cost)
 
 
 def _aggregated(image: Array, cost: Array) -> tuple[Array, Array]:
     """Level and margin (height, width) of the smallest sum of costs along paths."""
-    module = native.module()
-    if module is None:
-        return aggregate_twin(image, cost, SLOPE, JUMP, LEAST)
+    module = native.required()
     level, margin = np.empty(image.shape, np.float32), np.empty(image.shape, np.float32)
     module.aggregate_costs(
         np.ascontiguousarray(image), cost, SLOPE, JUMP, LEAST, np.empty(cost.shape, np.uint16), level, margin

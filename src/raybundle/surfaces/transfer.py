@@ -50,26 +50,12 @@ class Transfer:
 
     def at(self, xy_px: Array, t: Array) -> Array:
         """Places (n, 2) [px] in the source of pixels (n, 2) at depth parameters (n,); NaN where it sees none."""
-        module = native.module()
-        if module is not None:
-            found = np.empty((len(t), 2))
-            table = (self.u0_px, self.v0_px, self.step_px, self.t0, self.dt)
-            module.transfer_places(
-                self.places, table, np.ascontiguousarray(xy_px, float), np.ascontiguousarray(t, float), found
-            )
-            return found
-        return self.at_twin(xy_px, t)
-
-    def at_twin(self, xy_px: Array, t: Array) -> Array:
-        """The same with NumPy."""
-        first, where = [], []
-        for x, n in zip(self.nodes(xy_px, t), self.places.shape, strict=False):
-            first.append(np.clip(np.floor(np.nan_to_num(x)) - 1, 0, n - NODES).astype(int))
-            where.append(lagrange(x - first[-1])[0])
-        four = np.arange(NODES)
-        j, i, k = (f[:, None] + four for f in first)
-        nodes = self.places[j[:, :, None, None], i[:, None, :, None], k[:, None, None, :]]
-        return np.einsum("nj,ni,nk,njikc->nc", *where, nodes)
+        found = np.empty((len(t), 2))
+        table = (self.u0_px, self.v0_px, self.step_px, self.t0, self.dt)
+        native.required().transfer_places(
+            self.places, table, np.ascontiguousarray(xy_px, float), np.ascontiguousarray(t, float), found
+        )
+        return found
 
     def nodes(self, xy_px: Array, t: Array) -> tuple[Array, Array, Array]:
         """Row, column and level (n,) in the table, with fractions."""

@@ -19,6 +19,7 @@ from raybundle.block import Block
 from raybundle.errors import InputError, message_of_text, phrase
 from raybundle.io.photos.masks import Masks, find_masks
 from raybundle.measuring.session import adjusted_again
+from raybundle.numerics import native
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.choosing import executor_for
 from raybundle.pipeline.place import kind_of
@@ -116,6 +117,7 @@ def surface(
 
     Limits: errors that all photographs of a place share, as of reflections, water and moving shadows.
     """
+    native.required()
     jobs = jobs or os.cpu_count() or 1
     made = adjusted_again(source, progress) if adjusted is None else adjusted()
     adjustment = _checked(made, source, free_scale=free_scale)

@@ -1,4 +1,4 @@
-"""Census, costs and paths with NumPy: the twins of the compiled kernels, the same to the last bit."""
+"""Census, costs and paths with NumPy, against which the kernels are held to the last bit."""
 
 from __future__ import annotations
 
@@ -8,13 +8,11 @@ from itertools import product
 import numpy as np
 
 from raybundle.numerics.arrays import Array
+from raybundle.surfaces.sweep import FRACTION, NOWHERE
 
 ACROSS, DOWN = 4, 3
 """The window: 9 x 7 pixels."""
 NOBODY, NEUTRAL, WALL = 255, 28, 200
-FRACTION = 14
-"""Bits of a place behind the point: places are whole numbers, so that every processor finds the same pixels."""
-NOWHERE = np.iinfo(np.int32).min
 WAYS = ((1, 0), (-1, 1), (0, 1), (1, 1), (-1, 0), (1, -1), (0, -1), (-1, -1))
 """Directions of the paths: columns, rows."""
 
@@ -65,13 +63,6 @@ def costs_twin(reference: Array, sources: Sequence[Array], places: Sequence[Arra
             second[..., level] = np.minimum(second[..., level], worse)
     mean = ((first.astype(np.int32) + second + 1) // 2).astype(np.uint8)
     return np.where(first == NOBODY, np.uint8(NEUTRAL), np.where(second == NOBODY, first, mean))
-
-
-def fixed(places: Array) -> Array:
-    """Places [px] as whole numbers [2^-14 px], int32; those that are not known, or far away, as `NOWHERE`."""
-    with np.errstate(invalid="ignore"):
-        near = (np.abs(places) < 2.0 ** (30 - FRACTION)).all(axis=-1, keepdims=True)
-    return np.where(near, np.floor(np.where(near, places, 0.0) * (1 << FRACTION)), NOWHERE).astype(np.int32)
 
 
 def _shared(a: Array, step: int) -> Array:

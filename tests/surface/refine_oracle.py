@@ -1,18 +1,15 @@
-"""The refinement of depths with NumPy: what `cpp/surface.cpp` does, many pixels at once, in double precision."""
+"""The refinement of depths with NumPy, as cpp/surface.cpp does it, in double precision: its oracle."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.surfaces.refine import PixelGrid, Refined, RefineOptions, Source, cubic
 from raybundle.surfaces.transfer import NODES, Transfer, lagrange
-
-if TYPE_CHECKING:
-    from raybundle.surfaces.refine import PixelGrid, Refined, RefineOptions, Source
 
 LAG = 3
 BATCH = 2000
@@ -399,14 +396,6 @@ def _sampled(shared: _Shared, source: Source, at: _Local) -> tuple[Array, Array,
         np.einsum("nwj,nwi,nwji->nw", dy, wx, grey),
         inside,
     )
-
-
-def cubic(f: Array) -> tuple[Array, Array]:
-    """Weights (..., 4) of the four neighbours for fractions (...), and of the derivative (Keys 1981, a = -1/2)."""
-    f2, f3 = f**2, f**3
-    w = [-0.5 * f3 + f2 - 0.5 * f, 1.5 * f3 - 2.5 * f2 + 1, -1.5 * f3 + 2 * f2 + 0.5 * f, 0.5 * f3 - 0.5 * f2]
-    d = [-1.5 * f2 + 2 * f - 0.5, 4.5 * f2 - 5 * f, -4.5 * f2 + 4 * f + 0.5, 1.5 * f2 - f]
-    return np.stack(w, axis=-1), np.stack(d, axis=-1)
 
 
 def _curvature(shared: _Shared, o: _State) -> tuple[Array, Index]:
