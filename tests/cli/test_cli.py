@@ -248,7 +248,7 @@ def test_doctor_says_when_the_kernels_are_switched_off():
     code = "from raybundle.cli.main import main; raise SystemExit(main(['doctor']))"
     done = python(code, RAYBUNDLE_NATIVE="0")
     assert done.returncode == 0
-    assert "native kernels: no (switched off by RAYBUNDLE_NATIVE=0; orientation and adjustment work, slower; surfaces do not)" in done.stdout
+    assert "native kernels: no (switched off by RAYBUNDLE_NATIVE=0; " in done.stdout
 
 
 def test_doctor_misses_a_required_part(capsys, monkeypatch):
