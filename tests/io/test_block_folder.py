@@ -397,7 +397,7 @@ def test_wrong_encoding_names_the_line(small):
 
 def test_unknown_model_lists_the_known(small):
     (small / "block.toml").write_text(TOML.replace("brown", "pinhole"))
-    with pytest.raises(UnknownSensorModel, match=r"line 5: unknown sensor model 'pinhole'; known: .*brown, .*fisheye"):
+    with pytest.raises(UnknownSensorModel, match=r"line 5: .*'pinhole'.* brown, .*fisheye"):
         read_block(small)
 
 
@@ -428,9 +428,8 @@ def test_several_errors_are_listed_together_in_order(small):
     (small / "observations.csv").write_text(text)
     with pytest.raises(InputError) as caught:
         read_block(small)
-    message = str(caught.value)
-    assert message.index("line 2, column x_px") < message.index("line 3, column sy_px")
-    assert message.index("line 3, column sy_px") < message.index("line 4, column x_px")
+    places = [caught.value.place, *(d.place for d in caught.value.message.details)]
+    assert [(p.line, p.column) for p in places] == [(2, "x_px"), (3, "sy_px"), (4, "x_px")]
 
 
 INTERIOR = "image,parameter,value\na,c_mm,24.1\na,K1,2e-5\n"

@@ -26,6 +26,7 @@ from raybundle.pipeline.project import Project, products_of
 from raybundle.pipeline.shards import Shards, do_shard
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder, ProductGone, StoreLost
+from tests.messages import refused
 from tests.pipeline.graph import digest, done_by, executions, tasks_of
 from tests.pipeline.machines import Machines
 
@@ -247,8 +248,9 @@ def test_a_store_that_is_lost_costs_no_photograph(flaky):
         seen.append(done)
         Flaky.plan = [ConnectionError("cut")] * 99
 
-    with pytest.raises(InputError, match=r"flaky://bucket/site: .*store\.lost"):
+    with refused("store.lost", detail="cut") as error:
         [*map(cut, Threads(1).run(tasks, flaky))]
+    assert error.value.file == "flaky://bucket/site"
     assert not any(d.failed for d in seen)
     Flaky.plan = []
     assert all(not d.failed for d in Threads(1).run(tasks, flaky))
@@ -447,7 +449,7 @@ def test_a_folder_that_is_named_from_here_is_the_same_from_elsewhere(tmp_path, m
 
 
 def test_shards_need_the_url_alone(tmp_path, url, expected, capsys, monkeypatch):
-    tasks, said = tasks_of(LEAVES), ""
+    tasks, shown = tasks_of(LEAVES), ""
     monkeypatch.chdir(tmp_path)
     for _ in range(9):
         project = Project.open(tmp_path / "p", store=url)
@@ -458,15 +460,15 @@ def test_shards_need_the_url_alone(tmp_path, url, expected, capsys, monkeypatch)
             assert digest(project.products, tasks, small) == expected
             break
         except TasksWaiting as waiting:
-            said = said or str(waiting)
+            shown = shown or waiting.message
         finally:
             project.close()
         for share in ("0/2", "1/2"):
             main(["worker", url, "--shard", share, "--wait", "0"])
     else:
         pytest.fail("shards have not done it")
-    assert f"in {url}/tasks.jsonl" in said
-    assert f" {url} for each I from 0" in said
+    assert shown.code == "task.shards_waiting"
+    assert (shown.values["file_name"], shown.values["project"]) == (f"{url}/tasks.jsonl", url)
     assert " tasks done" in capsys.readouterr().out
     assert not (tmp_path / "objects/site/tasks.jsonl").exists()
 
