@@ -349,10 +349,7 @@ def test_what_the_terminal_cautions_of_lengths_stands_everywhere(field, tmp_path
     assert told["values"]["length"] == f"{a} - {b}"
     assert told["details"][0]["values"]["error_mm"] == pytest.approx(-0.6, abs=0.1)
     page = html.unescape((tmp_path / "m/report.html").read_text(encoding="utf-8"))
-    words = {
-        "en": "times as large as stated",
-        "de": "so groß wie angegeben",
-    }
+    words = {"en": "times as large as stated", "de": "so groß wie angegeben"}
     assert words[language] in page
     assert headline("front.usable", {"n": 0}, Reader(language)) not in page
 

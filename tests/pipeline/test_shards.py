@@ -154,10 +154,7 @@ def test_a_damaged_list_is_named_by_its_line_and_nothing_is_done(tmp_path, capsy
 def test_what_is_no_project_is_said(tmp_path, capsys):
     pytest.importorskip("fsspec", reason="the extra [cluster] is not installed")
     (tmp_path / "empty/cache").mkdir(parents=True)
-    for where, said in (
-        (tmp_path / "empty", "[project.no_run]"),
-        (f"file://{tmp_path}/bucket", "[store.no_products]"),
-    ):
+    for where, said in ((tmp_path / "empty", "[project.no_run]"), (f"file://{tmp_path}/bucket", "[store.no_products]")):
         assert main(["worker", str(where), "--shard", "0/1"]) == 2
         assert said in capsys.readouterr().err
     assert not (tmp_path / "bucket").exists()
@@ -200,10 +197,7 @@ def test_a_list_of_another_version_is_refused(tmp_path):
         (["p", "--shard", "0/99999999999"], "9 999 999 shards are possible. [worker.too_many_shards]"),
         (["p", "--shard", f"0/{'9' * 5000}"], "[worker.too_many_shards]"),
         (["p", "--shard", "0/1"], "[project.no_run]"),
-        (
-            ["--cluster", "tcp://10.0.0.5:8786"],
-            "[cluster.other_machine]",
-        ),
+        (["--cluster", "tcp://10.0.0.5:8786"], "[cluster.other_machine]"),
         (["--cluster", "tls://127.0.0.1:8786"], "[cluster.needs_certificates]"),
         (["--cluster", "tcp://localhost"], "[cluster.no_address]"),
     ],

@@ -58,15 +58,8 @@ def test_water_and_sky_are_no_surface(half, tmp_path, capsys, kind, density):
         grey = picture(kind, cv2.imread(str(path)).shape[:2], rng)
         cv2.imwrite(str(tmp_path / path.name), np.clip(grey, 0, 255).astype(np.uint8))
     words = [
-        "surface",
-        str(half / "block"),
-        "--photos",
-        str(tmp_path),
-        "--density",
-        density,
-        "--out",
-        str(tmp_path / "s"),
-    ]
+        "surface", str(half / "block"), "--photos", str(tmp_path), "--density", density, "--out", str(tmp_path / "s"),
+    ]  # fmt: skip
     assert main([*words, "--jobs", "1", "--json"]) == 2
     found = failed(capsys)
     assert (found.code, found.values["region"]) == ("surface.nothing_measured", False)
@@ -299,13 +292,8 @@ def test_photographs_under_the_names_of_others_are_the_first_reason(half, tmp_pa
     for k, path in enumerate(paths):
         shutil.copy(paths[(k + 1) % 3], tmp_path / "photos" / path.name)
     words = [
-        "surface",
-        str(with_contents(half, tmp_path / "r")),
-        "--photos",
-        str(tmp_path / "photos"),
-        "--density",
-        "4",
-    ]
+        "surface", str(with_contents(half, tmp_path / "r")), "--photos", str(tmp_path / "photos"), "--density", "4",
+    ]  # fmt: skip
     assert main([*words, "--jobs", "1", "--extent", *map(str, BOX), "--json"]) == 2
     found = failed(capsys)
     assert (found.code, found.values["region"]) == ("surface.other_photographs", True)
