@@ -98,7 +98,7 @@ def test_control_that_states_no_deviation_is_as_good_as_it_fits(field, tmp_path)
     assert 0.3 < np.sqrt(((off / done.points.sigma) ** 2).mean()) < 2
     (told,) = [n for n in done.adjustment.notices if (n.code, n.variant) == ("control_file", "no_sigma")]
     assert told.values["name"] == "control.csv"
-    assert "control_file.no_sigma" not in {code_of(r) for r in done.remarks}
+    assert [code_of(r) for r in done.remarks].count("control_file.no_sigma") == 1
 
 
 def test_control_needs_three_measured_points(field, tmp_path):

@@ -22,6 +22,7 @@ from tests.messages import with_details
 from tests.pipeline.graph import executions, tasks_of
 
 HERE = "tests.pipeline.test_executors"
+NEGATIVE = "is negative"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,7 +37,7 @@ class Sum:
 def total(store: Folder, options: Sum):
     """A number and the sums of other products."""
     if options.number < 0:
-        raise InputError("is negative", file=options.file)
+        raise InputError(NEGATIVE, file=options.file)
     if options.number == 13:
         raise ZeroDivisionError
     return {"sum": options.number + sum((store.held(k)["sum"] for k in options.of), np.zeros(2))}
@@ -84,7 +85,7 @@ def test_bad_input_costs_its_task_and_what_needs_it(store, executor):
     needs, further = task(5, bad), task(6, good)
     after = task(7, needs)
     ended = {d.task.name: d.failed for d in executor.run([good, bad, needs, further, after], store)}
-    assert ended["-1"].values == {"detail": "a.txt: is negative"}
+    assert ended["-1"].values == {"detail": f"a.txt: {NEGATIVE}"}
     assert ended["5"] == message("task.needs_failed", details=[ended["-1"]])
     assert with_details(ended["7"])[-1] == ended["-1"]
     assert not ended["1"]
@@ -165,7 +166,7 @@ def test_two_tasks_of_one_key_are_refused(store):
 
 @pytest.mark.parametrize("name", ["nothing", "json:nothing", "tests.pipeline.test_executors:HERE"])
 def test_a_function_is_called_by_its_name(name):
-    with pytest.raises(TypeError, match="names no function|is no function of tasks"):
+    with pytest.raises(TypeError, match=f"'{name}' "):
         function_of(name)
 
 

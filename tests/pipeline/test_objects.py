@@ -534,7 +534,7 @@ if __name__ == "__main__":
     os.environ["AWS_ENDPOINT_URL"] = "http://%s:%s" % server.get_host_and_port()
     import boto3
     boto3.client("s3").create_bucket(Bucket="surveys")
-    tasks, told = tasks_of(16), []
+    tasks, codes = tasks_of(16), []
     keys = [t.key for t in tasks if not t.small]
     stores = [Folder(Path("s"), "s3://surveys/" + name) for name in ("threads", "processes")]
     digests = [done_by(e, tasks, s) for e, s in zip((Threads(2), Processes(2)), stores)]
@@ -554,8 +554,8 @@ if __name__ == "__main__":
         try:
             Folder(Path("n"), url).place.check()
         except InputError as error:
-            told.append(str(error))
-    print(json.dumps([digests, damaged, there, told]), flush=True)
+            codes.append([error.code, error.file, error.message.values])
+    print(json.dumps([digests, damaged, there, codes]), flush=True)
     os._exit(0)
 """
 
@@ -575,5 +575,7 @@ def test_an_s3_on_this_machine(tmp_path, expected):
     assert digests == [expected, expected]
     assert damaged
     assert there == [30, 15, 0, 0, 32]  # 16 leaves and 15 nodes, one of them damaged; those and the token
-    assert no_bucket.startswith("s3://nowhere/x: there is no such bucket, or nothing can be written into it; create it")
-    assert no_server.startswith("s3://surveys/late: cannot be reached (Could not connect")
+    assert no_bucket == ["store.no_bucket", "s3://nowhere/x", {}]
+    code, file, values = no_server
+    assert (code, file) == ("store.lost", "s3://surveys/late")
+    assert values["detail"].startswith("Could not connect")
