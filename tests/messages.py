@@ -1,7 +1,7 @@
 """Errors by their codes and values: no test compares words."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from raybundle.words import COMMAND_LINE, reading
 
 
 @contextmanager
-def refused(code: str, kind: type[RaybundleError] = InputError, /, **values) -> Iterator[pytest.ExceptionInfo]:
+def refused(code: str, kind: type[RaybundleError] = InputError, /, **values: Any) -> Generator[pytest.ExceptionInfo]:
     """An error of this code; its file (by name), line, column and values are those given, and others.
 
     raises  AssertionError where one differs; pytest's Failed where nothing is raised
@@ -33,7 +33,7 @@ def with_details(*messages: Message) -> list[Message]:
     return [found for m in messages for found in (m, *with_details(*m.details))]
 
 
-def printed(code: str, /, **values) -> str:
+def printed(code: str, /, **values: Any) -> str:
     """An error as the command line prints it, behind its place."""
     with reading(COMMAND_LINE):
         return failure_lines(InputError(code, **values))[0].removeprefix("error: ")

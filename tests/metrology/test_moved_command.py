@@ -46,8 +46,7 @@ def rows(path):
 
 def test_what_moved_is_told_and_written(epochs, tmp_path, capsys):
     assert main(["moved", *map(str, epochs), "--out", str(tmp_path / "m"), "--progress", "none"]) == 0
-    shown = capsys.readouterr().out
-    assert phrase("displacement.points", n=140, moved=2, names=["17", "5"], error_rate=0.05) in shown
+    assert phrase("displacement.points", n=140, moved=2, names=["17", "5"], error_rate=0.05) in capsys.readouterr().out
     table = {r["point"]: r for r in rows(tmp_path / "m/points.csv")}
     assert {p for p, r in table.items() if r["moved"]} == set(MOVED)
     for point, by in MOVED.items():

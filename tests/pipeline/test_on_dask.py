@@ -417,8 +417,7 @@ def test_certificates_that_are_none_or_over_are_named(tmp_path, capsys, monkeypa
         later.setattr(clusters.dt, "datetime", Later)
         for each in words:
             assert main(each) == 2
-            shown = capsys.readouterr().err
-            assert "[cluster.certificates_expired]" in shown
+            assert "[cluster.certificates_expired]" in capsys.readouterr().err
     ca = (folder / "ca.pem").read_bytes()
     (folder / "ca.pem").write_bytes(b"")
     for each in words:

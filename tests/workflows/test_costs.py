@@ -325,7 +325,6 @@ def test_memory_is_that_of_this_machine_and_what_helps_is_said(capsys, monkeypat
     assert "the largest matrix of a part has" in said
     assert "not counted: the further adjustments by which orient rejects blunders" in said
     assert main([*words, "--workers", "16", "--network", "0", "--memory", "2"]) == 0
-    alone = capsys.readouterr().out
-    assert "warning: memory of driver and workers together: " in alone
+    assert "warning: memory of driver and workers together: " in capsys.readouterr().out
     assert main([*words, "--workers", "16", "--memory", "2"]) == 0
     assert "workers together" not in capsys.readouterr().out

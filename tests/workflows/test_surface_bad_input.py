@@ -90,8 +90,7 @@ def test_photographs_without_overlap_are_named(half, tmp_path, capsys):
     write_block(selected(block, "point", few), tmp_path / "block")
     words = ["surface", str(tmp_path / "block"), "--photos", str(half), "--out", str(tmp_path / "s"), "--free-scale"]
     assert main(words) != 0
-    told = capsys.readouterr().err
-    assert "[surface.no_pair]" in told
+    assert "[surface.no_pair]" in capsys.readouterr().err
     assert not (tmp_path / "s").exists()
 
 

@@ -190,8 +190,7 @@ def test_an_interrupted_run_says_what_is_kept(half, warned, tmp_path, capsys, mo
 
     monkeypatch.setattr("raybundle.cli.surface.run_surface", stopped)
     assert main(["surface", str(warned), "--photos", str(half), "--out", str(tmp_path / "s")]) == 130
-    stated = capsys.readouterr().err
-    assert f" {tmp_path / 's/work'}, " in stated
+    assert f" {tmp_path / 's/work'}, " in capsys.readouterr().err
 
 
 def test_points_beside_the_area_of_the_heights_are_counted_with_the_extent_that_holds_them(measured):
