@@ -3,10 +3,10 @@
 import pytest
 
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.errors import InputError
 from raybundle.planning.calibration_networks import ROLLS
 from raybundle.settings import made
 from tests.adjustment.test_decide import GIVEN, decided
+from tests.messages import refused
 
 
 @pytest.fixture(scope="module")
@@ -46,22 +46,22 @@ def test_free_and_not_determinable_is_told_not_held():
 
 
 @pytest.mark.parametrize(
-    ("options", "words"),
+    ("options", "code"),
     [
-        ({"free": (("other", "K1"),)}, r"parameter\.unknown_camera"),
-        ({"hold": (("", "K1"),)}, r"parameter\.unknown_camera"),
-        ({"hold": (("camera", "K9"),)}, r"K9.*x0.*parameter\.not_of_camera"),
-        ({"hold": (("camera", "K1"),), "free": (("camera", "K1"),)}, r"parameter\.free_and_held"),
+        ({"free": (("other", "K1"),)}, "parameter.unknown_camera"),
+        ({"hold": (("", "K1"),)}, "parameter.unknown_camera"),
+        ({"hold": (("camera", "K9"),)}, "parameter.not_of_camera"),
+        ({"hold": (("camera", "K1"),), "free": (("camera", "K1"),)}, "parameter.free_and_held"),
     ],
 )
-def test_parameters_that_are_not_there(usual, options, words):
+def test_parameters_that_are_not_there(usual, options, code):
     name = usual.interior[0].camera
     named = {k: tuple((name if c == "camera" else c, s) for c, s in v) for k, v in options.items()}
-    with pytest.raises(InputError, match=words):
+    with refused(code):
         decided(0, 5.0, ROLLS, **named)
 
 
 def test_pairs_are_checked_where_they_come_in():
     assert made(AdjustmentOptions, {"hold": [["a b", "K1"]]}).hold == (("a b", "K1"),)
-    with pytest.raises(InputError, match=r"2 .*setting\.value_count"):
+    with refused("setting.value_count", name="hold", n=2):
         made(AdjustmentOptions, {"hold": ("a", "K1")})

@@ -8,6 +8,7 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.block import Camera
 from raybundle.block.boards import BoardViews, board_block, division_rays, fitted_to_rays, weighted_rms
+from raybundle.block.rejection import RejectionKind
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.sensors import sensor_models
@@ -105,7 +106,7 @@ def test_weights_and_given_outliers():
     xy[7] += 50
     views = replace(views, weight=weight, xy_px=xy)
     block, given, _ = board_block(views, camera_of("brown", ("c", "x0", "y0")))
-    assert [str(r) for r in given if r] == ["given as an outlier"]
+    assert [r.kind for r in given if r] == [RejectionKind.GIVEN]
     assert block.observations.cov_px2[0, 0] == pytest.approx(4.0)
     result = adjust_block(block, rejected=given)
     used = result.image_observations.used

@@ -29,4 +29,4 @@ def test_every_kind_has_words_and_is_counted_the_most_frequent_first():
     assert set(WORDS) == set(RejectionKind)
     one, two = Rejection(kind=RejectionKind.SINGLE_RAY), Rejection(kind=RejectionKind.BLUNDER, **TEST)
     assert list(counts([None, one, two, None, two]).items()) == [("blunder", 2), ("single_ray", 1)]
-    assert words([None, one]) == ("", "single ray left")
+    assert words([None, one]) == ("", WORDS[one.kind])

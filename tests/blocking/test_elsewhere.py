@@ -17,13 +17,14 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.blocking import tasks as blocking_tasks
 from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.memory import Serial
-from raybundle.errors import InputError, message
+from raybundle.errors import message
 from raybundle.io.block.folder import write_block
 from raybundle.numerics import native
 from raybundle.pipeline.executors import Staying, Threads
 from raybundle.pipeline.store import Folder
 from tests.barriers import kill_where_held
 from tests.blocking.networks import flight
+from tests.messages import refused
 from tests.pipeline.machines import Machines
 
 OPTIONS = AdjustmentOptions(jobs=1, reject="snooping")
@@ -126,7 +127,7 @@ def test_what_a_task_says_reaches_the_user(tmp_path):
             for done in super().run(tasks, store):
                 yield replace(done, failed=message("task.failed_repeatedly", name="up 3", n=3, log="tasks.log"))
 
-    with pytest.raises(InputError, match=r"up 3: 3 .*task\.failed_repeatedly"):
+    with refused("task.failed_repeatedly", name="up 3", n=3):
         adjusted(flight(), tmp_path, Failing())
 
 

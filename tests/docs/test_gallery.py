@@ -89,7 +89,7 @@ def test_a_published_number_that_is_missed_is_named(monkeypatch, capsys):
 
     published.compare([("c", "1.500", 1.50049), ("e", "-2.50e-04", -2.503e-4)])
     assert "+0.49 units" in capsys.readouterr().out
-    with pytest.raises(AssertionError, match="not as published: c"):
+    with pytest.raises(AssertionError, match=r": c$"):
         published.compare([("c", "1.500", 1.50051), ("x0", "0.1", 0.1)])
     published.compare([("c", "1.500", 1.50051)], units=1)
     with pytest.raises(AssertionError):

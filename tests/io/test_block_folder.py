@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.block.any_blocks import always_as_by_default
+from tests.messages import refused
 
 from raybundle.block import Block, Instrument, PixelFrame, Relation, Role
 from raybundle.errors import InputError, UnknownSensorModel
@@ -139,21 +140,14 @@ def test_public_blocks_read_back_equal(name, tmp_path):
 def rich_block() -> Block:
     """A block with everything that the format knows."""
     survey = Survey(
-        control=4,
-        control_sigma=(0.01, 0.02, float("nan")),
-        check=2,
-        scale_bars=2,
-        station_sigma=0.05,
+        control=4, control_sigma=(0.01, 0.02, float("nan")), check=2, scale_bars=2, station_sigma=0.05,
         points="approximate",
-    )
+    )  # fmt: skip
     block = simulate(field_scene(TargetField(stations=5, frontal=1)), survey).observed
     camera = replace(
-        block.cameras[0],
-        id='the "new" one, 2',
-        interior="per_image",
-        sigma={"c": 0.05, "K1": 1e-7},
+        block.cameras[0], id='the "new" one, 2', interior="per_image", sigma={"c": 0.05, "K1": 1e-7},
         estimate=("c", "K1"),
-    )
+    )  # fmt: skip
     other = replace(
         block.cameras[0], id="other", estimate="auto", per_image=("x0", "y0"),
         relations=(
@@ -180,21 +174,11 @@ def rich_block() -> Block:
     cov = block.observations.cov_px2.copy()
     cov[:, 2] = 0.3 * cov[:, 0]
     return replace(
-        block,
-        about='two\nlines, a "quote", \\ and \x7f',
-        length_unit="mm",
-        sigma0_apriori=0.1,
-        residuals="corrected",
-        licence="CC0",
-        noise="fields",
-        datum_over="good",
-        free_scale=True,
-        rejected=((images.ids[0], block.points.ids[0]),),
-        cameras=(camera, other),
-        instruments=(antenna, imu),
-        images=images,
-        observations=replace(block.observations, cov_px2=cov),
-    )
+        block, about='two\nlines, a "quote", \\ and \x7f', length_unit="mm", sigma0_apriori=0.1,
+        residuals="corrected", licence="CC0", noise="fields", datum_over="good", free_scale=True,
+        rejected=((images.ids[0], block.points.ids[0]),), cameras=(camera, other), instruments=(antenna, imu),
+        images=images, observations=replace(block.observations, cov_px2=cov),
+    )  # fmt: skip
 
 
 def test_everything_the_format_knows_reads_back_equal(tmp_path):
@@ -280,22 +264,12 @@ CASES = {
     "control character": ("points.csv", "p3,", "p\t3,", 4, "point", r"cell\.unprintable"),
     "unknown role": ("points.csv", "tie", "tied", 4, "role", r"value\.not_supported"),
     "sigma without coordinate": (
-        "points.csv",
-        "p1,control,1,2,3,0",
-        "p1,control,,2,3,0",
-        2,
-        "sX",
-        r"point\.sigma_without_coordinate",
+        "points.csv", "p1,control,1,2,3,0", "p1,control,,2,3,0", 2, "sX", r"point\.sigma_without_coordinate"
     ),
     "tie with sigma": ("points.csv", "p3,tie,,,,,,", "p3,tie,1,,,1,,", 4, "sX", r"point\.tie_with_sigma"),
     "control without sigma": ("points.csv", "3,0,0.01,", "3,,,", 2, "sX", r"point\.control_without_sigma"),
     "check without coordinate": (
-        "points.csv",
-        "p2,check,1,2,3",
-        "p2,check,,,",
-        3,
-        "X",
-        r"point\.check_without_coordinate",
+        "points.csv", "p2,check,1,2,3", "p2,check,,,", 3, "X", r"point\.check_without_coordinate"
     ),
     "one angle": ("images.csv", "b,1,,,,,,,", "b,1,,,,,1,,", 3, "omega_deg", r"3.*1.*image\.angles_incomplete"),
     "too few cells": ("points.csv", "p3,tie,,,,,,", "p3,tie", 4, None, r"2.*8.*table\.cell_count"),
@@ -313,43 +287,21 @@ CASES = {
     "no width": ("block.toml", "width_px = 4000", "width_px = 0", 6, "cameras.1.width_px", r"0.*value\.not_above"),
     "broken width": ("block.toml", "4000", "4000.5", 6, "cameras.1.width_px", r"value\.not_whole"),
     "pixel": ("block.toml", "[0.005, 0.005]", "0.005", 8, "cameras.1.pixel_mm", r"camera\.pixel_size_missing"),
-    "pixel sign": (
-        "block.toml",
-        "[0.005, 0.005]",
-        "[0.005, -0.005]",
-        8,
-        "cameras.1.pixel_mm",
-        r"0.*value\.not_above",
-    ),
+    "pixel sign": ("block.toml", "[0.005, 0.005]", "[0.005, -0.005]", 8, "cameras.1.pixel_mm", r"0.*value\.not_above"),
     "unknown parameter": ("block.toml", '"K1"]', '"K7"]', 11, "cameras.1.estimate", r"K7.*parameter\.unknown"),
     "parameter twice": ("block.toml", '"K1"]', '"c"]', 11, "cameras.1.estimate", r"parameter\.twice"),
     "estimate all": (
-        "block.toml",
-        '["c", "K1"]',
-        '"all"',
-        11,
-        "cameras.1.estimate",
-        r"estimate\.neither_auto_nor_list",
+        "block.toml", '["c", "K1"]', '"all"', 11, "cameras.1.estimate", r"estimate\.neither_auto_nor_list"
     ),
     "sigma of nothing": ("block.toml", "{c = 0.05}", "{q = 0.05}", 12, "cameras.1.sigma", r"parameter\.unknown"),
     "sigma of a held one": (
-        "block.toml",
-        "{c = 0.05}",
-        "{x0 = 0.05}",
-        12,
-        "cameras.1.sigma",
-        r"x0.*parameter\.sigma_of_fixed",
+        "block.toml", "{c = 0.05}", "{x0 = 0.05}", 12, "cameras.1.sigma", r"x0.*parameter\.sigma_of_fixed"
     ),
     "negative sigma in TOML": (
-        "block.toml",
-        "{c = 0.05}",
-        "{c = -1}",
-        12,
-        "cameras.1.sigma",
-        r"parameter\.sigma_not_positive",
+        "block.toml", "{c = 0.05}", "{c = -1}", 12, "cameras.1.sigma", r"parameter\.sigma_not_positive"
     ),
     "no cameras": ("block.toml", TOML[TOML.index("[cameras") :], "", None, "cameras", r"block\.no_camera"),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("case", CASES.values(), ids=CASES)
@@ -386,19 +338,18 @@ def test_a_missing_file_is_an_error(small, file):
 
 def test_wrong_encoding_names_the_line(small):
     (small / "points.csv").write_bytes(POINTS.replace("p3", "Prüf").encode("latin-1"))
-    with pytest.raises(InputError, match=r"file\.not_utf8") as caught:
+    with refused("file.not_utf8", line=4):
         read_block(small)
-    assert caught.value.line == 4
     (small / "block.toml").write_bytes(TOML.replace("small", "Prüf").encode("latin-1"))
-    with pytest.raises(InputError, match=r"file\.not_utf8") as caught:
+    with refused("file.not_utf8", line=1):
         read_block(small)
-    assert caught.value.line == 1
 
 
 def test_unknown_model_lists_the_known(small):
     (small / "block.toml").write_text(TOML.replace("brown", "pinhole"))
-    with pytest.raises(UnknownSensorModel, match=r"line 5: unknown sensor model 'pinhole'; known: .*brown, .*fisheye"):
+    with pytest.raises(UnknownSensorModel, match="line 5: ") as caught:
         read_block(small)
+    assert all(name in str(caught.value) for name in ("'pinhole'", " brown,", "fisheye"))
 
 
 def test_a_misspelt_table_is_not_passed_over(small):
@@ -428,9 +379,8 @@ def test_several_errors_are_listed_together_in_order(small):
     (small / "observations.csv").write_text(text)
     with pytest.raises(InputError) as caught:
         read_block(small)
-    message = str(caught.value)
-    assert message.index("line 2, column x_px") < message.index("line 3, column sy_px")
-    assert message.index("line 3, column sy_px") < message.index("line 4, column x_px")
+    places = [caught.value.place, *(d.place for d in caught.value.message.details)]
+    assert [(p.line, p.column) for p in places] == [(2, "x_px"), (3, "sy_px"), (4, "x_px")]
 
 
 INTERIOR = "image,parameter,value\na,c_mm,24.1\na,K1,2e-5\n"
@@ -528,24 +478,9 @@ def test_a_million_good_rows_read_in_seconds(small):
 
 
 JUNK = [
-    b"",
-    b",",
-    b"\n",
-    b'"',
-    b"nan",
-    b"-1",
-    b"1e400",
-    b"\xff",
-    b"\x00",
-    b"a",
-    b"0",
-    b"[",
-    b"{",
-    b"=",
-    b"\r",
-    b"1_0",
+    b"", b",", b"\n", b'"', b"nan", b"-1", b"1e400", b"\xff", b"\x00", b"a", b"0", b"[", b"{", b"=", b"\r", b"1_0",
     b"\xef\xbb\xbf",
-]
+]  # fmt: skip
 
 
 def damaged(rng, files):

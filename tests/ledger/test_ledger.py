@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import signal
 import sys
 from dataclasses import replace
@@ -80,7 +81,7 @@ def test_a_set_with_a_field_wrong_is_refused(tmp_path):
 def test_files_that_differ_from_their_checksums_are_not_judged(tmp_path):
     one = next(one for one in OWN if one.name == "prague-s1")
     places = Places(data=(tmp_path,), cache=tmp_path)
-    with pytest.raises(NotHere, match="none of the data folders"):
+    with pytest.raises(NotHere, match=re.escape(one.source["folder"])):
         places.files(one)
     folder = tmp_path / one.source["folder"]
     folder.mkdir(parents=True)
@@ -186,15 +187,15 @@ def test_sets_of_a_folder_outside_are_read_and_judged_without_a_change(tmp_path)
     assert not found["reason"]
     path = results.write(found, outside / "results")
     assert json.loads(path.read_text())["groups"]
-    words = page([one], results.read(outside / "results"))
-    assert "| elsewhere | simulation | orientation |" in words
+    lines = page([one], results.read(outside / "results")).splitlines()
+    assert [one.name, "simulation", "orientation"] in [[c.strip() for c in line.split("|")[1:4]] for line in lines]
 
 
 def test_what_could_not_run_is_a_row_with_its_reason(tmp_path):
     one = next(one for one in OWN if one.name == "prague-s1")
     found = results.run(one, Places(data=(), cache=tmp_path))
-    assert "none of the data folders" in found["reason"]
-    assert "none of the data folders" in page([one], {one.name: found})
+    assert found["reason"].startswith(one.source["folder"])
+    assert found["reason"] in page([one], {one.name: found})
     broken = replace(one, judge="network")  # its options are not those of this judge
     assert results.run(broken, Places(data=(), cache=tmp_path))["reason"].startswith("KeyError")
 
@@ -228,10 +229,9 @@ def test_failures_stand_first_and_nothing_is_left_out():
     one = next(one for one in OWN if one.name == "terrain-a11")
     words = page([one], {one.name: {"groups": [good, bad, tails], "cpu_s": 1.0, "reason": "", "means": "rendering"}})
     first, rest = words.split("## Sets without a result")
-    assert "tie points: step" in first
-    assert "tie points: rim" in first
-    assert "tie points: smooth" not in first
-    assert "tie points: smooth" in rest
+    step, rim, smooth = (f"tie points: {label}" for label in ("step", "rim", "smooth"))
+    assert [name in first for name in (step, rim, smooth)] == [True, True, False]
+    assert smooth in rest
 
 
 def test_the_page_is_that_of_the_result_files():

@@ -2,16 +2,17 @@
 
 import csv
 import json
-import re
 import shutil
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.messages import printed
 
 import raybundle as rb
 from raybundle import words as entries
 from raybundle.cli.main import main
+from raybundle.errors import phrase
 from raybundle.numerics.natural import natural
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
@@ -45,18 +46,17 @@ def rows(path):
 
 def test_what_moved_is_told_and_written(epochs, tmp_path, capsys):
     assert main(["moved", *map(str, epochs), "--out", str(tmp_path / "m"), "--progress", "none"]) == 0
-    said = capsys.readouterr().out
-    assert "2 of 140 common points displaced: 17, 5" in said
+    assert phrase("displacement.points", n=140, moved=2, names=["17", "5"], error_rate=0.05) in capsys.readouterr().out
     table = {r["point"]: r for r in rows(tmp_path / "m/points.csv")}
     assert {p for p, r in table.items() if r["moved"]} == set(MOVED)
     for point, by in MOVED.items():
         found = np.array([float(table[point][f"d{a}_mm"]) for a in "XYZ"])
         sigma = np.array([float(table[point][f"sd{a}_mm"]) for a in "XYZ"])
         assert np.linalg.norm(found) == pytest.approx(1000 * np.linalg.norm(by), abs=4 * sigma.max())
-    told = json.loads((tmp_path / "m/moved.json").read_text())
-    assert sorted(told["moved"]) == sorted(MOVED)
-    assert told["all_points"]["p"] < 0.01 < told["points_that_stayed"]["p"]
-    assert not told["scale_free"]
+    stated = json.loads((tmp_path / "m/moved.json").read_text())
+    assert sorted(stated["moved"]) == sorted(MOVED)
+    assert stated["all_points"]["p"] < 0.01 < stated["points_that_stayed"]["p"]
+    assert not stated["scale_free"]
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
     values = {"n": 2, "of": 140, "significance": 0.05}
     heads = [entries.headline("report_moved.moved", {**values, "names": n}) for n in (["5", "17"], ["17", "5"])]
@@ -92,9 +92,7 @@ def test_points_of_the_datum_may_be_told(epochs, tmp_path, capsys):
     assert main(["moved", *map(str, epochs), *words]) == 0
     assert {r["point"] for r in rows(tmp_path / "m/points.csv") if r["moved"]} >= set(MOVED)
     assert main(["moved", *map(str, epochs), "--datum-points", "1", "99x", "--out", str(tmp_path / "n")]) == 2
-    said = capsys.readouterr().err
-    assert "[epochs.datum_points_missing]" in said
-    assert "99x" in said
+    assert printed("epochs.datum_points_missing", names=["99x"]) in capsys.readouterr().err
 
 
 def test_what_cannot_be_tested_is_told(epochs, tmp_path, capsys):
@@ -147,35 +145,36 @@ def test_displacements_in_the_axes_of_a_drawing(epochs, tmp_path, capsys):
     here = turned.transforms[0].points(np.zeros((1, 3)))  # of the second epoch into the axes of the drawing
     assert np.isfinite(here).all()
     assert main(["moved", *map(str, epochs), "--by", "1", "2", "3", "--out", str(tmp_path / "p")]) == 2
-    assert "--by needs --axes. [option.needs]" in capsys.readouterr().err
+    assert printed("option.needs", setting="by", other="axes") in capsys.readouterr().err
 
 
 def test_a_report_says_whose_it_is_and_which_way_is_seen(epochs, tmp_path):
-    words = ["--title", "Part 7 under load", "--client", "Works", "--operator", "R. B."]
+    record = {"title": "Part 7 under load", "client": "Works", "operator": "R. B."}
+    words = [word for name, text in record.items() for word in (f"--{name}", text)]
     assert main(["moved", *map(str, epochs), *words, "--out", str(tmp_path / "m"), "--progress", "none"]) == 0
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
-    assert "<h1>Part 7 under load</h1>" in page
-    assert "Works" in page
-    assert "R. B." in page
+    assert f"<h1>{record['title']}</h1>" in page
+    assert record["client"] in page
+    assert record["operator"] in page
     for across in (False, True):
         assert headline("drawn.vectors_in", {"kind": "displacements", "across": across}) in page
-    told = json.loads((tmp_path / "m/moved.json").read_text())
-    assert told["record"] == {"title": "Part 7 under load", "client": "Works", "operator": "R. B."}
+    assert json.loads((tmp_path / "m/moved.json").read_text())["record"] == record
 
 
 def test_measurements_that_are_not_to_be_used_yet_are_told(epochs, tmp_path, capsys):
     spoilt = tmp_path / "spoilt"
     shutil.copytree(epochs[1], spoilt)
-    told = json.loads((spoilt / "result.json").read_text())
-    told["warnings"].append({"code": "bars_contradict", "severity": "fault", "message": "bars contradict", "ids": []})
-    (spoilt / "result.json").write_text(json.dumps(told))
+    stated = json.loads((spoilt / "result.json").read_text())
+    stated["warnings"].append({"code": "bars_contradict", "severity": "fault", "message": "bars contradict", "ids": []})
+    (spoilt / "result.json").write_text(json.dumps(stated))
     words = ["moved", str(epochs[0]), str(spoilt), "--out", str(tmp_path / "m"), "--progress", "none"]
     assert main(words) == 0
-    assert re.search(r"(?m)^fault: spoilt .*1 .*\[epochs\.faulty\]$", capsys.readouterr().out)
+    line = f"fault: {phrase('epochs.faulty', name='spoilt', n=1).message.headline()} [epochs.faulty]"
+    assert line in capsys.readouterr().out.splitlines()
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
     assert entries.headline("report_moved.faulty", {"names": ["spoilt"]}) in page
-    assert 'class="verdict attention"' in page
-    assert "spoilt: bars contradict" in page
+    assert '"verdict attention"' in page
+    assert f"spoilt: {stated['warnings'][-1]['message']}" in page
     assert json.loads((tmp_path / "m/moved.json").read_text())["not_to_be_used_yet"] == {"spoilt": ["bars contradict"]}
 
 
@@ -194,14 +193,11 @@ def in_axes_of(epochs, file, out, capsys, *more):
 def test_axes_that_are_none_of_the_measurement_are_refused(epochs, tmp_path, capsys):
     names = [str(k) for k in range(1, 60)]
     file = nominal(tmp_path, np.eye(3), np.zeros(3), names)
-    status, _, said = in_axes_of(epochs, file, tmp_path / "m", capsys)
-    assert status == 2
-    assert "[fit.other_unit]" in said
-    assert "mm for m" in said
+    status, _, err = in_axes_of(epochs, file, tmp_path / "m", capsys)
+    assert (status, "[fit.other_unit]" in err, "mm for m" in err) == (2, True, True)
     file = nominal(tmp_path, np.diag([-1.0, 1.0, 1.0]), np.zeros(3), names)
-    status, _, said = in_axes_of(epochs, file, tmp_path / "m", capsys, "--unit", "0.001")
-    assert status == 2
-    assert "[nominal_mirrored]" in said
+    status, _, err = in_axes_of(epochs, file, tmp_path / "m", capsys, "--unit", "0.001")
+    assert (status, "[nominal_mirrored]" in err) == (2, True)
     assert not (tmp_path / "m").exists()
 
 
@@ -246,7 +242,7 @@ def test_scales_that_contradict_each_other_are_a_fault_with_their_bars(epochs, t
     assert told.severity == "fault"
     assert told.values["bars"]
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
-    assert 'class="verdict attention"' in page
+    assert '"verdict attention"' in page
     mm = rb.transform_block(block, rb.SimilarityTransform(scale=1000.0), observed="follow")
     write_result(
         rb.adjust(mm, rb.AdjustmentOptions(jobs=1)), tmp_path / "mm", report="none"

@@ -11,7 +11,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
-from raybundle.observations.coordinates import Coordinates
+from raybundle.observations.coordinates import Coordinates, ObservedCoordinates
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
@@ -180,7 +180,7 @@ def test_it_stands_in_folders(tmp_path):
     (g,) = result.groups
     own = np.array(shown.text["point"]) == np.array(shown.text["other"])
     assert (abs(shown.numbers("vX", "vY", "vZ")[own].ravel() - g.residual) <= 1.001e-3 * abs(g.residual / g.w)).all()
-    assert "Coordinates of networks" in (tmp_path / "out/report.html").read_text()
+    assert ObservedCoordinates.title in (tmp_path / "out/report.html").read_text()
 
 
 @pytest.mark.parametrize(

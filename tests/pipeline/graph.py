@@ -16,6 +16,8 @@ from tests.barriers import wait_for
 
 HERE = "tests.pipeline.graph"
 SIZE = 60
+NO_MATRIX = "leaf.csv: is no matrix"
+"""Why a leaf with bad input fails"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

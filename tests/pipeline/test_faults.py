@@ -11,12 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from raybundle.errors import InputError
 from raybundle.numerics.progress import Counted
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
+from tests.messages import refused
 from tests.pipeline.graph import digest, done_by, executions, tasks_of
 
 LEAVES = 16
@@ -191,7 +191,7 @@ def test_a_full_disk_says_what_to_do_and_the_same_run_goes_on(tmp_path, expected
         pytest.skip("no small disk can be made here")
     try:
         store = Folder(disk / "cache")
-        with pytest.raises(InputError, match=r"Free .*project\.not_writable"):
+        with refused("project.not_writable", cause="full"):
             list(Processes(2).run(tasks_of(LEAVES), store))
         assert not list(disk.rglob(".*"))
         subprocess.run(["mount", "-o", "remount,size=64m", disk], check=True)

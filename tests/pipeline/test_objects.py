@@ -27,6 +27,7 @@ from raybundle.pipeline.project import Project, products_of
 from raybundle.pipeline.shards import Shards, do_shard
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
+from tests.messages import refused
 from tests.pipeline.graph import digest, done_by, executions, tasks_of
 from tests.pipeline.machines import Machines
 
@@ -248,8 +249,9 @@ def test_a_store_that_is_lost_costs_no_photograph(flaky):
         seen.append(done)
         Flaky.plan = [ConnectionError("cut")] * 99
 
-    with pytest.raises(InputError, match=r"flaky://bucket/site: .*store\.lost"):
+    with refused("store.lost", detail="cut") as error:
         [*map(cut, Threads(1).run(tasks, flaky))]
+    assert error.value.file == "flaky://bucket/site"
     assert not any(d.failed for d in seen)
     Flaky.plan = []
     assert all(not d.failed for d in Threads(1).run(tasks, flaky))
@@ -448,7 +450,7 @@ def test_a_folder_that_is_named_from_here_is_the_same_from_elsewhere(tmp_path, m
 
 
 def test_shards_need_the_url_alone(tmp_path, url, expected, capsys, monkeypatch):
-    tasks, said = tasks_of(LEAVES), ""
+    tasks, shown = tasks_of(LEAVES), ""
     monkeypatch.chdir(tmp_path)
     for _ in range(9):
         project = Project.open(tmp_path / "p", store=url)
@@ -459,15 +461,15 @@ def test_shards_need_the_url_alone(tmp_path, url, expected, capsys, monkeypatch)
             assert digest(project.products, tasks, small) == expected
             break
         except TasksWaiting as waiting:
-            said = said or str(waiting)
+            shown = shown or waiting.message
         finally:
             project.close()
         for share in ("0/2", "1/2"):
             main(["worker", url, "--shard", share, "--wait", "0"])
     else:
         pytest.fail("shards have not done it")
-    assert f"in {url}/tasks.jsonl" in said
-    assert f" {url} for each I from 0" in said
+    assert shown.code == "task.shards_waiting"
+    assert (shown.values["file_name"], shown.values["project"]) == (f"{url}/tasks.jsonl", url)
     assert " tasks done" in capsys.readouterr().out
     assert not (tmp_path / "objects/site/tasks.jsonl").exists()
 
@@ -533,7 +535,7 @@ if __name__ == "__main__":
     os.environ["AWS_ENDPOINT_URL"] = "http://%s:%s" % server.get_host_and_port()
     import boto3
     boto3.client("s3").create_bucket(Bucket="surveys")
-    tasks, told = tasks_of(16), []
+    tasks, codes = tasks_of(16), []
     keys = [t.key for t in tasks if not t.small]
     stores = [Folder(Path("s"), "s3://surveys/" + name) for name in ("threads", "processes")]
     digests = [done_by(e, tasks, s) for e, s in zip((Threads(2), Processes(2)), stores)]
@@ -553,8 +555,8 @@ if __name__ == "__main__":
         try:
             Folder(Path("n"), url).place.check()
         except InputError as error:
-            told.append(str(error))
-    print(json.dumps([digests, damaged, there, told]), flush=True)
+            codes.append([error.code, error.file, error.message.values])
+    print(json.dumps([digests, damaged, there, codes]), flush=True)
     os._exit(0)
 """
 
@@ -574,5 +576,7 @@ def test_an_s3_on_this_machine(tmp_path, expected):
     assert digests == [expected, expected]
     assert damaged
     assert there == [30, 15, 0, 0, 32]  # 16 leaves and 15 nodes, one of them damaged; those and the token
-    assert no_bucket.startswith("s3://nowhere/x: there is no such bucket, or nothing can be written into it; create it")
-    assert no_server.startswith("s3://surveys/late: cannot be reached (Could not connect")
+    assert no_bucket == ["store.no_bucket", "s3://nowhere/x", {}]
+    code, file, values = no_server
+    assert (code, file) == ("store.lost", "s3://surveys/late")
+    assert values["detail"].startswith("Could not connect")

@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 
 from raybundle.cli.main import main
+from raybundle.commands.status import status_of
 from raybundle.errors import InputError, TasksWaiting
 from raybundle.pipeline.choosing import executor_for
 from raybundle.pipeline.executors import Threads
@@ -20,7 +21,7 @@ from raybundle.pipeline.shards import Shards, do_shard
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
 from raybundle.settings import option
-from tests.pipeline.graph import digest, done_by, executions, tasks_of
+from tests.pipeline.graph import NO_MATRIX, digest, done_by, executions, tasks_of
 
 LEAVES = 8
 ENV = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
@@ -92,18 +93,18 @@ def test_what_fails_in_a_shard_is_told_by_the_run_and_tried_again_by_the_next(tm
     tasks = tasks_of(2, crash={1: "bad input"}, small=False)
     asked(tmp_path / "p", tasks)
     assert main(["worker", str(tmp_path / "p"), "--shard", "0/1", "--wait", "0"]) == 0
-    said = capsys.readouterr().out.splitlines()
-    assert said[0] == " 1 task done"
-    assert [(line.split(":")[1], "leaf.csv: is no matrix" in line) for line in said[1:3]] == [
+    shown = capsys.readouterr().out.splitlines()
+    assert shown[0] == " 1 task done"
+    assert [(line.split(":")[1], NO_MATRIX in line) for line in shown[1:3]] == [
         (" leaf 1", True), (" node 2", False),
     ]  # fmt: skip
-    assert "leaf.csv: is no matrix" in said[3]
+    assert NO_MATRIX in shown[3]
     project = Project.open(tmp_path / "p")
     try:
         means = Means(project=project, executor=Shards())
         failed = means.do(tasks, "graph")
         assert [failed[t.key].messages[0].code for t in tasks[1:]] == ["error.other", "task.needs_failed"]
-        assert all("leaf.csv: is no matrix" in failed[t.key] for t in tasks[1:])
+        assert all(NO_MATRIX in failed[t.key] for t in tasks[1:])
     finally:
         project.close()
     assert "task.shards_waiting" in asked(tmp_path / "p", tasks)[0]
@@ -153,10 +154,7 @@ def test_a_damaged_list_is_named_by_its_line_and_nothing_is_done(tmp_path, capsy
 def test_what_is_no_project_is_said(tmp_path, capsys):
     pytest.importorskip("fsspec", reason="the extra [cluster] is not installed")
     (tmp_path / "empty/cache").mkdir(parents=True)
-    for where, said in (
-        (tmp_path / "empty", "[project.no_run]"),
-        (f"file://{tmp_path}/bucket", "[store.no_products]"),
-    ):
+    for where, said in ((tmp_path / "empty", "[project.no_run]"), (f"file://{tmp_path}/bucket", "[store.no_products]")):
         assert main(["worker", str(where), "--shard", "0/1"]) == 2
         assert said in capsys.readouterr().err
     assert not (tmp_path / "bucket").exists()
@@ -199,10 +197,7 @@ def test_a_list_of_another_version_is_refused(tmp_path):
         (["p", "--shard", "0/99999999999"], "9 999 999 shards are possible. [worker.too_many_shards]"),
         (["p", "--shard", f"0/{'9' * 5000}"], "[worker.too_many_shards]"),
         (["p", "--shard", "0/1"], "[project.no_run]"),
-        (
-            ["--cluster", "tcp://10.0.0.5:8786"],
-            "[cluster.other_machine]",
-        ),
+        (["--cluster", "tcp://10.0.0.5:8786"], "[cluster.other_machine]"),
         (["--cluster", "tls://127.0.0.1:8786"], "[cluster.needs_certificates]"),
         (["--cluster", "tcp://localhost"], "[cluster.no_address]"),
     ],
@@ -266,23 +261,25 @@ def test_status_says_how_far_work_is_and_where_products_lie(tmp_path, capsys):
     asked(tmp_path / "p", tasks)
     do_shard(tmp_path / "p", 0, 2, wait_s=0.0)
     assert main(["status", str(tmp_path / "p")]) == 0
-    said = capsys.readouterr().out
-    listed = next(line for line in said.splitlines() if line.startswith(" for shards"))
-    assert listed.startswith(f" for shards: {len(tasks)} tasks in the list, ")
-    done = int(listed.rpartition(" list, ")[2].split()[0])
-    assert 0 < done < len(tasks)
-    assert f"waits for shards: graph, {done} of {len(tasks)} done" in said  # not as many as when the run ended
-    assert "products: in its folder " in said
+    shown = capsys.readouterr().out
+    found = status_of(tmp_path / "p")
+    done, total = found.listed
+    assert 0 < done < total == len(tasks)
+    at = found.running
+    assert (at.stage, at.done, at.total, found.works) == ("graph", done, total, False)  # not as when the run ended
+    assert f"graph, {done} of {total} " in shown
+    assert not found.store
     project = Project.open(tmp_path / "p")
     try:
         note(project.folder, "matching", 7, 12)
-        assert main(["status", str(tmp_path / "p")]) == 0
-        assert " in work: matching, 7 of 12 done (" in capsys.readouterr().out
+        found = status_of(tmp_path / "p")
+        at = found.running
+        assert (at.stage, at.done, at.total, found.works) == ("matching", 7, 12, True)
         means = Means(project=project, executor=Threads(1))
         means.do(tasks, "graph")
         assert main(["status", str(tmp_path / "p")]) == 0
-        said = capsys.readouterr().out
-        assert " a run works in it now" in said
-        assert "7 of 12" not in said
+        assert "7 of 12" not in capsys.readouterr().out
+        found = status_of(tmp_path / "p")
+        assert (found.running, found.works) == (None, True)
     finally:
         project.close()

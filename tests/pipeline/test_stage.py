@@ -110,7 +110,7 @@ def test_stages_stand_where_they_say():
     with pytest.raises(ValueError, match="two stages z"):
         steps.register(replace(DOUBLE, name="z"))
     steps.register(replace(DOUBLE, name="q", after=("a",), before=("m",)))
-    with pytest.raises(ValueError, match="no stage can be next of a, m, q"):
+    with pytest.raises(ValueError, match="a, m, q"):
         steps.in_order()
 
 

@@ -12,6 +12,7 @@ from raybundle.pipeline.copies import Copies, check_copies, copies_folder
 from raybundle.pipeline.project import store_given
 from raybundle.pipeline.stores import check_store
 from tests.blocking.networks import flight
+from tests.messages import printed
 
 fsspec = pytest.importorskip("fsspec", reason="the extra [cluster] is not installed")
 
@@ -88,21 +89,20 @@ def test_a_store_that_was_refused_is_not_remembered(tmp_path, capsys):
     (tmp_path / "photos").mkdir()
     words = ("orient", tmp_path / "photos", "--out", tmp_path / "project")
     for url in ("Project", f"file://{tmp_path}/project/cache", "nosuch://x"):
-        status, said = run(capsys, *words, "--store", url)
+        status, shown = run(capsys, *words, "--store", url)
         assert status == 2
-        assert f"--store {url}" in said
+        assert f"--store {url}" in shown
         assert not store_given(tmp_path / "project")
     # one that stands there from before does not stand in the way of the next
     (tmp_path / "project").mkdir(exist_ok=True)
     (tmp_path / "project/project.toml").write_text('[orient]\nphotos = []\nstore = "Project"\n')
-    status, said = run(capsys, *words)
+    status, shown = run(capsys, *words)
     assert status == 2
-    assert "[store.of_last_run]" in said
-    assert "\n  --store Project: " in said
-    assert "--store URL, or --store project for" in said
-    status, said = run(capsys, *words, "--store", "project")
-    assert "no URL" not in said
-    assert "photograph" in said  # which there are none of
+    assert printed("store.of_last_run", here="project") in shown
+    assert "\n  --store Project: " in shown
+    status, shown = run(capsys, *words, "--store", "project")
+    assert "no URL" not in shown
+    assert "photograph" in shown  # which there are none of
 
 
 def test_an_adjustment_refuses_a_store_at_once_where_nothing_is_cut(tmp_path, capsys):

@@ -9,6 +9,7 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.predict import predicted_px
 from raybundle.adjustment.queries import covariance, joint_orientation
+from raybundle.errors import phrase
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.block.scenes import projected
 from raybundle.scenes.corrections import Fixes
@@ -16,7 +17,7 @@ from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 from raybundle.scenes.trajectory import CorrectionModel
 from raybundle.surfaces.orientation import shift_covariance
-from raybundle.surfaces.pairs import sources_of_each
+from raybundle.surfaces.pairs import LARGEST_SCALE, sources_of_each
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.transfer import TOLERANCE_PX, transfer
 from tests.scenes.render import ORIGIN, PLACE
@@ -166,4 +167,4 @@ def test_pairs_of_scenes_know_angles_and_sizes_of_pixels(block):
     other = replace(block, cameras=(block.cameras[0], coarse, block.cameras[2]))
     pair = next(p for p in sources_of_each(other)[0].pairs if p.source == 1)
     assert pair.scale == pytest.approx(2.2, rel=0.1)
-    assert "by a factor of 2." in pair.refusal
+    assert pair.refusal == phrase("depths.scales_differ", ratio=pair.scale, limit=LARGEST_SCALE)

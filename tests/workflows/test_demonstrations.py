@@ -15,6 +15,7 @@ from raybundle.planning.rendering import View
 from raybundle.targets.detect import detect_targets
 from raybundle.targets.families import family_named
 from raybundle.targets.marks import detect, target
+from tests.messages import refused
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +57,7 @@ def test_the_scene_is_what_it_says(tmp_path):
 def test_what_is_no_set_is_told(tmp_path, capsys):
     assert main(["demo", "--set", "nothing", "--out", str(tmp_path / "x")]) == 2
     assert ", ".join(set_names()) in capsys.readouterr().err
-    with pytest.raises(InputError, match="nothing .*board, flight, part, scene"):
+    with refused("dataset.unknown", name="nothing", known=["board", "flight", "part", "scene"]):
         make_set("nothing", tmp_path / "y")
 
 

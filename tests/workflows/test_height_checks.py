@@ -1,7 +1,7 @@
 """Heights whose files do not belong together, through the door: refused with the file and the number, status 2."""
 
-import re
 import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +10,7 @@ from raybundle.cli.main import main
 from raybundle.io.geo.parsed_names import plan_system, system_with_heights
 from raybundle.io.pictures.geotiff import system_text
 from raybundle.workflows.height_files import read_heights
+from tests.messages import failed
 from tests.surface.height_models import file_of, folder_of, made
 from tests.workflows.half_portal import PORTAL
 
@@ -26,9 +27,11 @@ def mapped(folder, system, height=0.0):
 
 
 def refused(capsys, *words):
+    """File, code and values of the error of a command."""
     capsys.readouterr()
-    assert main([*map(str, words)]) == 2
-    return capsys.readouterr().err
+    assert main([*map(str, words), "--json"]) == 2
+    found = failed(capsys)
+    return Path(found.place.file if found.place else "").name, found.code, found.values
 
 
 @pytest.fixture
@@ -37,22 +40,21 @@ def wall(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("one", "other", "words"),
+    ("one", "other", "datum", "other_datum"),
     [
-        ("EPSG:32632+5773", "EPSG:32632+ellipsoid", "EGM96 height (EPSG:5773)"),
-        ("EPSG:32632+3855", "EPSG:32632+5773", "EGM2008 height (EPSG:3855)"),
-        ("EPSG:32632+5773", "EPSG:32632", "EPSG:32632 (no vertical datum)"),
-        ("", "EPSG:32632+ellipsoid", "(no vertical datum)"),
+        ("EPSG:32632+5773", "EPSG:32632+ellipsoid", "EGM96 height (EPSG:5773)", "ellipsoid"),
+        ("EPSG:32632+3855", "EPSG:32632+5773", "EGM2008 height (EPSG:3855)", "EGM96 height (EPSG:5773)"),
+        ("EPSG:32632+5773", "EPSG:32632", "EGM96 height (EPSG:5773)", "unknown"),
+        ("", "EPSG:32632+ellipsoid", "unknown", "ellipsoid"),
     ],
 )
-def test_heights_that_count_from_different_things_are_not_compared(tmp_path, capsys, one, other, words):
+def test_heights_that_count_from_different_things_are_not_compared(tmp_path, capsys, one, other, datum, other_datum):
     first, second = mapped(tmp_path / "one", one), mapped(tmp_path / "other", other, 47.0)
     for command in (("difference", first, second), ("difference", second, first), ("volume", first, "--above", second)):
-        said = refused(capsys, "heights", *command)
-        assert words in said
-        assert "[surface_files.vertical_datums_differ]" in said
-        assert "--crs EPSG:PLAN+HEIGHT" in said
-        assert all(name in said for name in (one, other) if name)
+        _, code, values = refused(capsys, "heights", *command)
+        assert code == "surface_files.vertical_datums_differ"
+        found = {(values["system"], values["datum"]), (values["other_system"], values["other_datum"])}
+        assert found == {(one or "none", datum), (other or "none", other_datum)}
 
 
 @pytest.mark.parametrize("system", ["", "EPSG:32632", "EPSG:32632+5773", "EPSG:32632+ellipsoid"])
@@ -81,22 +83,29 @@ def test_a_raster_that_was_cropped_or_moved_is_refused(wall, capsys, name):
             file.write(values)
         return refused(capsys, "heights", "volume", wall, "--above", 0)
 
-    said = kept(values[:, 4:, 8:], t @ rasterio.Affine.translation(8, 4))
-    assert re.search(rf"{name}: .*56 x 36.*heights\.toml.*64 x 40.*surface_files\.size_differs", said)
-    said = kept(values, t @ rasterio.Affine.translation(8, 0))
-    assert re.search(rf"{name}: .*left.* 0\.08.*heights\.toml.* 0\. .*surface_files\.place_differs", said)
-    said = kept(values, t @ rasterio.Affine.scale(1.01))
-    assert re.search(rf"{name}: .*width.* 0\.0101.*heights\.toml.* 0\.01\. .*surface_files\.place_differs", said)
-    for cut, words in ((4, "The raster"), (len(whole) - 40, "The raster has its top edge at 0;")):
-        path.write_bytes(whole[:cut])
-        assert f"{name}: {words}" in refused(capsys, "heights", "volume", wall, "--above", 0)
+    size = {"columns": 56, "rows": 36, "about": "heights.toml", "needed_columns": 64, "needed_rows": 40}
+    shown = kept(values[:, 4:, 8:], t @ rasterio.Affine.translation(8, 4))
+    assert shown == (name, "surface_files.size_differs", size)
+    for change, quantity, value, needed in (
+        (rasterio.Affine.translation(8, 0), "left", 0.08, 0.0), (rasterio.Affine.scale(1.01), "width", 0.0101, 0.01),
+    ):  # fmt: skip
+        *shown, values_of = kept(values, t @ change)
+        assert shown == [name, "surface_files.place_differs"]
+        place = {"quantity": quantity, "value": pytest.approx(value), "about": "heights.toml", "needed": needed}
+        assert values_of == place
+    path.write_bytes(whole[:4])
+    assert refused(capsys, "heights", "volume", wall, "--above", 0)[0] == name
+    path.write_bytes(whole[:-40])
+    *shown, values_of = refused(capsys, "heights", "volume", wall, "--above", 0)
+    assert shown == [name, "surface_files.place_differs"]
+    assert (values_of["quantity"], values_of["value"]) == ("top", 0.0)
 
 
 def test_a_raster_of_another_system_is_refused(tmp_path, capsys):
     folder = mapped(tmp_path / "one", "EPSG:25832+7837")
-    assert "EPSG:32632; heights.toml has EPSG:25832+7837. [surface_files.system_differs]" in refused(
-        capsys, "heights", "volume", folder, "--above", 0
-    )
+    _, code, values = refused(capsys, "heights", "volume", folder, "--above", 0)
+    assert code == "surface_files.system_differs"
+    assert values == {"system": "EPSG:32632", "about": "heights.toml", "needed": "EPSG:25832+7837"}
 
 
 def test_a_system_of_ones_own_is_read_again(tmp_path):
@@ -110,23 +119,23 @@ def test_a_system_of_ones_own_is_read_again(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("was", "now", "words"),
+    ("was", "now", "code", "value"),
     [
-        ("pixel = 0.01", "pixel = 0.0", "pixel is 0. [number.too_small]"),
-        ("pixel = 0.01", "pixel = -0.01", "pixel is -0.01. [number.too_small]"),
-        ("pixel = 0.01", "pixel = nan", "finite"),
-        ('unit = "m"', 'unit = "parsec"', "parsec of the heights is unknown. [surface_files.unit_unknown]"),
-        ("width_px = 64", "width_px = 0", "is not a whole number"),
+        ("pixel = 0.01", "pixel = 0.0", "number.too_small", 0.0),
+        ("pixel = 0.01", "pixel = -0.01", "number.too_small", -0.01),
+        ("pixel = 0.01", "pixel = nan", "value.not_finite", "nan"),
+        ('unit = "m"', 'unit = "parsec"', "surface_files.unit_unknown", "parsec"),
+        ("width_px = 64", "width_px = 0", "value.not_whole", "0"),
     ],
 )
-def test_a_place_that_no_grid_has_is_refused(wall, capsys, was, now, words):
+def test_a_place_that_no_grid_has_is_refused(wall, capsys, was, now, code, value):
     path = wall / "heights.toml"
     text = path.read_text()
     assert was in text
     path.write_text(text.replace(was, now))
-    said = refused(capsys, "heights", "volume", wall, "--above", 0)
-    assert "heights.toml" in said
-    assert words in said
+    *shown, values = refused(capsys, "heights", "volume", wall, "--above", 0)
+    assert shown == ["heights.toml", code]
+    assert value in values.values()
 
 
 @pytest.mark.parametrize(
@@ -138,13 +147,15 @@ def test_damaged_orientation_is_refused(wall, tmp_path, capsys, damage):
     if damage == "of another surface":
         other = folder_of(made(np.zeros((200, 300))), tmp_path / "other")
         whole = (other / path.name).read_bytes()
-        words = "8, 11 .* 40 rows and 64 columns have 3, 3.*surface_files.node_count"
+        code, values = "surface_files.node_count", {"nodes": [8, 11], "rows": 40, "columns": 64, "needed": [3, 3]}
     elif damage == "of one as large":
         other = folder_of(made(np.zeros(SHAPE), common=1e-3), tmp_path / "other")
         whole = (other / path.name).read_bytes()
-        words = "heights.toml.*surface_files.other_surface"
+        code, values = "surface_files.other_surface", {"about": "heights.toml"}
+    elif damage == "without nodes":
+        code, values = "surface_files.entry_missing", {"name": "moved"}
     else:
-        words = {"without nodes": "moved.*surface_files.entry_missing"}.get(damage, "surface_files.damaged")
+        code, values = "surface_files.damaged", {}
     if damage in {"array", "without nodes"}:
         with path.open("wb") as file:
             np.save(file, np.zeros(3)) if damage == "array" else np.savez(file, block=np.array(32))
@@ -152,17 +163,16 @@ def test_damaged_orientation_is_refused(wall, tmp_path, capsys, damage):
         path.write_bytes(
             {"empty": b"", "cut off": whole[: len(whole) // 2], "text": b"nothing of this\n"}.get(damage, whole)
         )
-    said = refused(capsys, "heights", "volume", wall, "--above", 0)
-    assert re.search(f"{path.name}: .*{words}", said)
+    assert refused(capsys, "heights", "volume", wall, "--above", 0) == (path.name, code, values)
 
 
 def test_the_end_of_a_file_is_no_interruption(wall, capsys, monkeypatch):
     def ended(folder):
-        raise EOFError("no data left")
+        raise EOFError("no more")
 
     monkeypatch.setattr("raybundle.workflows.heights_read.read_heights", ended)
     assert main(["heights", "volume", str(wall), "--above", "0"]) == 1
-    assert "internal error EOFError: no data left" in capsys.readouterr().err
+    assert "EOFError: no more" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("system", ["EPSG:32632+ellipsoid", "EPSG:25832+ellipsoid", "EPSG:2926+6360"])
@@ -233,21 +243,19 @@ def test_lossless_copies_are_as_good(wall, tmp_path, capsys):
 def test_standard_deviations_of_other_heights_are_refused(wall, tmp_path, capsys):
     other = folder_of(made(np.zeros(SHAPE), sigma=2e-3), tmp_path / "other")
     (wall / "heights_sigma.tif").write_bytes((other / "heights_sigma.tif").read_bytes())
-    said = refused(capsys, "heights", "volume", wall, "--above", 0)
-    assert re.search(r"heights_sigma\.tif: .*heights\.toml.*surface_files\.other_surface", said)
+    found = refused(capsys, "heights", "volume", wall, "--above", 0)
+    assert found == ("heights_sigma.tif", "surface_files.other_surface", {"about": "heights.toml"})
 
 
 @pytest.mark.parametrize(
-    ("band", "value", "words"),
+    ("band", "value", "kind", "name"),
     [
-        (0, np.nan, "3 of 2 560 .*(sigma).*missing: 3"),
-        (0, 0.0, "3 of 2 560 .*(sigma).*zero: 3"),
-        (1, -1e-3, "3 of 2 560 .*(sigma of noise and roughness).*Negative: 3"),
-        (3, np.inf, "3 of 2 560 .*(sigma of orientation).*infinite: 3"),
-        (2, np.nan, ""),
+        (0, np.nan, "missing", "sigma"), (0, 0.0, "zero", "sigma"),
+        (1, -1e-3, "negative", "sigma of noise and roughness"), (3, np.inf, "infinite", "sigma of orientation"),
+        (2, np.nan, "", ""),
     ],
-)
-def test_standard_deviations_that_are_none_are_counted_without_check_sums_too(wall, capsys, band, value, words):
+)  # fmt: skip
+def test_standard_deviations_that_are_none_are_counted_without_check_sums_too(wall, capsys, band, value, kind, name):
     def spoilt(values):
         values[band, 7, 3:6] = value
         return values
@@ -255,11 +263,12 @@ def test_standard_deviations_that_are_none_are_counted_without_check_sums_too(wa
     changed(wall / "heights_sigma.tif", spoilt)
     about = wall / "heights.toml"
     about.write_text("".join(t for t in about.read_text().splitlines(keepends=True) if "sha256" not in t))
-    if not words:  # earlier files lack steps
+    if not kind:  # earlier files lack steps
         assert main(["heights", "volume", str(wall), "--above", "0"]) == 0
         return
-    said = refused(capsys, "heights", "volume", wall, "--above", 0)
-    assert re.search(f"heights_sigma.tif: {words}", said, re.DOTALL)
+    *shown, values = refused(capsys, "heights", "volume", wall, "--above", 0)
+    assert shown == ["heights_sigma.tif", "surface_files.impossible_sigmas"]
+    assert {"n": 3, "cells": 2560, "band": name, kind: 3}.items() <= values.items()
 
 
 def test_heights_without_end_are_counted(wall, capsys):
@@ -268,9 +277,8 @@ def test_heights_without_end_are_counted(wall, capsys):
         return values
 
     changed(wall / "heights.tif", endless)
-    assert "heights.tif: 2 cells have an infinite height. [surface_files.infinite_heights]" in refused(
-        capsys, "heights", "volume", wall, "--above", 0
-    )
+    found = refused(capsys, "heights", "volume", wall, "--above", 0)
+    assert found == ("heights.tif", "surface_files.infinite_heights", {"n": 2})
 
 
 def test_heights_of_a_result_that_was_adjusted_again_are_told(tmp_path, capsys):

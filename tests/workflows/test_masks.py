@@ -97,10 +97,11 @@ def test_a_turntable_before_a_wall_is_wrong_or_refused_without_masks_and_that_is
 @pytest.mark.long
 def test_with_masks_it_is_right(scene, tmp_path, capsys):
     assert orient(scene, tmp_path / "project", "--masks", str(scene / "masks")) == 0
-    told = capsys.readouterr().out
-    assert "8 of 8 photographs" in told
-    assert "8 of 8 photographs have a mask; features are" in told
-    assert "same pixels" not in told
+    assert "8 of 8 photographs" in capsys.readouterr().out
+    notices = json.loads((tmp_path / "project/result/result.json").read_text())["warnings"]
+    found = {n["code"]: n for n in notices}
+    assert {"n": 8, "photographs": 8, "of": "features"}.items() <= found["masks"]["values"].items()
+    assert "static_background" not in found
     assert turns(tmp_path / "project") == pytest.approx(np.arange(8) * STEP, abs=np.radians(0.5))
 
 
@@ -309,8 +310,8 @@ def test_a_damaged_mask_costs_itself_alone(photos, tmp_path, damage):
         path.write_bytes(data)
     masks = find_masks(tmp_path / "masks", photos)
     assert list(masks.files) == ["b.jpg"]
-    told, refused = mask_notices(masks)
-    assert told.text.startswith("1 of 2 photographs have a mask")
+    stated, refused = mask_notices(masks)
+    assert {"n": 1, "photographs": 2}.items() <= stated.values.items()
     assert refused.code == "mask_refused"
     assert [d.place.file for d in refused.details] == ["a.jpg"]
     assert len(detected(feature_method("rootsift"), photos[0], 300, masks)) > 50

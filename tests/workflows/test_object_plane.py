@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.block.transform import transform_block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations.alignment import PlumbLines
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
@@ -152,7 +152,7 @@ def test_what_is_plumb_by_measured_lines(field, wall):
     a, b, c, d = (block.points.ids.index(n) for n in wall[1])
     table = PlumbLines(figure=("x", "x", "y", "y"), point=np.array([a, c, b, d]), sigma=np.full(4, 1e-3))
     plane = plane_of(block.having(table), PlaneAsked(points=wall[1], vertical=True, up="lines"))
-    assert plane.plumb.words == "2 measured plumb lines"
+    assert plane.plumb.words == phrase("plumb.lines", n=2)
     assert plane.axes[2] @ plane.plumb.up == pytest.approx(0, abs=1e-12)
     assert plane.lean.angle == pytest.approx(0, abs=1e-6)  # what nothing tells is drawn towards Z
     # the block's own Z says otherwise
@@ -163,7 +163,7 @@ def test_where_z_comes_from_is_told(wall):
     block, names = wall
     about = {"upright": {"kind": "terrestrial", "sigma_deg": 0.3, "plumb_edges": 156}}
     plane = plane_of(block, PlaneAsked(points=names), about=about)
-    assert "156 plumb edges in the photographs" in plane.plumb.words
+    assert plane.plumb.words == phrase("plumb.block_found", by="edges", edges=156, known=True, sigma_deg=0.3)
     assert plane.lean.sigma >= np.radians(0.3)
     assert plane_of(
         block, PlaneAsked(points=names), about={"upright": {"kind": "given", "sigma_deg": None}}

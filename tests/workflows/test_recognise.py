@@ -93,9 +93,9 @@ def test_targets_on_too_few_of_the_photographs_are_named(tmp_path):
     assert shown.targets == ()
     assert "aicon14" in shown.few
     assert shown.looked_at == ("0.png", "1.png", "2.png")
-    told = _no_targets(shown)
-    assert "fewer than half of the 3 photographs that were looked at (0.png, 1.png, 2.png)" in told
-    assert 'target="a' in told
+    found = _no_targets(shown).data
+    assert (found.code, found.values["n"], found.values["names"]) == ("no_targets.few", 3, list(shown.looked_at))
+    assert found.values["first"] == shown.few[0]
 
 
 def test_a_folder_above_the_photographs_is_said(tmp_path):

@@ -51,9 +51,9 @@ def found(tmp_path):
 def test_the_more_compressed_copy_repeats_the_other_and_is_named(found):
     photos, repeats = found
     assert repeats == {0: 1}
-    told = same_picture_notice(repeats, photos)
-    assert (told.code, told.ids) == ("identical_images", ("a_edited.jpg",))
-    assert told.values["names"] == ["a_edited.jpg (b.jpg)"]
+    stated = same_picture_notice(repeats, photos)
+    assert (stated.code, stated.ids) == ("identical_images", ("a_edited.jpg",))
+    assert stated.values["names"] == [f"{photos[0].name} ({photos[1].name})"]
 
 
 def test_an_equal_part_at_the_same_pixels_is_no_copy(tmp_path):

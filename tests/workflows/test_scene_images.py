@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from raybundle.errors import InputError, phrase
+from raybundle.errors import InputError, code_of, phrase
 from raybundle.io.photos.photo import find_photos
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.matching.methods import feature_method
@@ -64,8 +64,9 @@ def test_what_cannot_be_used_costs_that_file(folder):
     assert set(refused) == {"good.tif", "broken.tif", "float.tif", "vendor.ntf"}
     assert refused["good.tif"] == phrase("photograph.copy", original="again.tif")
     assert "coefficients" in refused["broken.tif"]
-    assert "whole numbers of 8 or 16 bits" in refused["float.tif"]
-    assert "gdal_translate vendor.ntf vendor.tif" in refused["vendor.ntf"]
+    assert (code_of(refused["float.tif"]), refused["float.tif"].message.values["bits"]) == ("tiff.pixel_format", [32])
+    vendor = refused["vendor.ntf"].message.values
+    assert (vendor["source"], vendor["target"]) == ("vendor.ntf", "vendor.tif")
 
 
 def test_an_image_of_another_size_than_its_file_says(folder, monkeypatch):
@@ -73,11 +74,9 @@ def test_an_image_of_another_size_than_its_file_says(folder, monkeypatch):
     scene = scene_images.read_scene(folder / "one_RPC.TXT")
     other = type(scene)(file=scene.file, format="x", rpc=scene.rpc, width_px=500, height_px=SIZE)
     monkeypatch.setattr(scene_images, "read_scene", lambda _: other)
-    ((name, reason),) = find_scenes([path]).refused
-    assert (name, reason) == (
-        "one.tif",
-        "The image has 400 x 400 px, one_RPC.TXT is for 500 x 400 px. Give the file of this image.",
-    )
+    of_image, of_file = {"width_px": 400, "height_px": 400}, {"model_width_px": 500, "model_height_px": 400}
+    other_size = phrase("scene.other_size", model="one_RPC.TXT", **of_image, **of_file)
+    assert find_scenes([path]).refused == (("one.tif", other_size),)
 
 
 def test_tiles_give_what_the_whole_gives(folder, monkeypatch):

@@ -15,7 +15,7 @@ import pytest
 from raybundle.block.select import selected
 from raybundle.cli.main import main
 from raybundle.commands.surface import surface
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.session import adjusted_again
 from raybundle.pipeline import store as stores
@@ -23,6 +23,7 @@ from raybundle.report.write import write_result
 from raybundle.workflows.height_files import read_heights
 from raybundle.workflows.photograph_contents import contents_of, other_contents
 from raybundle.workflows.surface_photographs import photographs_there
+from tests.messages import failed
 from tests.workflows.half_portal import half_portal
 
 BOX = (-0.6, -0.4, 0.5, 0.5)
@@ -57,19 +58,11 @@ def test_water_and_sky_are_no_surface(half, tmp_path, capsys, kind, density):
         grey = picture(kind, cv2.imread(str(path)).shape[:2], rng)
         cv2.imwrite(str(tmp_path / path.name), np.clip(grey, 0, 255).astype(np.uint8))
     words = [
-        "surface",
-        str(half / "block"),
-        "--photos",
-        str(tmp_path),
-        "--density",
-        density,
-        "--out",
-        str(tmp_path / "s"),
-    ]
-    assert main([*words, "--jobs", "1"]) == 2
-    told = capsys.readouterr().err
-    assert "[surface.nothing_measured]" in told
-    assert "of the region" not in told
+        "surface", str(half / "block"), "--photos", str(tmp_path), "--density", density, "--out", str(tmp_path / "s"),
+    ]  # fmt: skip
+    assert main([*words, "--jobs", "1", "--json"]) == 2
+    found = failed(capsys)
+    assert (found.code, found.values["region"]) == ("surface.nothing_measured", False)
     assert not (tmp_path / "s/points.ply").exists()
 
 
@@ -97,8 +90,7 @@ def test_photographs_without_overlap_are_named(half, tmp_path, capsys):
     write_block(selected(block, "point", few), tmp_path / "block")
     words = ["surface", str(tmp_path / "block"), "--photos", str(half), "--out", str(tmp_path / "s"), "--free-scale"]
     assert main(words) != 0
-    told = capsys.readouterr().err
-    assert "[surface.no_pair]" in told
+    assert "[surface.no_pair]" in capsys.readouterr().err
     assert not (tmp_path / "s").exists()
 
 
@@ -250,12 +242,12 @@ def test_photographs_that_are_gone_are_named(half, tmp_path, capsys):
     names = without(half, tmp_path / "photos", 2)
     words = ["surface", str(half / "block"), "--photos", str(tmp_path / "photos"), "--out", str(tmp_path / "s")]
     assert main(words) == 2
-    told = capsys.readouterr().err
-    assert "[surface.too_few_photographs]" in told
-    assert "2 of 3 adjusted photographs" in told
-    assert f"{', '.join(names)}: The file is in none of the folders" in told
-    assert "--photos" in told
-    assert "common points" not in told
+    stated = capsys.readouterr().err
+    assert "[surface.too_few_photographs]" in stated
+    assert phrase("surface.photographs_lost", n=2, photographs=3).message.headline() in stated
+    assert f"{', '.join(names)}: {phrase('photograph.in_no_folder')}" in stated
+    assert "--photos" in stated
+    assert phrase("depths.no_common_points") not in stated
     assert not (tmp_path / "s").exists()
 
 
@@ -268,8 +260,8 @@ def test_a_surface_without_some_photographs_says_so_first(half, tmp_path, capsys
     assert gone["values"] == {"n": 1, "photographs": 3}
     assert [d["place"]["file"] for d in gone["details"]] == [name]
     page = (tmp_path / "s/surface.html").read_text()
-    assert "1 photograph of the adjustment could not be used" in page
-    assert f"{name}: The file is in none of the folders of the photographs" in page
+    assert phrase("report_surface.photographs_lost", n=1) in page
+    assert f"{name}: {phrase('photograph.in_no_folder')}" in page
 
 
 def test_lost_photographs_are_told_where_the_others_show_nothing_together(half, tmp_path, capsys):
@@ -280,10 +272,10 @@ def test_lost_photographs_are_told_where_the_others_show_nothing_together(half, 
     (name,) = without(half, tmp_path / "photos", 1)
     words = ["surface", str(tmp_path / "block"), "--photos", str(tmp_path / "photos"), "--free-scale"]
     assert main([*words, "--out", str(tmp_path / "s")]) == 2
-    told = capsys.readouterr().err
-    assert "[surface.no_pair]" in told
-    assert "1 of 3 adjusted photographs" in told
-    assert f"{name}: The file is" in told
+    stated = capsys.readouterr().err
+    assert "[surface.no_pair]" in stated
+    assert phrase("surface.photographs_lost", n=1, photographs=3).message.headline() in stated
+    assert f"{name}: {phrase('photograph.in_no_folder')}" in stated
 
 
 def with_contents(half, folder):
@@ -299,20 +291,12 @@ def test_photographs_under_the_names_of_others_are_the_first_reason(half, tmp_pa
     for k, path in enumerate(paths):
         shutil.copy(paths[(k + 1) % 3], tmp_path / "photos" / path.name)
     words = [
-        "surface",
-        str(with_contents(half, tmp_path / "r")),
-        "--photos",
-        str(tmp_path / "photos"),
-        "--density",
-        "4",
-    ]
-    assert main([*words, "--jobs", "1", "--extent", *map(str, BOX)]) == 2
-    told = capsys.readouterr().err
-    assert "in the region" in told
-    assert "[surface.other_photographs]" in told
-    assert "portal_02.png: portal_03.png" in told
-    assert "[surface.other_photographs]" in told
-    assert "water" not in told
+        "surface", str(with_contents(half, tmp_path / "r")), "--photos", str(tmp_path / "photos"), "--density", "4",
+    ]  # fmt: skip
+    assert main([*words, "--jobs", "1", "--extent", *map(str, BOX), "--json"]) == 2
+    found = failed(capsys)
+    assert (found.code, found.values["region"]) == ("surface.other_photographs", True)
+    assert f"{paths[0].name}: {paths[1].name}" in found.text()
 
 
 @pytest.mark.long

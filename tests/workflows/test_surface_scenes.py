@@ -6,6 +6,7 @@ from pyproj import CRS
 
 from raybundle.commands.surface import surface
 from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.rays.scene import HEIGHT
 from raybundle.workflows.height_files import read_heights
 from tests.surface.scene_pair import write_scenes
 
@@ -65,7 +66,7 @@ def test_heights_of_scenes_lie_in_a_map(made):
         system = CRS(raster.crs.to_wkt())
         assert system.to_2d().to_epsg() == 32633  # of the middle at 15 degrees east, where none is named
         assert len(system.axis_info) == 3  # above the ellipsoid, which the file beside it says
-        assert raster.descriptions == ("height above the ellipsoid",)
+        assert raster.descriptions == (HEIGHT,)
         east = raster.xy(raster.height // 2, raster.width // 2)[0]
         assert 490_000 < east < 510_000
         assert abs(np.nanmedian(raster.read(1)) - 300) < 60  # above the ellipsoid
@@ -98,7 +99,7 @@ def test_an_orthophoto_of_scenes_shows_the_ground_where_it_is(made):
 def test_depth_maps_of_scenes_hold_heights(made):
     folder, _, done = made
     about = (folder / "surface/depths/depths.toml").read_text()
-    assert about.count('"depth" = "height above the ellipsoid"') == 3
+    assert about.count(f'"depth" = "{HEIGHT}"') == 3
     key = done.surface.maps[0]
     given = done.surface.store.wanted(dict(done.surface.clouds)[0], ("place",))["place"]
     found = DepthMap.of_arrays(done.surface.store.wanted(key)).sure(given)

@@ -249,22 +249,15 @@ def test_the_command_converts_there_and_back(tmp_path):
         ("patb", "b.im", "150000.0\n   11", "c\n   11", r"b\.im.*1.*value\.not_finite"),
         ("patb", "b.im", "15000.0 30000.0 1", "15000.0", r"b\.im.*2.*patb\.image_point_line"),
         (
-            "patb",
-            "b.im",
-            " -99\n 1002",
-            " 1002",
-            r"b\.im.*4.*99.*patb\.image_point_line",
+            "patb", "b.im", " -99\n 1002", " 1002", r"b\.im.*4.*99.*patb\.image_point_line"
         ),
         ("patb", "b.im", "13 0 0\n -99", "13 0 0", r"1002.*99.*patb\.photograph_not_closed"),
         ("patb", "b.im", "1002", "1001", r"1001.*name\.twice"),
         ("patb", "b.im", "13 0 0", "13 9e9 0", r"8.*9.*0.*image_point\.out_of_range"),
         ("patb", "b.ori", "  1.000000000000  0.0", "  1.100000000000  0.0", r"b\.ori.*1.*rotation\.not_orthogonal"),
         (
-            "patb",
-            "b.ori",
-            "0  1.000000000000\n            1002",
-            "0\n            1002",
-            r"3.*4.*line\.too_few_words",
+            "patb", "b.ori", "0  1.000000000000\n            1002", "0\n            1002",
+            r"3.*4.*line\.too_few_words"
         ),
         ("patb", "b.con", "12 1000", "11 1000", r"b\.con.*2.*11.*name\.twice"),
         ("bingo", "image.dat", "1001 RMK\n", "", r"image\.dat.*1.*bingo\.point_before_photograph"),
@@ -276,7 +269,7 @@ def test_the_command_converts_there_and_back(tmp_path):
         ("bingo", "geoin.dat", "0.05 0.1", "0.05 -0.1", r"geoin\.dat.*2.*cell\.negative_sigma"),
         ("bingo", "cameras.toml", "c_mm = 150.0", "c_mm = 0.0", "cameras.toml"),
     ],
-)
+)  # fmt: skip
 def test_bad_files_are_named(name, file, old, new, words, tmp_path):
     files = dict(PATB if name == "patb" else BINGO)
     if "WILD" in new:  # a second camera, so that the one is not taken for all

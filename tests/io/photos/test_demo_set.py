@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from raybundle.errors import phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.photo import find_photos, read_grey
@@ -32,7 +33,7 @@ def test_fourteen_photographs_of_one_camera_under_twelve_megabytes(found):
     assert [p.orientation for p in found.photos] == [1] * 12 + [8, 6]
     assert sum(f.stat().st_size for f in PORTAL.rglob("*") if f.is_file()) < 12e6
     (group,) = camera_groups(found.photos)
-    assert (group.width_px, group.height_px, group.source) == (1600, 1200, "focal plane resolution")
+    assert (group.width_px, group.height_px, group.source) == (1600, 1200, phrase("camera_start.focal_plane"))
 
 
 def test_the_start_is_not_the_truth_but_within_its_sigma(found, truth):

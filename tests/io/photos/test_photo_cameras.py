@@ -10,7 +10,7 @@ from tests.conftest import DATA
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Camera
 from raybundle.block.known import known_before
-from raybundle.errors import InputError, code_of
+from raybundle.errors import InputError, code_of, phrase
 from raybundle.io.photos.cameras import camera_groups, camera_of, may_share_sensor, with_calibration, with_what_is_known
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo, find_photos
@@ -135,7 +135,7 @@ def test_the_camera_of_a_group_is_a_brown_camera_with_the_starting_value():
 
 def test_a_stored_calibration_is_taken_by_format():
     (group,) = camera_groups([photo()], [stored("mine")])
-    assert group.source == "stored calibration mine"
+    assert group.source == phrase("camera_start.stored", camera="mine")
     assert (group.c_mm, group.sigma_c_mm) == (25.0, 0.0)
     assert camera_of(group).values["c"] == 25.0
     assert camera_of(group).id == group.id

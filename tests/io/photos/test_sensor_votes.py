@@ -2,7 +2,7 @@
 
 import pytest
 
-from raybundle.errors import code_of
+from raybundle.errors import code_of, phrase
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.sensor_sizes import sensor_size
 from raybundle.io.photos.start import DIAGONAL_35MM, starting_value
@@ -40,7 +40,7 @@ def test_two_sources_of_the_photograph_outvote_the_table(name):
     by = 4 if "reduced" in name else 1
     start = starting_value(m, size[0] // by, size[1] // by)
     assert start.c_mm / start.pixel_mm == pytest.approx(focal * size[0] / sensor[0] / by, rel=0.01)
-    assert start.source == "focal plane resolution"
+    assert start.source == phrase("camera_start.focal_plane")
     table = sensor_size(m, size)
     told = any(code_of(r) == "camera_start.table_outvoted" for r in start.remarks)
     assert told == (table is not None and abs(table[0] / sensor[0] - 1) > 0.1)
@@ -53,7 +53,7 @@ def test_two_sources_of_the_photograph_outvote_the_table(name):
 )
 def test_one_source_alone_does_not(more):
     m = photograph("Canon", "Canon EOS 5D Mark II", (5184, 3456), (22.3, 14.9), 24.0, **more)
-    assert starting_value(m, 5184, 3456).source == "sensor size table"
+    assert starting_value(m, 5184, 3456).source == phrase("camera_start.table")
 
 
 @pytest.mark.parametrize(
