@@ -233,3 +233,11 @@ plan-flown_lost = Genau wie geplant geflogen, sind Parameter nicht bestimmbar: {
 
 plan-flown_calibrated = Keine geprüfte Änderung des Flugs bestimmt sie.
     .do = Halten Sie die Kamera fest, wie vor dem Flug kalibriert.
+
+plan-free_camera = Gemessene Sigmas natürlicher Punkte waren { $low }- bis { $high }-mal die des Plans.
+    .why = In vier Projekten, deren Kamera mit dem Objekt kalibriert wurde.
+    .do = Halten Sie eine kalibrierte Kamera fest ({ OPTION("hold_camera") }), oder planen Sie mit diesem Spielraum.
+
+plan-other_camera = Der Bildwinkel beträgt { NUM($seen_deg, decimals: 0) } Grad; geplant waren { NUM($planned_deg, decimals: 0) } Grad.
+    .why = Objektiv, Zoom oder Ausschnitt des Formats weichen vom Plan ab.
+    .do = Nehmen Sie mit der geplanten Kamera auf, oder planen Sie mit dieser.

@@ -320,7 +320,7 @@ plan-hardly_lowers = Photographs within reach lower the figure by { PERCENT($sha
 
 # $n = 4
 # $of = 60
-# $sides = ["north"]
+# $sides = ["+Z", "-Y"]
 # $rays = 4
 plan-points_out_of_sight = { $n } of { $of } points are visible from fewer than { $rays } possible stations ({ $sides }).
     .why = No precision is predicted for them.
@@ -358,3 +358,15 @@ plan-flown_lost = Flown exactly as planned, parameters are not determinable: { $
 
 plan-flown_calibrated = No change of the flight that was tried determines them.
     .do = Hold the camera as calibrated before the flight.
+
+# $low = 2.5
+# $high = 5.7
+plan-free_camera = Measured sigma of natural points was { $low } to { $high } times the plan's.
+    .why = Four sets, with the camera calibrated with the object.
+    .do = Hold a calibrated camera ({ OPTION("hold_camera") }), or plan with that margin.
+
+# $seen_deg = 84.1
+# $planned_deg = 73.7
+plan-other_camera = The field of view is { NUM($seen_deg, decimals: 0) } degrees; { NUM($planned_deg, decimals: 0) } degrees were planned.
+    .why = The lens, its zoom or the part of the format differs from the plan.
+    .do = Take the photographs with the planned camera, or plan with this one.

@@ -140,3 +140,7 @@ plan-flown_apart = Volées exactement comme prévu, les photos ne forment pas un
 plan-flown_lost = Volés exactement comme prévu, des paramètres ne sont pas déterminables : { $parameters }.
 
 plan-flown_calibrated = Aucune modification du vol essayée ne les détermine.
+
+plan-free_camera = Les écarts-types mesurés de points naturels étaient de { $low } à { $high } fois ceux du plan.
+
+plan-other_camera = L'angle de champ est de { NUM($seen_deg, decimals: 0) } degrés ; { NUM($planned_deg, decimals: 0) } degrés étaient prévus.
