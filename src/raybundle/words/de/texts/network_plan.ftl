@@ -5,19 +5,19 @@ network_plan-promise = Standardabweichungen sind die des Plans, mit { NUM($sigma
 network_plan-frame = { $control ->
         [0] Sie gelten relativ zu allen Punkten zusammen{ $bars ->
             [0] .
-            *[other] , mit dem Maßstab der Maßstäbe und dessen Fehler.
+            *[other] , mit dem Maßstab der Maßstabsstrecken und dessen Fehler.
         }
         *[other] Sie gelten im System von { $control } { $control ->
             [one] Passpunkt
             *[other] Passpunkten
         }{ $bars ->
             [0] .
-            [one] {" "}und { $bars } Maßstab.
-            *[other] {" "}und { $bars } Maßstäben.
+            [one] {" "}und { $bars } Maßstabsstrecke.
+            *[other] {" "}und { $bars } Maßstabsstrecken.
         }
     }{ $control ->
         [0] { $bars ->
-            [0] {" "}Ein Maßstab oder Passpunkte geben den Maßstab und bringen ihren eigenen Fehler ein.
+            [0] {" "}Eine Maßstabsstrecke oder Passpunkte geben den Maßstab und bringen ihren eigenen Fehler ein.
             *[other] {""}
         }
         *[other] {""}
@@ -27,10 +27,10 @@ network_plan-grey = Graue Teile des Objekts sind in weniger als zwei Aufnahmen.
 
 network_plan-known = { $control ->
         [yes] Passpunkt{ $bar ->
-            [yes] , Maßstab
+            [yes] , Maßstabsstrecke
             *[no] {""}
         }
-        *[no] Maßstab
+        *[no] Maßstabsstrecke
     }
 
 network_plan-points_unseen = { $n } { $n ->

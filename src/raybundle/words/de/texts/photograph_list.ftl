@@ -129,13 +129,13 @@ photograph_list-rule_background = Zeigen Sie nur das Objekt und seinen Teller: e
 photograph_list-rule_even_light = Zielmarken oder Textur auf dem Teller drehen sich mit und dürfen gemessen werden.
     .do = Nehmen Sie gleichmäßiges Licht, denn festes Licht wandert über sie.
 
-photograph_list-rule_scale = Maßstab: ein Maßstab oder zwei Zielmarken bekannten Abstands auf dem Teller.
+photograph_list-rule_scale = Maßstab: eine Maßstabsstrecke oder zwei Zielmarken bekannten Abstands auf dem Teller.
 
 photograph_list-targets_shown = Zielmarken: { LIST($names, most: 1000) }
 
 photograph_list-rule_targets = { $n } Zielmarken, Codes 1 bis { $n }: Punkte von { NUM($dot_mm, decimals: 1) } mm, Codes von { NUM($code_mm, decimals: 0) } mm (die größten; die Tabelle nennt jede).
 
-photograph_list-rule_bar = Maßstab { $number }: { NUM($length_m, decimals: 3) } m zwischen { $start } und { $end }, Länge auf { NUM($sigma_mm, digits: 2) } mm oder besser bekannt.
+photograph_list-rule_bar = Maßstabsstrecke { $number }: { NUM($length_m, decimals: 3) } m zwischen { $start } und { $end }, Länge auf { NUM($sigma_mm, digits: 2) } mm oder besser bekannt.
 
 photograph_list-rule_flat = Befestigen Sie Zielmarken eben, nicht über einer Kante und nicht von einer anderen verdeckt.
     .why = Die Orte dürfen um einen Teil des Abstands der Zielmarken abweichen.
