@@ -43,7 +43,7 @@ class Standing:
         reported = [note("measuring.oriented", n=self.oriented, of=self.images)]
         if self.lacking:  # the one that needs least comes next
             reported.append(min(self.lacking, key=lambda k: (k.kind == "marks", k.need - k.have)).short)
-        return Text.of(*reported)
+        return Text.of(*reported).with_text("; ".join(m.text() for m in reported))
 
     @property
     def words(self) -> tuple[str, ...]:

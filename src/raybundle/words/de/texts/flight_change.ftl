@@ -9,7 +9,7 @@ flight_change-headings = wechselnde Flugrichtung
 
 flight_change-control = { $n ->
         [1] ein Passpunkt in der Mitte
-        *[other] { $n } Passpunkte
+        *[5] fünf Passpunkte
     }
 
 flight_change-across_higher = Querstreifen, { $times }-mal so hoch
@@ -19,8 +19,8 @@ flight_change-across_tilted = Querstreifen, { NUM($tilt_deg) } Grad geneigt{ $he
         *[no] {""}
     }{ $control ->
         [0] {""}
-        [one] , { $control } Passpunkt
-        *[other] , { $control } Passpunkte
+        [1] , ein Passpunkt
+        *[5] , fünf Passpunkte
     }
 
 flight_change-places = { $where ->

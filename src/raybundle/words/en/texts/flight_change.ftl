@@ -11,7 +11,7 @@ flight_change-headings = headings alternate
 # $n = 5
 flight_change-control = { $n ->
         [1] one control point in the middle
-        *[other] { $n } control points
+        *[5] five control points
     }
 
 # $times = 1.3
@@ -25,8 +25,8 @@ flight_change-across_tilted = lines across, tilted { NUM($tilt_deg) } deg{ $head
         *[no] {""}
     }{ $control ->
         [0] {""}
-        [one] , { $control } control point
-        *[other] , { $control } control points
+        [1] , one control point
+        *[5] , five control points
     }
 
 # $where = "corners"
