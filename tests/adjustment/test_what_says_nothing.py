@@ -32,7 +32,7 @@ def test_a_block_whose_observations_are_all_rejected():
     block = room()
     n = len(block.observations)
     with pytest.raises(InputError, match=r"605.*adjustment\.all_rejected"):
-        adjust_block(block, rejected=(Rejection(kind=RejectionKind.GIVEN, detail="by hand"),) * n)
+        adjust_block(block, rejected=(Rejection(kind=RejectionKind.GIVEN),) * n)
 
 
 @pytest.mark.parametrize("sigma", [{}, SIGMA, dict.fromkeys(RATES, 0.3)])

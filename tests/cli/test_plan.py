@@ -26,10 +26,7 @@ def test_one_heading_is_warned_of_and_mended(capsys, tmp_path):
     assert planned.endswith("none (c, x0, y0)")
     (turned,) = [line for line in told.splitlines() if line.startswith(" headings alternate  ")]
     assert turned.endswith("none (c)")
-    assert (
-        "warning: c, x0, y0 hang on the unevenness of the flight alone; what mends it: headings alternate, lines"
-        in told
-    )
+    assert "warning: c, x0, y0 hang on the unevenness of the flight alone; what mends it: lines across" in told
     assert len(read_block(out).images) == 32
     assert main(["plan", "flight", *PUBLISHED, "--out", str(out)]) == 2
     assert "stands there already" in capsys.readouterr().err

@@ -116,7 +116,7 @@ def test_what_mends_is_told_for_each_that_hangs(capsys):
     _, told, _ = run(capsys, "--no-rtk", "--alternate", "--tie-points", 12)
     verdict = told.splitlines()[-1]
     found = re.search(
-        r"warning: c.* hangs? on .*; what mends it: lines across tilted 30 deg, five control points; "
+        r"warning: c.* hangs? on .*; what mends it: lines across, tilted 30 deg, five control points; "
         r"sigma Z ([\d.]+) m to ([\d.]+) mm, c ([\d.]+) px to ([\d.]+) px",
         verdict,
     )

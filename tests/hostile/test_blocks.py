@@ -63,7 +63,7 @@ def test_a_point_behind_the_camera_is_rejected_and_named():
     result = adjust(replace(block, points=replace(block.points, xyz=xyz, role=role, sigma=sigma)))
     assert "behind_camera" in codes(result)
     reasons = [r for r in result.image_observations.rejected if r]
-    assert {str(r) for r in reasons} == {"behind the camera"}
+    assert {str(r) for r in reasons} == {"behind camera"}
     assert result.sigma0 < 1.3
 
 

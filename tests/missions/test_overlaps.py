@@ -99,37 +99,42 @@ def test_rows_of_a_facade_that_the_ground_lifts_overlap_more_not_less(overlap):
     across = mission_facts(m, LEVEL).across
     assert across.low == pytest.approx(own.min(), abs=0.006)
     assert across.low >= overlap[1] - 0.006
-    assert not [w for w in warnings(m, mission_facts(m, LEVEL)) if w.kind == "overlap"]
+    assert not [w for w in warnings(m, mission_facts(m, LEVEL)) if w.code == "mission.overlap_low"]
 
 
 @pytest.mark.parametrize("pattern", patterns)
 def test_advice_is_that_of_the_pattern(pattern):
     m = mission(pattern)
     thin = replace(mission_facts(m, LEVEL), across=Spread(low=0.4, middle=0.7, high=0.7))
-    (told,) = [w.words for w in warnings(m, thin) if w.kind == "overlap"]
-    assert "falls to 40 %, 70 % were asked for; " in told
-    assert "ask for more (overlap=" in told
-    assert "terrain" not in told
-    assert "fly higher" not in told
-    (over,) = [w.words for w in warnings(replace(m, terrain="dsm.tif"), thin) if w.kind == "overlap"]
-    assert ("over high ground" in over) == ("fly higher" in over) == patterns[pattern].ground
+    (found,) = [w for w in warnings(m, thin) if w.code == "mission.overlap_low"]
+    assert found.values == {"direction": "across", "overlap": 0.4, "asked": 0.7, "cause": pattern}
+    assert "(overlap=" in found.text()
+    assert "(gsd=" not in found.text()
+    (over,) = [w for w in warnings(replace(m, terrain="dsm.tif"), thin) if w.code == "mission.overlap_low"]
+    assert (over.values["cause"] == "relief") == ("(gsd=" in over.text()) == patterns[pattern].ground
 
 
 def test_places_that_few_photographs_show_are_told_by_where_they_lie():
     low = mission("nadir", more={"overlap": (0.3, 0.1)})
-    told = {w.kind: w.words for w in warnings(low, mission_facts(low, LEVEL))}
-    assert "30 % along and 10 % across show no more of its middle: raise the overlap" in told["rare"]
+
+    def rarely(m, facts):
+        return next(w for w in warnings(m, facts) if w.code == "mission.seen_rarely")
+
+    found = rarely(low, mission_facts(low, LEVEL))
+    assert (found.values["where"], found.values["along"], found.values["across"]) == ("middle", 0.3, 0.1)
+    assert "(overlap=" in found.text()
     edge = mission("nadir", more={"margin": 0.0, "overlap": (0.7, 0.6)}, take_off=None)
     facts = mission_facts(edge, LEVEL)
     assert facts.seen_rarely > 0
     assert facts.rarely_inside == 0
-    assert {w.kind: w.words for w in warnings(edge, facts)}["rare"].endswith("at its edges: widen it (margin=)")
+    assert rarely(edge, facts).values["where"] == "edges"
+    assert "(margin=" in rarely(edge, facts).text()
     zone = np.array([[80.0, 80], [200, 80], [200, 190], [80, 190]]) + PLACE
     cut = mission("nadir", no_go=(zone,))
     facts = mission_facts(cut, LEVEL)
     assert facts.rarely_at_zones > 0
     assert facts.rarely_inside == 0
-    assert "that is at no-go zones" in {w.kind: w.words for w in warnings(cut, facts)}["rare"]
+    assert rarely(cut, facts).values["where"] == "zones"
 
 
 def test_overlaps_asked_for_alike_by_every_command():

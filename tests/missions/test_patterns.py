@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from tests.missions.cases import CAMERA, LEVEL, OUTLINES, PLACE, VEHICLE, mission, wish
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Severity
 from raybundle.missions.build import Task, plan_mission
 from raybundle.missions.mission import exposures
 from raybundle.missions.patterns import patterns
@@ -175,10 +175,11 @@ def test_what_the_camera_cannot_do():
 
 def test_what_is_too_high_or_out_of_sight_is_told():
     m = mission("nadir", more={"distance": 150.0})
-    found = {w.kind: w for w in warnings(m, mission_facts(m, LEVEL), sight_m=200.0)}
-    assert found["height"].fault
-    assert "150 m above the ground, 120 m are the limit of the open category (EU 2019/947" in found["height"].words
-    assert not found["sight"].fault
+    found = {w.code: w for w in warnings(m, mission_facts(m, LEVEL), sight_m=200.0)}
+    high = found["mission.too_high"]
+    assert high.severity == Severity.FAULT
+    assert high.values == {"height_m": pytest.approx(150), "limit_m": 120.0, "open_category": True}
+    assert found["mission.out_of_sight"].severity == Severity.WARNING
 
 
 @pytest.mark.parametrize(

@@ -81,7 +81,8 @@ def ridge():
 
 def test_a_raster_in_degrees_is_brought_over(ridge):
     rasterio = pytest.importorskip("rasterio")
-    assert "in degrees; its heights were brought over" in ridge.remarks[-1]
+    assert ridge.remarks[-1].message.code == "raster.transformed"
+    assert ridge.remarks[-1].message.values["system"] == "degrees"
     assert ridge.cell_m == pytest.approx(83.1, abs=0.5)  # 3" at 36.6 deg: 92.6 m by 74.5 m
     with rasterio.open(SRTM) as source:
         table, t = source.read(1).astype(float), source.transform
@@ -145,7 +146,7 @@ def test_what_a_slow_climber_cannot_follow_is_told(ridge):
     slow = replace(VEHICLE, climb=0.5, descent=0.5, minutes=400.0)
     outline = MIDDLE + np.array([[-400.0, -300], [400, -300], [400, 300], [-400, 300]])
     m = mission("nadir", ground=ground_of(ridge), outline=outline, crs=CRS, vehicle=slow, take_off=tuple(outline[0]))
-    assert any("steeper than the vehicle climbs" in r for r in m.remarks)
+    assert "mission.ground_too_steep" in [r.message.code for r in m.remarks]
     e = exposures(m)
     assert (e.xyz[:, 2] - ridge.at(e.xyz[:, :2])).min() > CAMERA_ABOVE["nadir"] - 1
 
@@ -162,7 +163,7 @@ def test_the_least_overlap_over_high_ground_is_told(ridge):
     expected = 1 - m.base / (least * m.camera.height_px / m.camera.c_px)
     assert expected < facts.along.low < expected + 0.15  # the summit is a part of the photograph alone
     assert facts.along.high > 0.79
-    assert any(w.kind == "overlap" for w in warnings(m, facts))
+    assert any(w.code == "mission.overlap_low" for w in warnings(m, facts))
 
 
 def raster(path, heights, **more):
@@ -195,7 +196,7 @@ def test_feet_become_metres_and_are_asked_for_where_nobody_says(tmp_path):
     path = raster(tmp_path / "feet.tif", table, unit="ft")
     g = read_heights(path, "EPSG:32632", HERE)
     assert np.nanmax(g.heights) == pytest.approx(328 * 0.3048)
-    assert "heights in feet were turned into metres" in g.remarks[0]
+    assert g.remarks[0].message.code == "raster.feet"
     with pytest.raises(InputError, match=r"dem_unit.*raster\.unit_differs"):
         read_heights(path, "EPSG:32632", HERE, unit="m")
     rasterio = pytest.importorskip("rasterio")

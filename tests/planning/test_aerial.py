@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.missions.cases import ACROSS_30, PLACE, change
 from tests.missions.cases import LEVEL as LEVEL_GROUND
-from tests.missions.cases import PLACE
 from tests.missions.cases import mission as planned_mission
 
 from raybundle.adjustment.engine import adjust_block
@@ -58,11 +58,11 @@ def test_oblique_strips_are_the_remedy_and_what_they_bring_is_told():
     assert "az" in done.planned.lost
     assert {"c", "az"} <= set(done.planned.lost_level)
     assert np.isnan(done.planned.sigma_m).all()
-    assert done.advised.name == "lines across tilted 30 deg, one control point"
+    assert change(done.advised) == ("flight_change.across_tilted", {**ACROSS_30, "control": 1})
     assert done.gain(done.advised) == np.inf
     assert done.advised.sigma_m[2] < 0.04
     hills = plan_flight(Flight(points=12, alternating=True, lever_arm=True, relief=RELIEF))
-    oblique = next(r for r in hills.remedies if r.name == "lines across, tilted 30 deg")
+    oblique = next(r for r in hills.remedies if change(r) == ("flight_change.across_tilted", ACROSS_30))
     assert not hills.planned.sure
     assert oblique.sure
     assert hills.gain(oblique) > 3
@@ -118,8 +118,8 @@ def test_control_table():
         assert min(beyond) > 0.9 * enough.found.height_worst_m
     assert worst[5, 0.005] < worst[5, 0.01] < worst[5, 0.03]
     where = {r.where: r.found.height_worst_m for r in table.layouts}
-    assert min(where, key=where.get) == "corners and middle"
-    assert where["corners and middle"] == pytest.approx(worst[5, 0.01], rel=1e-6)
+    assert min(where, key=where.get) == "corners"
+    assert where["corners"] == pytest.approx(worst[5, 0.01], rel=1e-6)
 
 
 @pytest.mark.parametrize("places", [*PLACES.values(), *LAYOUTS.values()], ids=str)

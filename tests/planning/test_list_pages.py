@@ -15,7 +15,7 @@ from raybundle.cli.main import main
 from raybundle.commands.planning.network import NetworkSettings, site_of
 from raybundle.commands.planning.objects import surface_of
 from raybundle.commands.planning.photograph_list import ListSettings, run_plan_list, task_of
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.objects.distance import Distances
 from raybundle.planning.assistants import assistants
 from raybundle.planning.assistants.base import held_words
@@ -31,6 +31,11 @@ PAGES = [k for k in sorted(assistants) if k != "targets"]
 def shots_of(kind, text=None, **more):
     settings = ListSettings(kind=kind, object=text or assistants[kind].example, out=Path("x"), f_number=16.0, **more)
     return assistants[kind].shots(task_of(settings))
+
+
+def rules_of(kind, text=None, **more):
+    """Values of the rules by their codes."""
+    return {m.code: m.values for rule in shots_of(kind, text, **more).rules for m in rule.messages}
 
 
 def printed(shots):
@@ -128,9 +133,9 @@ def test_every_target_of_a_photograph_is_listed(tmp_path, monkeypatch):
     assert main([*words, "--effort", "quick", "--progress", "none", "--out", str(tmp_path / "plan")]) == 0
     shots = shots_of("targets", "facade:12,8", stations=tmp_path / "plan/stations.csv", count=60)
     for leaf in shots.leaves:
-        count, names = int(leaf.see.split()[0]), leaf.see.partition(": ")[2].split(", ")
-        assert len(names) == count > 16
-        assert "..." not in leaf.see
+        names = leaf.see.message.values["names"]
+        assert len(names) > 16
+        assert leaf.see.endswith(", ".join(names))
     text = " ".join(drawn_text(printed(shots), monkeypatch))
     assert all(f" {n}," in text or f" {n} " in text for n in (f"T{k + 1}" for k in range(60)))
 
@@ -148,14 +153,15 @@ def test_a_ticked_list_keeps_camera_promise_and_rules(tmp_path, capsys):
     assert main(["simulate", str(made), "--out", str(taken)]) == 0
     assert main(["plan", "check", str(made), str(taken), "--out", str(out), "--progress", "none"]) == 0
     before, after = (json.loads((d / "list.json").read_text(encoding="utf-8")) for d in (made, out))
-    assert before["title"] == "Calibration photographs of sheet 0.42 x 0.297 m"
-    assert after["title"] == "Calibration photographs of sheet 0.42 x 0.297 m: 16 of 16 taken"
-    assert after["facts"] == ["Missing: none", *before["facts"]]
+    title = phrase("photograph_list.title", assistant="calibration", name="sheet 0.42 x 0.297 m")
+    assert before["title"] == title
+    assert after["title"] == phrase("photograph_list.title_taken", title=title, n=16, of=16)
+    assert after["facts"] == [phrase("photograph_list.missing", n=0, names=[]), *before["facts"]]
     assert any(f.startswith("Camera ") for f in after["facts"])
     promised = words.headline("photograph_list.promise", {"sigma_px": 0, "worst_mm": 0, "mean_mm": 0}).partition(",")[0]
     assert any(f.startswith(promised) for f in after["facts"])
     assert (after["rules"], after["edges"]) == (before["rules"], before["edges"])
-    assert rb.read_block(made / "block").name == "plan of calibration photographs of sheet 0.42 x 0.297 m"
+    assert rb.read_block(made / "block").name == phrase("network_plan.title", name=title)
     capsys.readouterr()
     (made / "list.json").unlink()
     again = ["plan", "check", str(made), str(taken), "--progress", "none", "--out"]
@@ -167,20 +173,17 @@ def test_a_ticked_list_keeps_camera_promise_and_rules(tmp_path, capsys):
 
 
 def test_where_no_aperture_makes_it_sharp_another_sheet_does():
-    small = " ".join(shots_of("calibration").rules)
-    assert "stop down to f/" not in small
-    assert "sharp at f/41 only" in small
-    size, _, rest = small.partition("times as large, ")[2].partition(" m from ")
-    far, focus = float(rest.split()[0]), float(rest.partition("focused to ")[2].split()[0])
-    sheet = ",".join(size.split(" x "))
-    larger = " ".join(shots_of("calibration", f"sheet:{sheet}", focus=focus).rules)
-    assert f"fills the format at {far:.2f}" in larger or f"fills the format at {far - 0.01:.2f}" in larger
+    small = rules_of("calibration")
+    assert "photograph_list.stop_down" not in small
+    advised = small["photograph_list.larger_sheet"]
+    assert advised["needed"] == 41
+    size = [round(advised[n], 2) for n in ("width_m", "height_m")]
+    larger = rules_of("calibration", f"sheet:{size[0]},{size[1]}", focus=round(advised["focus_m"], 2))
+    assert larger["photograph_list.rule_sheet"]["distance_m"] == pytest.approx(advised["distance_m"], abs=0.01)
     # as large as it says it is sharp, to what the rounding of the figures leaves
-    assert "sharp at" not in larger
-    a_bit = " ".join(
-        shots_of("calibration", f"sheet:{','.join(f'{0.8 * float(v):g}' for v in size.split(' x '))}").rules
-    )
-    assert "stop down to f/2" in a_bit
+    assert "photograph_list.larger_sheet" not in larger
+    a_bit = rules_of("calibration", f"sheet:{0.8 * size[0]:g},{0.8 * size[1]:g}")
+    assert 20 <= a_bit["photograph_list.stop_down"]["f_number"] < 30
 
 
 @pytest.mark.parametrize(("noise", "grade"), [(0.005, "Good"), (0.1, "Usable"), (2.0, "Weak")])

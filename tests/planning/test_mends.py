@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.missions.cases import CAMERA, LEVEL, PLACE, mission
+from tests.missions.cases import ACROSS_30, CAMERA, LEVEL, PLACE, change, mission
 
 from raybundle.errors import InputError
 from raybundle.planning.aerial import NO_RTK, UNSOLVED, by_design, is_rtk, mended
@@ -19,8 +19,8 @@ WALL = np.array([[0.0, 0], [100, 20]]) + PLACE
 def test_without_rtk_control_mends_heights_and_not_c():
     """Five points bring Z from metres to centimetres and leave c as it was: tilted lines with them are named."""
     done = plan_flight(Flight(points=12, station_sigma=NO_RTK, alternating=True))
-    five = next(r for r in done.remedies if r.name == "five control points")
-    tilted = next(r for r in done.remedies if r.name == "lines across, tilted 30 deg")
+    five = next(r for r in done.remedies if change(r) == ("flight_change.control", {"n": 5}))
+    tilted = next(r for r in done.remedies if change(r) == ("flight_change.across_tilted", ACROSS_30))
     assert five.sure
     assert done.gain(five) > 50
     assert done.gains(five)["c"] < 2**0.5  # less than as much again is known of it
@@ -28,7 +28,7 @@ def test_without_rtk_control_mends_heights_and_not_c():
     assert not done.mends(five)
     assert done.mends(tilted)
     assert done.gain(tilted) < 2
-    assert done.advised.name == "lines across tilted 30 deg, five control points"
+    assert change(done.advised) == ("flight_change.across_tilted", {**ACROSS_30, "control": 5})
     assert done.gain(done.advised) > 50
     assert done.gains(done.advised)["c"] > 10
 
@@ -57,10 +57,11 @@ def test_a_parameter_is_mended_by_design_or_by_more_than_half_of_its_information
 
 def test_a_lever_arm_is_held_without_rtk_and_the_row_says_so():
     arm = plan_flight(Flight(points=8, lever_arm=True, cross_tilt_deg=30.0))
-    assert arm.without_rtk.name == "the same without RTK, lever arm held"
+    assert change(arm.without_rtk) == ("flight_change.without_rtk", {"lever_arm": True})
     assert not arm.without_rtk.plan.lever_arm
     assert not {"ax", "ay", "az"} & set(arm.without_rtk.std)
-    assert plan_flight(Flight(points=8, cross_tilt_deg=30.0)).without_rtk.name == "the same without RTK"
+    plain = plan_flight(Flight(points=8, cross_tilt_deg=30.0)).without_rtk
+    assert change(plain) == ("flight_change.without_rtk", {"lever_arm": False})
 
 
 def test_positions_as_poor_as_a_plain_receivers_are_no_rtk():
@@ -69,7 +70,7 @@ def test_positions_as_poor_as_a_plain_receivers_are_no_rtk():
     assert not is_rtk((0.02, 0.02, 1.0))
     poor = plan_flight(Flight(points=8, station_sigma=NO_RTK, cross_tilt_deg=30.0))
     assert poor.without_rtk is None
-    assert not any("RTK" in r.name for r in poor.remedies)
+    assert "flight_change.without_rtk" not in [change(r)[0] for r in poor.remedies]
 
 
 @pytest.mark.parametrize(

@@ -227,7 +227,7 @@ def test_paper_holds_a_page_of_points_with_the_known_and_the_worst(case):
 
 def test_a_long_list_is_printed_in_part_and_a_short_one_whole():
     long = rows(10 * PRINTED, marked=(0, 5))
-    thin = on_a_page(long, range(0, 10 * PRINTED, 10), "some of them")
-    assert [len(thin.rows), len(thin.printed.rows), thin.printed.note] == [10 * PRINTED, PRINTED, "some of them"]
+    thin = on_a_page(long, range(0, 10 * PRINTED, 10), "some")
+    assert [len(thin.rows), len(thin.printed.rows), thin.printed.note] == [10 * PRINTED, PRINTED, "some"]
     assert thin.printed.marked == {0}
     assert on_a_page(rows(PRINTED), (), "").printed is None

@@ -8,6 +8,7 @@ from html import unescape
 import pytest
 
 import raybundle
+from raybundle import words
 from raybundle.adjustment.result import Notice
 from raybundle.errors import InputError, Text
 from raybundle.report.languages import Localised, language_codes
@@ -120,3 +121,42 @@ def test_paper_says_its_language():
 def test_a_language_that_there_is_not_is_refused(tmp_path):
     with pytest.raises(InputError, match="en, de"):
         write_report(made("rich"), tmp_path / "r.html", language="xx")
+
+
+FOREIGN = re.compile(r"(?<![\w./:-])(the|of|and|with|from|is|are|points?|photographs?|without)(?![\w./-])")
+"""English words that no other language here has"""
+
+
+GERMAN = words.Reader("de", flags=True)
+
+
+def test_pages_of_a_plan_are_in_the_language_of_its_reader(tmp_path):
+    with words.reading(GERMAN):
+        raybundle.plan_network(
+            "facade:6,4", tmp_path / "network", photographs=8, object_points=30, rays=2, effort="quick",
+            measured="natural", scale_bars=2,
+        )  # fmt: skip
+        raybundle.plan_list("calibration", "sheet:0.42,0.297", tmp_path / "list", f_number=8.0)
+        area = "7.1 50.1, 7.105 50.1, 7.105 50.103, 7.1 50.103"
+        flown = raybundle.plan_mission(area, tmp_path / "mission", vehicle="mavic-2-pro", height=150.0)
+        texts = [w.text() for w in flown.warnings]
+    page = (tmp_path / "network/network.html").read_text(encoding="utf-8")
+    assert '<html lang="de">' in page
+    head, script = page.partition("<body")[2].split("<script", 1)
+    texts += [unescape(re.sub(r"<[^>]*>", " ", head)), *re.findall(r'"words":(\[.*?\]|\{.*?\})', script)]
+    texts += [(tmp_path / name).read_text(encoding="utf-8") for name in ("network/stations.csv", "list/list.csv")]
+    texts.append(re.sub(r'"\w+":', "", (tmp_path / "list/list.json").read_text(encoding="utf-8")))
+    texts += re.findall(r"<text[^>]*>([^<]*)", (tmp_path / "mission/mission.svg").read_text(encoding="utf-8"))
+    heads = "points,what_for"
+    left = {m[0]: t[:200] for t in texts for m in FOREIGN.finditer(t.replace(heads, ""))}
+    assert not left
+
+
+@pytest.mark.parametrize("draw", [raybundle.plot_residuals, raybundle.plot_interior, raybundle.plot_network])
+def test_figures_are_in_the_language_of_their_reader(draw):
+    with words.reading(GERMAN):
+        figure = draw(made("rich"))
+    titles = [figure.get_suptitle()]
+    for axes in figure.axes:
+        titles += [axes.get_title(), axes.get_xlabel(), axes.get_ylabel(), *axes.get_legend_handles_labels()[1]]
+    assert not [t for t in titles if FOREIGN.search(t)]

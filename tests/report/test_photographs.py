@@ -55,7 +55,7 @@ def test_what_was_left_out_is_told_and_escaped(free_case, tmp_path):
         facts_of(
             free_case,
             refused=((HOSTILE, "0 bytes"),),
-            not_oriented=((free_case.given.images.ids[0], "fits no other photograph"),),
+            not_oriented=((free_case.given.images.ids[0], "unrelated"),),
             stages=(
                 StageFact(name="features", seconds=12.0, cpu_seconds=20.0, peak_memory_mb=300.0, from_cache=False),
                 StageFact(name="matching", seconds=3.0, cpu_seconds=4.0, peak_memory_mb=512.0, from_cache=True),
@@ -68,7 +68,7 @@ def test_what_was_left_out_is_told_and_escaped(free_case, tmp_path):
     words = " ".join(" ".join(parsed(html).text).split())
     assert HOSTILE not in html
     assert HOSTILE in words
-    assert "fits no other photograph" in words
+    assert "unrelated" in words
     assert "15.0 s" in words
     assert "512 MB" in words
     assert "80 %" in words  # verified of candidates

@@ -14,8 +14,9 @@ import numpy as np
 import pytest
 
 import raybundle as rb
+from raybundle.adjustment.cell_means import cell_means
 from raybundle.adjustment.engine import adjust_block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.planning.scenes import AerialStrips, SinglePhoto, aerial_scene, single_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.detectable import detectable
@@ -144,7 +145,7 @@ def test_the_network_is_that_of_the_report(rich):
     rows, factor = ellipse_rows(view, shape.kept, 0.014 * widest)
     half, _ = ellipses(view, rows, 0, 1)
     np.testing.assert_allclose(ellipse.get_widths(), 2 * factor * half[:, 1])
-    assert f"enlarged {factor:g} times" in rb.plot_network(rich).get_suptitle().replace("\u2009", "").replace(" ", " ")
+    assert phrase("plot.ellipses", n=len(rows), times=factor) in rb.plot_network(rich).get_suptitle()
 
 
 def test_ellipses_are_those_of_the_covariances(rich):
@@ -167,7 +168,9 @@ def test_residuals_are_drawn_where_they_are(rich):
     assert at.get_ylim()[0] > at.get_ylim()[1]  # y down, as residuals are
     counts = histogram.patches[0].get_data().values
     assert counts.sum() == np.isfinite(normalised(view_of(rich))).sum()
-    assert "differ from zero" in means.get_title()
+    cells = cell_means(rich, rich.given.cameras[0], used, normalised(view_of(rich)))
+    found = phrase("plot.means_from_zero", n=int(cells.significant.sum()), of=cells.tested)
+    assert means.get_title() == found.replace("; ", ";\n")
 
 
 def test_curves_are_those_of_the_report(rich):

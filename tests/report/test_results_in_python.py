@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import re
 import sys
 import xml.etree.ElementTree as ET
 from dataclasses import fields, is_dataclass, replace
@@ -14,7 +15,7 @@ import raybundle as rb
 from raybundle.adjustment.queries import covariance_between
 from raybundle.adjustment.result import Notice
 from raybundle.commands.show import show
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.alone import svg_of
@@ -57,7 +58,7 @@ def test_nothing_of_a_solver_stands_in_it_but_behind_its_handle(result):
 
 def test_it_shows_itself(result):
     line = repr(result)
-    assert line.startswith("<Adjustment 'testfield', 5 images, 16 object points, sigma0 ")
+    assert re.match(r"<Adjustment 'testfield', 5 .* 16 .* sigma0 ", line)
     assert "\n" not in line
     odd = replace(result, notices=(Notice(code="x", message="<script>alert(1)</script>"),) * 9)
     page = odd._repr_html_()
@@ -65,7 +66,7 @@ def test_it_shows_itself(result):
     assert "&lt;script&gt;" in page
     c = result.interior[0].parameters["c"]
     assert f"{c.value:.6g}" in page
-    assert repr(result.given).startswith("<Block 'testfield', 1 camera, ")
+    assert repr(result.given).startswith("<Block 'testfield', ")
     assert "2 distances" in repr(result.given)
 
 
@@ -113,7 +114,7 @@ def test_a_page_is_written_and_opened(result, tmp_path, monkeypatch):
     assert "iframe" in page._repr_html_()
     network = show(result, what="network")
     assert network.path.name == "network.html"
-    assert "Network of testfield" in network.path.read_text(encoding="utf-8")
+    assert phrase("network_page.title", name="testfield") in network.path.read_text(encoding="utf-8")
     monkeypatch.setitem(sys.modules, "ipykernel", ModuleType("ipykernel"))
     show(result, tmp_path / "again.html")
     assert len(opened) == 2  # a notebook shows it within itself

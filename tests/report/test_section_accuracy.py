@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from raybundle.errors import phrase
 from raybundle.report.sections.accuracy import accuracy_section
 from raybundle.report.sections.result import result_section
 from raybundle.report.text.numbers import grouped, significant
@@ -17,6 +18,9 @@ MM = {"mm": 1.0, "m": 1000.0, "units": 1.0}
 
 def rows_of(view):
     return {r[0]: r for p in accuracy_section(view).parts if p.kind == "table" for r in p.rows}
+
+
+RMS, MEAN = (phrase("report_accuracy.deviation", kind=k) for k in ("rms", "mean"))
 
 
 def plain(words):
@@ -50,10 +54,11 @@ def test_the_same_object_points_stand_behind_all_their_figures(case):
     over = {r[2] for name, r in rows.items() if name.startswith(("standard deviation,", "relative"))}
     assert len(over) == 1
     assert f"{grouped(len(std))} object points" in over.pop()
-    assert significant(rms(std)) in rows["standard deviation, rms"][1]
-    assert significant(float(std[np.isfinite(std)].mean())) in rows["standard deviation, mean"][1]
-    assert "3 check points, 9 coordinates" in rows["difference at check points, rms"][2]
-    assert rows["expected"][2] == rows["difference at check points, rms"][2]
+    assert significant(rms(std)) in rows[RMS][1]
+    assert significant(float(std[np.isfinite(std)].mean())) in rows[MEAN][1]
+    of_check = rows[phrase("report_accuracy.check")][2]
+    assert tuple(int(n) for n in re.findall(r"\d+", of_check)[:2]) == (3, 9)
+    assert rows["expected"][2] == of_check
     assert "RMSE_H (ASPRS 2024)" in rows
 
 
@@ -67,7 +72,7 @@ def test_precisions_in_the_image_are_related_by_sigma0(case):
 
 def test_without_statistics_the_images_remain(case):
     rows = rows_of(view_of(case("without_statistics")))
-    assert "standard deviation, rms" not in rows
+    assert RMS not in rows
     assert "residual, rms" in rows
 
 

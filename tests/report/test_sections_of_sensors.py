@@ -10,7 +10,7 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.engine import adjust_block
-from raybundle.errors import Text
+from raybundle.errors import Text, phrase
 from raybundle.report.figures.corrections import correction_figures
 from raybundle.report.figures.series import running
 from raybundle.report.sections.control import control_section
@@ -295,8 +295,8 @@ def test_the_logarithm_of_a_camera_constant_is_called_so():
     body = next(
         p for p in flat(control_section(view).parts) if p.kind == "table" and "ln c" in " ".join(map(str, p.rows))
     )
-    rows = {r[1]: r for r in body.rows}
-    assert float(rows["known before: ln c"][3]) == pytest.approx(np.log(block.cameras[0].values["c"]), rel=1e-4)
-    assert rows["known before: ln c"][2] != "mm"
+    rows, known = {r[1]: r for r in body.rows}, phrase("report_control.known_before", symbol="c")
+    assert float(rows[known][3]) == pytest.approx(np.log(block.cameras[0].values["c"]), rel=1e-4)
+    assert rows[known][2] != "mm"
     assert rows["known before: x0"][2] == "mm"
     assert [m.values for m in body.note.messages if m.code == "report_control.logarithms"] == [{"symbols": ["c"]}]

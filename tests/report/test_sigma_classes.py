@@ -8,11 +8,14 @@ import numpy as np
 import pytest
 
 from raybundle.cli.main import main
+from raybundle.errors import phrase
 from raybundle.report.network_page import extent_of
 from raybundle.report.sigma_classes import GOOD, MISSED, SHADES, sigma_classes
 from tests.studio.browser import ARGUMENTS, chromium
 
 RNG = np.random.default_rng(5)
+
+FAR_BELOW = phrase("sigma_class.by_wanted", place="far_below", limit=1.0, unit="mm")
 
 
 def class_of(classes, value):
@@ -33,7 +36,7 @@ def test_red_is_only_what_is_above_what_was_wanted():
     assert "wanted: 2 mm" in words_of(classes)[0]
     assert words_of(classes)[-1] == f"worst: {values.max():.3g} mm"
     all_good = sigma_classes(np.linspace(0.3, 0.93, 50), "mm", 2.0)
-    assert words_of(all_good)[1:] == ["far below it: to 1 mm", "worst: 0.93 mm"]
+    assert words_of(all_good)[1:] == [FAR_BELOW, "worst: 0.93 mm"]
 
 
 def test_drawn_in_single_precision_what_is_wanted_is_kept():
@@ -98,8 +101,8 @@ def planned(tmp_path_factory):
 def test_the_page_of_a_plan_has_what_was_wanted(planned):
     html = (planned / "network.html").read_text(encoding="utf-8")
     data = json.loads(re.search(r'id="network-data">(.*?)</script>', html, re.DOTALL).group(1))
-    assert "Wanted: a coordinate to 0.16 mm (worst point)" in html
-    assert "<title>Plan of facade:12,8</title>" in html
+    assert phrase("network_page.wanted", sigma=0.16, unit="mm", what="worst").partition(".")[0] in html
+    assert f"<title>{phrase('network_plan.title', name='facade:12,8')}</title>" in html
     for part, sigma in (("points", data["points"]["sigma"]), ("surface", data["surface"]["sigma"])):
         classes = data["classes"][part]
         values = np.frombuffer(base64.b64decode(sigma), "<f4").astype(float)

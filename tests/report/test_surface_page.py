@@ -51,14 +51,14 @@ def told(code, language="en", **values):
 
 
 def test_the_page_says_what_is_incomplete_in_its_headline(tmp_path):
-    text = page(tmp_path, summary(), remarks=("the picture lies in its map",))
+    text = page(tmp_path, summary(), remarks=("georeferenced",))
     assert told("title", name="wall") in text
     head = [
         told("points", n=1000, maps=2), told("median_sigma", sigma=0.7, unit="mm"),
         told("incomplete_map", name="c.jpg", share=0.2), told("excluded", n=1),
     ]  # fmt: skip
     assert f'class="verdict remarks">{" ".join(head)}<' in text
-    assert "the picture lies in its map" in text
+    assert "georeferenced" in text
     raw = (tmp_path / "p.html").read_text()
     assert "a&lt;b.jpg" in raw
     assert "a<b" not in raw

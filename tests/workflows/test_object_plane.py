@@ -74,7 +74,7 @@ def test_how_far_a_wall_leans(field, wall, lean):
                   PlaneAsked()):  # fmt: skip
         found = plane_of(block, asked)
         assert np.degrees(found.lean.angle) == pytest.approx(lean, abs=1e-6)
-        assert ("back" if lean > 0 else "forward") in found.lean.words
+        assert found.lean.values["back"] == (lean > 0)
         if asked.vertical:
             assert abs(found.axes[2, 2]) < 1e-12
 
@@ -87,7 +87,8 @@ def test_what_leans_as_no_wall_does_is_a_caution(field, wall, lean, sigma, told)
     found = replace(exact, lean=replace(exact.lean, sigma=np.radians(sigma)))
     assert bool(found.cautions) == told
     if told:
-        assert "no wall leans by more than 11 degrees" in found.cautions[0]
+        assert found.cautions[0].message.code == "plane.leans"
+        assert found.cautions[0].message.values["limit_deg"] == pytest.approx(11, abs=0.5)
         assert not found.remarks
     assert not plane_of(block, PlaneAsked(points=names)).cautions  # a roof is made as it lies
 
@@ -102,8 +103,9 @@ def test_a_wall_that_is_not_plumb_is_told_where_a_plumb_one_is_asked_for(field, 
 
     told = plane_of(leaning, asked, covariance=lambda names: covariance(names) * 1e-6).remarks
     assert len(told) == 1
-    assert "not plumb by more than its standard deviation" in told[0]
-    assert "back by 2" in told[0]
+    assert told[0].message.code == "plane.not_plumb"
+    assert told[0].message.values["back"] is True
+    assert told[0].message.values["lean_deg"] == pytest.approx(2, abs=0.1)
     assert not plane_of(upright, asked, covariance=covariance).remarks
     assert not plane_of(leaning, PlaneAsked(points=wall[1])).remarks
 

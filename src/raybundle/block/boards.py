@@ -125,7 +125,7 @@ def board_block(
             role=np.full(len(xyz), Role.TIE if raster_sigma is None else Role.CONTROL, np.int32),
         ),
     )  # fmt: skip
-    out = Rejection(kind=RejectionKind.GIVEN, detail="given as an outlier")
+    out = Rejection(kind=RejectionKind.GIVEN)
     return block, tuple(None if g else out for g in good), start
 
 

@@ -1,4 +1,4 @@
-"""Why an image observation takes no part: a kind and its figures; words are made of them where they are shown."""
+"""Why an image observation takes no part: a kind and its figures."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from enum import StrEnum
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from raybundle.errors import Text, phrase
 
 if TYPE_CHECKING:
     from raybundle.block.block import Block
@@ -32,18 +34,6 @@ class RejectionKind(StrEnum):
     """By whoever made the observations, or by the caller."""
 
 
-WORDS = {
-    RejectionKind.BLUNDER: "blunder",
-    RejectionKind.BLUNDER_NOT_LOCATED: "blunder in one of the point's rays",
-    RejectionKind.BEHIND_CAMERA: "behind the camera",
-    RejectionKind.RAYS_DIVERGE: "rays diverge",
-    RejectionKind.SINGLE_RAY: "single ray left",
-    RejectionKind.RESIDUAL: "residual",
-    RejectionKind.GIVEN: "left out as given",
-}
-"""Each kind in the words of reports and tables."""
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rejection:
     """The reason for one image observation."""
@@ -55,16 +45,18 @@ class Rejection:
     """Its critical value."""
     axis: str = ""
     """Image coordinate of the test value: x or y."""
-    detail: str = ""
-    """Of kind GIVEN: who left it out, in words that replace those of the kind."""
+
+    @property
+    def text(self) -> Text:
+        """The reason, as the report shows it."""
+        if math.isnan(self.tau):
+            return phrase("rejection.reason", kind=self.kind.value, axis="none", tau=0.0, limit=0.0)
+        return phrase("rejection.reason", kind=self.kind.value, axis=self.axis, tau=self.tau, limit=self.limit)
 
     def __str__(self) -> str:
-        """The reason in words, as observations.csv and the report show it."""
-        words = self.detail or WORDS[self.kind]
-        if math.isnan(self.tau):
-            return words
-        ray = " of one ray" if self.kind is RejectionKind.BLUNDER_NOT_LOCATED else ""
-        return f"{words}: tau {self.tau:.2f} > {self.limit:.2f} in {self.axis}{ray}"
+        """The kind and its figures, as files have them in every language."""
+        kind = self.kind.value.replace("_", " ")
+        return kind if math.isnan(self.tau) else f"{kind}: tau {self.tau:.2f} > {self.limit:.2f} in {self.axis}"
 
 
 Rejections = tuple[Rejection | None, ...]

@@ -11,7 +11,7 @@ from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, coun
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import notice_line
 from raybundle.commands.rectify import RectifySettings, run_rectify
-from raybundle.errors import warning
+from raybundle.errors import phrase, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -84,7 +84,8 @@ def _of_plane(plane: Plane, done: Rectification) -> list[str]:
         lines.append(notice_line(warning("picture.few_points_in_plane", share=plane.points / plane.of)))
     lines += [f"warning: {words}" for words in plane.cautions]
     if plane.lean is not None and plane.plumb is not None and not plane.cautions:
-        lines.append(f"its points lean {plane.lean.words} (vertical: {plane.plumb.words})")
+        lean = phrase("plumb.lean", **plane.lean.values)
+        lines.append(f"{lean} (vertical: {plane.plumb.words})")
     slope, largest = done.picture.slope
     shown = f"{slope:.2f} of its distance from it (rms; {largest:.1f} at most)"
     lines.append(f"what lies in front of or behind it is displaced by {shown}")

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.reading.files import check_regular
 from raybundle.objects.surface import Surface
 
@@ -44,7 +44,6 @@ def read_mesh(path: Path, unit: float = 1.0) -> Surface:
         Surface(name=path.stem, vertices=vertices, triangles=triangles)
     except InputError as error:
         raise error.at(path) from None
-    size = " x ".join(f"{s:.4g}" for s in np.ptp(vertices[np.unique(triangles)], axis=0))
-    return Surface(
-        name=path.stem, vertices=vertices, triangles=triangles, about=f"{size} m, {len(triangles)} triangles"
-    )
+    x, y, z = np.ptp(vertices[np.unique(triangles)], axis=0)
+    about = phrase("object_size.mesh", x_m=x, y_m=y, z_m=z, n=len(triangles))
+    return Surface(name=path.stem, vertices=vertices, triangles=triangles, about=about)

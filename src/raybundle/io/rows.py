@@ -31,7 +31,7 @@ def _plain_rows(parts: Sequence[Sequence[str] | Array]) -> str:
     if any(not SPECIAL.isdisjoint("".join(text)) for text in texts):
         return ""
     cells = [_plain_cells(np.asarray(p, float)) if isinstance(p, np.ndarray) else p for p in parts]
-    lines = msgspec.json.encode(list(zip(*cells, strict=True)))
+    lines = msgspec.json.encode(list(zip(*cells, strict=True)), enc_hook=str)
     for mark, cell in ((b".0,", b","), (b".0]", b"]"), (b"],[", b"\n")):
         lines = lines.replace(mark, cell)
     return lines[2:-2].translate(None, b'"').decode() + "\n"

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, message, note
 from raybundle.io.block.folder import write_block
 from raybundle.io.digits import EVERY, exact
 from raybundle.io.folders import check_new_file, new_files
@@ -20,7 +20,6 @@ from raybundle.measuring.film import Scans
 from raybundle.measuring.known import Known
 from raybundle.measuring.merge import merge
 from raybundle.measuring.state import State
-from raybundle.numerics.counting import counted
 
 READ_AS_PX = 0.5
 """Standard deviation with which marks of a CSV are read."""
@@ -99,38 +98,31 @@ def write_merged_block(state: State, path: str | Path, block: Block, scans: Scan
 def lost_in_csv(state: State) -> tuple[str, ...]:
     """What of a state a CSV of points does not hold, in words; empty: it holds all."""
     other = sum(m.covariance != (READ_AS_PX**2, READ_AS_PX**2, 0.0) for m in state.marks.values())
-    things = [*_beside_points(state), (other, f"standard deviation of marks (each is read as {READ_AS_PX:g} px)")]
-    return _lost(things, "a CSV of points")
+    return _lost({**_beside_points(state), "mark_sigmas": other}, "csv")
 
 
 def lost_in_gcp_list(state: State) -> tuple[str, ...]:
     """What of a state a gcp_list.txt does not hold, in words; empty: it holds all."""
     given = [v for v in state.points.values() if v.role != "tie"]
-    things = [
-        *_beside_points(state),
-        (len(state.points) - len(given), "tie point"),
-        (sum(None in v.xyz for v in given), "point without all three coordinates"),
-        (sum(v.role == "check" for v in given), "role of check points (they are read as control)"),
-        (sum(any(s is not None for s in v.sigma) for v in given), "standard deviation of points"),
-        (len(state.marks), "standard deviation of marks"),
-    ]
-    return _lost(things, "a gcp_list.txt")
+    things = {
+        "tie_points": len(state.points) - len(given), "partial_points": sum(None in v.xyz for v in given),
+        "check_roles": sum(v.role == "check" for v in given),
+        "point_sigmas": sum(any(s is not None for s in v.sigma) for v in given), "mark_sigmas": len(state.marks),
+    }  # fmt: skip
+    return _lost({**_beside_points(state), **things}, "gcp_list")
 
 
-def _beside_points(state: State) -> list[tuple[int, str]]:
+def _beside_points(state: State) -> dict[str, int]:
     """How many there are of what is neither a point nor a mark."""
-    return [
-        (len(state.bars), "scale bar"), (len(state.lines), "line"),
-        (int(state.datum is not None), "coordinate system by points"), (len(state.rejected), "rejection"),
-        (len(state.renamed), "new name of a point of the block"),
-    ]  # fmt: skip
+    return {
+        "scale_bars": len(state.bars), "lines": len(state.lines), "datum": int(state.datum is not None),
+        "rejections": len(state.rejected), "names": len(state.renamed),
+    }  # fmt: skip
 
 
-def _lost(things: Sequence[tuple[int, str]], where: str) -> tuple[str, ...]:
-    rows = [
-        what if what.startswith(("standard", "role", "coordinate")) else counted(n, what) for n, what in things if n
-    ]
-    return (f"{where} does not hold: {', '.join(rows)}; a block folder holds all",) if rows else ()
+def _lost(things: Mapping[str, int], kind: str) -> tuple[str, ...]:
+    lost = [message("measuring.lost_thing", what=what, n=n) for what, n in things.items() if n]
+    return (Text.of(note("measuring.file_lacks", details=lost, kind=kind)),) if lost else ()
 
 
 def _files(known: Known) -> dict[str, str]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.film.fiducials import film_of
 from raybundle.measuring.actions import Fiducial
 from raybundle.measuring.film import Scans
@@ -59,12 +59,12 @@ def find_fiducials(state: State, image: str, scans: Scans, size_px: tuple[int, i
     actions, left = list[Fiducial](), dict[str, str]()
     for name, (x, y) in expected(state, image, scans).items():
         if not (ROOM <= x <= size_px[0] - ROOM and ROOM <= y <= size_px[1] - ROOM):
-            left[name] = f"would be at {x:.0f}, {y:.0f}, outside the scan"
+            left[name] = phrase("measuring.outside_scan", x=x, y=y)
             continue
         grey, corner = part(x, y)
         found = snap(grey, x - corner[0], y - corner[1])
         if isinstance(found, NotSnapped):
-            left[name] = f"nothing was found at {x:.0f}, {y:.0f}: {found.why}"
+            left[name] = phrase("measuring.nothing_found", x=x, y=y, cause=found.why)
             continue
         actions.append(
             Fiducial(

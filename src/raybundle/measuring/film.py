@@ -15,7 +15,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera
 from raybundle.block.block import PixelFrame
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.film.fiducials import LEAST, Calibrated, Film, film_of, read_calibrated, suspects
 from raybundle.io.reading.trees import read_toml
 from raybundle.measuring.state import State
@@ -51,9 +51,7 @@ class Placed:
     def words(self) -> tuple[str, ...]:
         """What is to be stated of the films: marks that do not fit the others."""
         suspected = {name: suspects(f) for name, f in self.films.items()}
-        return tuple(
-            f"scan {n}: suspect fiducial marks: {', '.join(s)}; measure them again" for n, s in suspected.items() if s
-        )
+        return tuple(phrase("measuring.suspect_fiducials", image=n, marks=list(s)) for n, s in suspected.items() if s)
 
 
 def read_scans(project: str | Path) -> Scans | None:

@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.block import ROLES, Block, Distances, Observations, Points, Role
 from raybundle.block.select import selected
 from raybundle.block.transform import transform_block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.measuring.axes import (
     BY_POINTS,
     BY_VERTICAL,
@@ -284,12 +284,11 @@ def _without_thin(block: Block, state: State) -> tuple[Block, dict[str, str]]:
             continue
         if p.role[k] == Role.TIE and rays[k] < 2:
             marks = len(state.marks_of(name))
-            here = "marked in one image only" if marks < 2 else "marked in one oriented image only"
-            none = "not marked in any image" if not marks else "not marked in any oriented image"
-            out[name] = here if rays[k] else none
+            oriented = marks >= 2 if rays[k] else marks > 0
+            out[name] = phrase("measuring.too_few_marks", n=int(rays[k]), oriented=oriented)
         elif p.role[k] != Role.TIE and rays[k] == 0:
-            which = "oriented image" if state.marks_of(name) else "image"
-            out[name] = f"{state.points[name].role} point that is not marked in any {which}"
+            role, oriented = state.points[name].role, bool(state.marks_of(name))
+            out[name] = phrase("measuring.unmarked_point", role=role, oriented=oriented)
         gone[k] = name in out
     if not gone.any():
         return block, out
@@ -344,7 +343,8 @@ def _lines(
 def _there(points: Sequence[str], name: str, index: Mapping[str, int], out: dict[str, str]) -> bool:
     lacking = [p for p in points if p not in index]
     if lacking:
-        out[name] = f"point {lacking[0]} is left out ({out.get(lacking[0], 'not in the block')})"
+        cause = out.get(lacking[0]) or phrase("measuring.not_in_block")
+        out[name] = phrase("measuring.point_left_out", point=lacking[0], cause=cause)
     return not lacking
 
 

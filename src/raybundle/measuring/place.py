@@ -12,6 +12,7 @@ from typing import Literal
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.measuring.frames import in_camera
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import State
@@ -200,7 +201,7 @@ def _intersected(session: Session, point: str, rows: list[Row], more: list[int])
     images = list(dict.fromkeys([*(r.image for r in rows), *more]))
     C = joint_of(session, images)
     if C is None:
-        located.neglected = session.neglected or "an image takes no part in the adjustment: there are no covariances"
+        located.neglected = session.neglected or phrase("measuring.image_not_adjusted")
         return located
     Q = np.linalg.inv(N)
     S = -Q @ sum(

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.measuring.frames import file_matrix, to_file
 from raybundle.measuring.place import Located, Row, design, joint_of, locate
 from raybundle.measuring.session import Session
@@ -73,7 +74,9 @@ def predict(session: Session, state: State, point: str, image: str) -> Predictio
     name = session.block.images.ids[i]
     located = locate(session, state, point, without=name, also=(name,))
     if not session.oriented(i):
-        return Prediction(image=name, point=point, xy_px=None, source=located.kind, why="the image is not oriented")
+        return Prediction(
+            image=name, point=point, xy_px=None, source=located.kind, why=phrase("measuring.image_not_oriented")
+        )
     if located.xyz is None:
         return _along(session, located, i)
     return _at(session, located, i)
@@ -84,7 +87,7 @@ def _at(session: Session, located: Located, image: int) -> Prediction:
     assert xyz is not None
     v = view(session, image, xyz)
     if v is None:
-        why = "the point is behind the image, or far outside its format"
+        why = phrase("measuring.point_outside")
         return Prediction(image=name, point=located.point, xy_px=None, source=located.kind, why=why)
     xy, C, neglected = v.xy, None, located.neglected
     if located.joint is not None and image in located.images:
@@ -95,7 +98,7 @@ def _at(session: Session, located: Located, image: int) -> Prediction:
         T = file_matrix(session.block, image)
         C = T @ C @ T.T
     elif not neglected:
-        neglected = "the image takes no part in the adjustment: there is no covariance"
+        neglected = phrase("measuring.image_not_adjusted")
     place = to_file(session.block, image, xy[None])[0]
     return Prediction(
         image=name, point=located.point, xy_px=(float(place[0]), float(place[1])), covariance=C,
@@ -112,7 +115,7 @@ def _along(session: Session, located: Located, image: int) -> Prediction:
     """The epipolar line of a point with one ray; the first where there are more that do not meet."""
     name = session.block.images.ids[image]
     if not located.rows:
-        why = "the point is not marked in another image that is oriented"
+        why = phrase("measuring.no_other_mark")
         return Prediction(image=name, point=located.point, xy_px=None, source=located.kind, why=why)
     row = located.rows[0]
     direction, centre = ray(session, row.image, row.xy), session.block.images.centre[row.image]
@@ -123,14 +126,14 @@ def _along(session: Session, located: Located, image: int) -> Prediction:
     camera = session.camera(image)
     kept = _clipped(line, np.array([camera.width_px, camera.height_px], float))
     if kept is None:
-        why = f"its ray from {session.block.images.ids[row.image]} passes outside the format at all likely depths"
+        why = phrase("measuring.ray_outside", image=session.block.images.ids[row.image])
         return Prediction(image=name, point=located.point, xy_px=None, source=located.kind, why=why)
     segment, middle = kept
     across = _across(session, row, image, xyz[middle], direction)
     neglected = session.neglected if across is None else ""
     return Prediction(
         image=name, point=located.point, xy_px=None, segment=to_file(session.block, image, segment),
-        segment_sigma_px=across, source=located.kind, why="seen once: its depth is not known",
+        segment_sigma_px=across, source=located.kind, why=phrase("measuring.seen_once"),
         neglected=neglected,
     )  # fmt: skip
 

@@ -50,10 +50,8 @@ class Question:
     """values of points (n, 3)"""
     names: Callable[[Sequence[str]], tuple[str, ...]]
     """of the values, by those of the points"""
-    words: str
-    """what it is"""
-    remark: str = ""
-    """what its standard deviation does not show"""
+    near: bool = False
+    """whether it is a distance from zero, which is not normally distributed unless well above its sigma"""
 
     @property
     def count(self) -> str:
@@ -235,39 +233,33 @@ def _named(*names: str) -> Callable[[Sequence[str]], tuple[str, ...]]:
     return lambda _: names
 
 
-NEAR = "a distance that is not well above its sigma is not normally distributed"
 QUANTITIES: Mapping[Quantity, Question] = {
     "coordinates": Question(
-        least=1, most=1, power=1, of=coordinates, names=_named("X", "Y", "Z"), words="coordinates of a point"
+        least=1, most=1, power=1, of=coordinates, names=_named("X", "Y", "Z")
     ),
     "distance": Question(
-        least=2, most=2, power=1, of=distance, names=_named("distance"), words="distance between two points"
+        least=2, most=2, power=1, of=distance, names=_named("distance")
     ),
     "angle": Question(
         least=3, most=3, power=0, of=angle, names=_named("angle"),
-        words="angle at the second of three points",
     ),
     "area": Question(
-        least=3, most=MOST, power=2, of=area, names=_named("area"),
-        words="area of the polygon through points in their order"
+        least=3, most=MOST, power=2, of=area, names=_named("area")
     ),
     "length": Question(
-        least=2, most=MOST, power=1, of=length, names=_named("length"), words="length of the line from point to point"
+        least=2, most=MOST, power=1, of=length, names=_named("length")
     ),
     "plane": Question(
         least=4, most=MOST, power=1, of=plane, names=lambda p: ("flatness", *(f"off {name}" for name in p)),
-        words="flatness: from the lowest to the highest point about their best plane, and the deviation of each",
     ),
     "line": Question(
-        least=3, most=MOST, power=1, of=line, names=lambda p: ("largest distance", *(f"off {name}" for name in p)),
-        words="largest distance of points from their best line, and that of each", remark=NEAR,
+        least=3, most=MOST, power=1, of=line, near=True,
+        names=lambda p: ("largest distance", *(f"off {name}" for name in p)),
     ),
     "to_plane": Question(
-        least=4, most=MOST, power=1, of=to_plane, names=_named("distance"),
-        words="distance of the first point from the best plane through the others", remark=NEAR,
+        least=4, most=MOST, power=1, of=to_plane, names=_named("distance"), near=True,
     ),
     "to_line": Question(
-        least=3, most=MOST, power=1, of=to_line, names=_named("distance"),
-        words="distance of the first point from the best line through the others", remark=NEAR,
+        least=3, most=MOST, power=1, of=to_line, names=_named("distance"), near=True,
     ),
 }  # fmt: skip

@@ -12,7 +12,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
-from raybundle.errors import InputError, message
+from raybundle.errors import InputError, Text, joined_texts, message, phrase
 from raybundle.measuring.axes import (
     BY_POINTS,
     BY_VERTICAL,
@@ -83,15 +83,16 @@ def ask(result: Adjustment, quantity: Quantity, points: Sequence[str]) -> Answer
     rows = (3 * place[:, None] + np.arange(3)).ravel()
     covariance = own[np.ix_(rows, rows)]
     C = J @ covariance @ J.T
-    unit, remark = _unit(result, quantity)
-    remarks = [remark, question.remark]
+    unit, remarks = _unit(result, quantity)
+    if question.near:
+        remarks.append(phrase("measuring.near_zero"))
     if found.deviations is not None:
         expected = expected_extent(found, covariance)
-        remarks.append(f"with this precision {expected:.2g} is to be expected of a perfect {quantity}")
+        remarks.append(phrase("measuring.expected_extent", extent=expected, quantity=quantity))
     return Answer(
         quantity=quantity, points=tuple(points), names=question.names(points), values=tuple(found.values.tolist()),
         sigma=tuple(np.sqrt(np.maximum(np.diagonal(C), 0)).tolist()), covariance=C, unit=unit,
-        remark="; ".join(filter(None, remarks)),
+        remark=joined_texts(*remarks) if remarks else "",
     )  # fmt: skip
 
 
@@ -104,19 +105,19 @@ def positions(block: Block, points: Sequence[str]) -> Array:
     return np.array([index[name] for name in points], np.int64)
 
 
-def _unit(result: Adjustment, quantity: Quantity) -> tuple[str, str]:
+def _unit(result: Adjustment, quantity: Quantity) -> tuple[str, list[Text]]:
     free = result.free_scale
     length = "" if free else result.adjusted.length_unit
     power = QUANTITIES[quantity].power
     unit = {0: "deg", 1: length, 2: f"{length}^2" if length else ""}[power]
-    remarks: list[str] = []
+    remarks: list[Text] = []
     if free and power:
-        remarks.append("nothing fixes the scale: the value is in no unit, its sigma within the network alone")
+        remarks.append(phrase("measuring.no_scale"))
     elif result.datum_defect and quantity == "coordinates":
-        remarks.append(f"the datum is free ({', '.join(result.datum_defect)}): sigma holds within the network")
+        remarks.append(phrase("measuring.free_datum"))
     if result.options.datum == "minimal" and quantity == "coordinates":
-        remarks.append("sigma from the fewest coordinates held, which may be others than in tables of the result")
-    return unit, "; ".join(remarks)
+        remarks.append(phrase("measuring.minimal_datum"))
+    return unit, remarks
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -12,7 +12,7 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, NotSolvable, Text, as_detail, joined_texts, phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.block.places import block_places
 from raybundle.measuring.joint import Joint
@@ -80,7 +80,7 @@ class Session:
     def of(cls, adjustment: Adjustment) -> Session:
         """Of an adjustment, with its full covariances if it has statistics."""
         joint = None if adjustment.handle.work is None else Joint.of(adjustment)
-        words = "" if joint else "the adjustment was made without statistics: there are no covariances"
+        words = "" if joint else phrase("measuring.no_statistics")
         block = replace(adjustment.adjusted, free_scale=adjustment.free_scale)
         return cls._made(block, adjustment, words, joint)
 
@@ -91,11 +91,11 @@ class Session:
         adjust  None: the block as it stands, without covariances
         """
         if adjust is None:
-            return cls._made(block, None, "the block is not adjusted: orientations count as free of error", None)
+            return cls._made(block, None, phrase("measuring.block_not_adjusted"), None)
         try:
             return cls.of(adjust(block))
         except NotSolvable as error:
-            words = f"the block could not be adjusted ({error.headline}): orientations count as free of error"
+            words = joined_texts(phrase("measuring.block_not_adjusted"), Text.of(as_detail(error)))
             return cls._made(block, None, words, None)
 
     @classmethod

@@ -9,19 +9,17 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block
-from raybundle.errors import NoOrientation, NotSolvable
+from raybundle.errors import NoOrientation, NotSolvable, Text, as_detail, joined_texts, note, phrase
 from raybundle.measuring.film import Scans
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.mistaken import Wrong, with_wrong_marks, wrong_marks
 from raybundle.measuring.orienting import unoriented
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import State
-from raybundle.numerics.counting import counted, grouped
 from raybundle.orientation.lacking import COMMON, KNOWN, Lack
 
 AT_ONCE = 50_000
 """Image observations up to which a block is adjusted anew after every mark."""
-HELD = "the points do not determine the interior orientation: it counts as known as the start found it"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,12 +40,10 @@ class Standing:
     @property
     def line(self) -> str:
         """In one line: how many are oriented, and the next step."""
-        reported = f"{self.oriented} of {counted(self.images, 'photograph')} oriented"
-        if not self.lacking:
-            return reported
-        # the one that needs least comes next
-        nearest = min(self.lacking, key=lambda k: (k.kind == "marks", k.need - k.have))
-        return f"{reported}; {nearest.short}"
+        reported = [note("measuring.oriented", n=self.oriented, of=self.images)]
+        if self.lacking:  # the one that needs least comes next
+            reported.append(min(self.lacking, key=lambda k: (k.kind == "marks", k.need - k.have)).short)
+        return Text.of(*reported).with_text("; ".join(m.text() for m in reported))
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -99,21 +95,20 @@ def begun(block: Block, state: State, scans: Scans | None = None) -> Begun:
         session = Session.of_block(block, None)
         return Begun(session=session, standing=_standing(made, block, None, ""), left_out=made.left_out)
     if len(placed.observations) > AT_ONCE:
-        trouble = (
-            f"a block of {grouped(len(placed.observations))} image observations is adjusted when that is asked for"
-        )
+        trouble = phrase("measuring.large_block", n=len(placed.observations))
         session = Session.of_block(placed, None)
         return Begun(session=session, standing=_standing(made, placed, None, trouble), left_out=made.left_out)
     options = AdjustmentOptions(reject="snooping", noise=block.noise or "white", datum_over=block.datum_over or "all")
     try:
         result, held = solved(placed, lambda b: decide(b, options))
     except NotSolvable as error:
-        trouble = f"the photographs are oriented, not adjusted yet ({error.headline}); measure more points"
+        trouble = joined_texts(phrase("measuring.not_adjusted"), Text.of(as_detail(error)))
         session = Session.of_block(placed, None)
         return Begun(session=session, standing=_standing(made, placed, None, trouble), left_out=made.left_out)
     session = Session.of(result)
-    session.neglected = HELD if held else session.neglected
-    standing = _standing(made, placed, result, f"{HELD}; measure more points" if held else "")
+    trouble = phrase("measuring.interior_held") if held else ""
+    session.neglected = trouble or session.neglected
+    standing = _standing(made, placed, result, trouble)
     return Begun(session=session, standing=standing, left_out=made.left_out)
 
 
@@ -179,8 +174,8 @@ def _unknown(cameras: Sequence[str], result: Adjustment | None) -> tuple[str, ..
         parameter = found.parameters[camera.sensor.scale_symbol]
         c = parameter.value / camera.pixel_mm[0]
         if parameter.std is None or parameter.status in {"held", "not determinable"}:
-            stated.append(f"camera {camera.id}: the points do not determine its constant; {c:.0f} px is a guess")
+            stated.append(phrase("measuring.constant_open", camera=camera.id, c_px=c))
         else:
             s = parameter.std / camera.pixel_mm[0]
-            stated.append(f"camera {camera.id}: its constant is {c:.0f} px, sigma {s:.0f} px, from the points alone")
+            stated.append(phrase("measuring.constant_of_points", camera=camera.id, c_px=c, sigma_px=s))
     return tuple(stated)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.errors import Message, Severity, warning
 from raybundle.missions.mission import Exposures, Mission, exposures
 from raybundle.missions.patterns import patterns
 from raybundle.missions.places import places
@@ -15,7 +15,6 @@ from raybundle.missions.terrain import Ground
 from raybundle.missions.vehicle import HEIGHT_LIMIT_M, SIGHT_M
 from raybundle.missions.views import Coverage, aimed_at, coverage, ground_points, overlap
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 OVERLAP_LOST = 0.05
 """By which the least overlap may stay below what was asked for without a word."""
@@ -200,88 +199,52 @@ def seconds_of(mission: Mission, flight: int) -> float:
     return float(time) + float(standing.sum()) * max(1.0, mission.camera.interval_s)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Doubt:
-    """What speaks against a mission."""
-
-    kind: str
-    fault: bool
-    """whether it must not be flown so"""
-    words: str
-
-
 def warnings(
     mission: Mission, facts: MissionFacts, *, limit_m: float = HEIGHT_LIMIT_M, sight_m: float = SIGHT_M,
-) -> tuple[Doubt, ...]:  # fmt: skip
-    """What is wrong or doubtful; words that show the figure, its limit, and what to do."""
-    found: list[Doubt] = []
-
-    def notify(kind: str, words: str, *, fault: bool = False) -> None:
-        found.append(Doubt(kind=kind, fault=fault, words=words))
-
+) -> tuple[Message, ...]:  # fmt: skip
+    """What is wrong (faults: it must not be flown so) or doubtful: the figure, its limit, and what to do."""
+    usable, longest, needed = mission.vehicle.usable_s / 60, max(facts.minutes), mission.camera.interval_s
+    faults: list[Message] = []
+    found: list[Message] = []
     if facts.above.high > limit_m:
-        source = " of the open category (EU 2019/947, UAS.OPEN.010)" if limit_m == HEIGHT_LIMIT_M else ""
-        notify(
-            "height",
-            f"photographs lie up to {facts.above.high:.0f} m above the ground, {limit_m:g} m are the limit{source}; "
-            f"plan a finer GSD, follow the terrain, or raise {option('height_limit')} where you may fly higher",
-            fault=True,
+        faults.append(
+            warning(
+                "mission.too_high", height_m=facts.above.high, limit_m=limit_m, open_category=limit_m == HEIGHT_LIMIT_M
+            )
+        )
+    if longest > usable * 1.02:
+        faults.append(warning("mission.battery_exceeded", minutes=longest, usable=usable))
+    if facts.interval_s is not None and facts.interval_s < needed * (1 - 1e-9):
+        faults.append(
+            warning("mission.interval_short", interval_s=facts.interval_s, camera=mission.camera.name, needed_s=needed)
         )
     if facts.farthest_m > sight_m:
-        notify(
-            "sight",
-            f"the flight goes {facts.farthest_m:.0f} m away from the take-off, {sight_m:g} m are taken for the reach "
-            f"of sight ({option('sight')}); take off nearer to the middle, or divide the area",
-        )
-    usable = mission.vehicle.usable_s / 60
-    longest = max(facts.minutes)
-    if longest > usable * 1.02:
-        notify("battery", f"a flight takes {longest:.1f} min, {usable:.1f} min of a battery may be used", fault=True)
-    if facts.interval_s is not None and facts.interval_s < mission.camera.interval_s * (1 - 1e-9):
-        notify(
-            "interval",
-            f"photographs follow each other in {facts.interval_s:.2f} s, {mission.camera.name} needs "
-            f"{mission.camera.interval_s:g} s",
-            fault=True,
-        )
-    _judge_overlap(notify, mission, facts)
+        found.append(warning("mission.out_of_sight", distance_m=facts.farthest_m, limit_m=sight_m))
+    found += _low_overlaps(mission, facts)
     if facts.rolling_px is not None and facts.rolling_px > 1:
-        notify(
-            "shutter",
-            f"the rolling shutter moves by {facts.rolling_px:.1f} px on the ground while a frame is read; stop for the "
-            "photographs, fly more slowly, or adjust with the rolling platform",
-        )
+        found.append(warning("mission.rolling_motion", motion_px=facts.rolling_px))
     if facts.seen_rarely > 0:
-        notify(
-            "rare",
-            f"{100 * facts.seen_rarely:.1f} % of the area is seen by fewer than {SEEN} photographs; "
-            f"{_more_photographs(mission, facts)}",
+        where = "middle" if facts.rarely_inside > 0 else "zones" if facts.rarely_at_zones > 0 else "edges"
+        along, across = mission.overlap
+        found.append(
+            warning(
+                "mission.seen_rarely",
+                share=facts.seen_rarely,
+                photographs=SEEN,
+                where=where,
+                along=along,
+                across=across,
+            )
         )
-    return tuple(found)
+    return (*(replace(m, severity=Severity.FAULT) for m in faults), *found)
 
 
-def _more_photographs(mission: Mission, facts: MissionFacts) -> str:
-    """What shows places of an area in more photographs: it goes by where they lie."""
-    if facts.rarely_inside > 0:
-        along, across = (f"{100 * v:.0f} %" for v in mission.overlap)
-        return f"{along} along and {across} across show no more of its middle: raise the overlap ({option('overlap')})"
-    if facts.rarely_at_zones > 0:
-        return f"that is at no-go zones: let views tilted towards them show it ({option('tilt')}), or make them smaller"
-    return f"that is at its edges: widen it ({option('margin')})"
-
-
-def _judge_overlap(notify: Callable[[str, str], None], mission: Mission, facts: MissionFacts) -> None:
-    pattern = patterns[mission.pattern]
-    advice, where = pattern.more(), ""
-    if mission.terrain and pattern.ground:
-        where = " over high ground"
-        advice = (
-            "lines are followed by the heights below them alone, and ground that rises beside them is nearer: fly "
-            f"higher ({option('gsd')}, {option('height')}), or ask for more ({option('overlap')})"
-        )
-    for what, found, asked in (
-        ("along the lines", facts.along, mission.overlap[0]), ("across the lines", facts.across, mission.overlap[1]),
-    ):  # fmt: skip
-        if found is not None and found.low < asked - OVERLAP_LOST:
-            line = f"the overlap {what} falls to {100 * found.low:.0f} %{where}, {100 * asked:.0f} % were asked for"
-            notify("overlap", f"{line}; {advice}")
+def _low_overlaps(mission: Mission, facts: MissionFacts) -> list[Message]:
+    """Overlaps below what was asked for, and their cause: relief, or how lines of the pattern lie."""
+    cause = "relief" if mission.terrain and patterns[mission.pattern].ground else mission.pattern
+    directions = (("along", facts.along, mission.overlap[0]), ("across", facts.across, mission.overlap[1]))
+    return [
+        warning("mission.overlap_low", direction=direction, overlap=found.low, asked=asked, cause=cause)
+        for direction, found, asked in directions
+        if found is not None and found.low < asked - OVERLAP_LOST
+    ]

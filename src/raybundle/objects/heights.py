@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.objects.kinds.base import grid_triangles
 from raybundle.objects.surface import Surface
@@ -153,6 +153,6 @@ def surface_of_heights(grid: HeightGrid, name: str = "ground") -> Surface:
     used, triangles = np.unique(triangles, return_inverse=True)
     w, l = np.ptp(vertices[used, :2], axis=0)
     return Surface(
-        name=name, vertices=vertices[used], triangles=triangles.reshape(-1, 3), about=f"{w:g} x {l:g} m, "
-        f"cells of {step * grid.cell_m:.3g} m",
+        name=name, vertices=vertices[used], triangles=triangles.reshape(-1, 3),
+        about=phrase("object_size.heights", width_m=w, length_m=l, cell_m=step * grid.cell_m),
     )  # fmt: skip

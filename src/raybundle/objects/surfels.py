@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import KDTree
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.objects.surface import Surface, farthest_first
 
@@ -65,7 +65,8 @@ def surface_of_points(xyz: Array, towards: Array, name: str = "result") -> Surfa
     triangles = (fan[None] + ((CORNERS + 1) * np.arange(len(xyz)))[:, None, None]).reshape(-1, 3)
     low, high = np.ptp(xyz, axis=0).min(), np.ptp(xyz, axis=0).max()
     return Surface(
-        name=name, vertices=vertices, triangles=triangles, about=f"of {len(xyz)} points, {high:.3g} x {low:.3g} m",
+        name=name, vertices=vertices, triangles=triangles,
+        about=phrase("object_size.points", n=len(xyz), width_m=high, length_m=low),
         thickness=THICK * float(np.median(radius)),
     )  # fmt: skip
 

@@ -8,9 +8,8 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import Message, message
+from raybundle.errors import Message, message, note
 from raybundle.numerics.arrays import Index
-from raybundle.numerics.counting import counted
 from raybundle.orientation.rays import image_pairs
 
 COMMON = 6
@@ -62,22 +61,11 @@ class Lack:
                 return message("photograph.lacks_fit", image=self.image, n=self.have)
 
     @property
-    def short(self) -> str:
+    def short(self) -> Message:
         """The next step in a few words."""
+        kind = "points" if self.kind == "known" or (self.kind == "marks" and not self.have) else self.kind
         more = max(self.need - self.have, 1)
-        if self.kind == "fiducials":
-            return f"{self.image} needs {counted(more, 'more fiducial mark')}"
-        if self.kind == "film":
-            return f"the fiducial marks of {self.image} contradict each other"
-        if self.kind == "common":
-            return f"{self.image} and {self.other} need {counted(more, 'more common point')}"
-        if self.kind == "base":
-            return f"{self.image} and {self.other} were taken from one place"
-        if self.kind == "marks" and self.have:
-            return f"{self.image} has no point in common with another photograph"
-        if self.kind == "fit":
-            return f"no orientation fits the points of {self.image}"
-        return f"{self.image} needs {counted(more, 'more point')}"
+        return note("measuring.next_step", kind=kind, image=self.image, other=self.other, n=more)
 
 
 def lacking(block: Block, counts: Index) -> tuple[Lack, ...]:

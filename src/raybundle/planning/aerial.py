@@ -127,14 +127,11 @@ PLACES = {
          (-0.5, -0.5), (0.5, 0.5), (-0.5, 0.5), (0.5, -0.5)),
 }  # fmt: skip
 """Number of control points -> where they lie: 0 the middle, 1 four fifths of the way to an edge"""
-WORDS = {
-    1: "the middle", 3: "two corners, middle of the opposite edge", 5: "corners and middle",
-    9: "corners, edges, middle", 13: "corners, edges, middle, and four between",
-}  # fmt: skip
+PLACED = {3: "two_corners", 5: "corners", 9: "edges", 13: "between"}
 LAYOUTS = {
-    "corners and middle": PLACES[5],
-    "along one edge": ((-1, -1), (-0.5, -1), (0, -1), (0.5, -1), (1, -1)),
-    "round the middle": ((0, 0), (-0.2, -0.2), (0.2, 0.2), (-0.2, 0.2), (0.2, -0.2)),
+    "corners": PLACES[5],
+    "one_edge": ((-1, -1), (-0.5, -1), (0, -1), (0.5, -1), (1, -1)),
+    "middle": ((0, 0), (-0.2, -0.2), (0.2, 0.2), (-0.2, 0.2), (0.2, -0.2)),
 }
 """Of five points"""
 NUMBERS, SIGMAS_M = (3, 5, 9, 13), (0.005, 0.01, 0.03)
@@ -160,6 +157,7 @@ class ControlRow:
     sigma_m: float
     """Of each coordinate; NaN without control"""
     where: str
+    """Places as in `PLACED` and `LAYOUTS`; empty: there is none"""
     found: Precision
 
 
@@ -194,5 +192,5 @@ def control_table(plan: Aerial) -> ControlTable:
         return ControlRow(points=len(rows), sigma_m=sigma, where=where, found=precision(known))
 
     rows = [row((), float("nan"), "")]
-    rows += [row(PLACES[n], s, WORDS[n]) for s in SIGMAS_M for n in NUMBERS]
+    rows += [row(PLACES[n], s, PLACED[n]) for s in SIGMAS_M for n in NUMBERS]
     return ControlTable(rows=tuple(rows), layouts=tuple(row(p, 0.01, name) for name, p in LAYOUTS.items()))

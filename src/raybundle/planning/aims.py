@@ -20,8 +20,6 @@ class Aim:
     """One of them."""
 
     name: AimName
-    words: str
-    """What its figure is"""
     unit: Literal["m", "px", ""]
     figure: Callable[[Networks, Sequence[Part], Expected], float]
     """What is made small, above 0"""
@@ -55,11 +53,10 @@ def _reliability(networks: Networks, parts: Sequence[Part], e: Expected) -> floa
 
 aims = MappingProxyType({
     a.name: a for a in (
-        Aim(name="worst", words="worst point", unit="m", figure=_worst, power=8.0),
-        Aim(name="mean", words="mean", unit="m", figure=_mean, power=2.0),
-        Aim(name="calibration", words="largest uncertainty of projection by the calibration", unit="px",
-            figure=_calibration, power=2.0),
-        Aim(name="reliability", words="smallest redundancy number", unit="", figure=_reliability, power=8.0),
+        Aim(name="worst", unit="m", figure=_worst, power=8.0),
+        Aim(name="mean", unit="m", figure=_mean, power=2.0),
+        Aim(name="calibration", unit="px", figure=_calibration, power=2.0),
+        Aim(name="reliability", unit="", figure=_reliability, power=8.0),
     )
 })  # fmt: skip
 """By their names"""

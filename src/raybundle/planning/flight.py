@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.errors import Text, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
 from raybundle.planning.aerial import (
@@ -117,8 +118,8 @@ def plan_flight(plan: Flight, progress: Progress = silent) -> FlightPlan:
     raises  NotSolvable as `forecast`
     """
     rtk = is_rtk(plan.station_sigma)
-    plain = "the same without RTK" + (", lever arm held" if plan.lever_arm else "")
-    changes = [("as planned", plan), (plain, without_rtk(plan))][: 1 + rtk] + _changes(plan)
+    plain = phrase("flight_change.without_rtk", lever_arm=plan.lever_arm)
+    changes = [(phrase("flight_change.planned"), plan), (plain, without_rtk(plan))][: 1 + rtk] + _changes(plan)
     forecasts = list[Forecast]()
     for k, (name, changed) in enumerate(changes):
         progress(name, k / len(changes))
@@ -133,38 +134,41 @@ def without_rtk(plan: Flight) -> Flight:
     return replace(plan, station_sigma=NO_RTK, lever_arm=False)
 
 
-def _changes(plan: Flight) -> list[tuple[str, Flight]]:
+def _changes(plan: Flight) -> list[tuple[Text, Flight]]:
     turned = not plan.alternating and plan.lines > 1
     across = replace(plan, cross_tilt_deg=TILT)
     known = replace(plan, control=1 if plan.control == 0 else plan.control)
-    words = f"lines across tilted {TILT:g} deg"
     changes = [
-        ("headings alternate", replace(plan, alternating=True), turned),
-        ("one control point in the middle", known, plan.control == 0),
-        ("five control points", replace(plan, control=5), plan.control < 5),
+        (phrase("flight_change.headings"), replace(plan, alternating=True), turned),
+        (phrase("flight_change.control", n=1), known, plan.control == 0),
+        (phrase("flight_change.control", n=5), replace(plan, control=5), plan.control < 5),
         (
-            f"lines across, {HIGHER:g} times as high", replace(plan, cross_height=HIGHER * plan.height),
+            phrase("flight_change.across_higher", times=HIGHER), replace(plan, cross_height=HIGHER * plan.height),
             plan.cross_height is None and plan.cross_tilt_deg is None,
         ),
-        (f"lines across, tilted {TILT:g} deg", across, not _tilted(plan)),
-        (f"headings alternate, {words}", replace(across, alternating=True), not _tilted(plan) and turned),
+        (_across(), across, not _tilted(plan)),
+        (_across(headings=True), replace(across, alternating=True), not _tilted(plan) and turned),
         (
-            f"{words}, one control point", replace(across, control=known.control),
+            _across(control=1), replace(across, control=known.control),
             not _tilted(plan) and plan.control == 0 and plan.lever_arm,
         ),
         (
-            f"{words}, five control points", replace(across, control=5),
+            _across(control=5), replace(across, control=5),
             not _tilted(plan) and plan.control < 5 and not is_rtk(plan.station_sigma),
         ),
     ]  # fmt: skip
     return [(name, changed) for name, changed, asked in changes if asked]
 
 
+def _across(*, headings: bool = False, control: int = 0) -> Text:
+    return phrase("flight_change.across_tilted", tilt_deg=TILT, headings=headings, control=control)
+
+
 def _tilted(plan: Flight) -> bool:
     return plan.cross_tilt_deg is not None and abs(plan.cross_tilt_deg) >= TILT / 2
 
 
-def forecast(plan: Flight, name: str = "as planned") -> Forecast:
+def forecast(plan: Flight, name: str = "") -> Forecast:
     """What a plan determines with the unevenness of a real flight, and exactly level at one height.
 
     raises  NotSolvable where the photographs see too little in common

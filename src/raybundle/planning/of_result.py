@@ -8,7 +8,7 @@ import numpy as np
 
 from raybundle.block import Block
 from raybundle.block.rejection import known_wrong
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.objects.surface import Surface
 from raybundle.objects.surfels import surface_of_points
@@ -53,7 +53,7 @@ def surface_of_result(block: Block) -> Surface:
         raise InputError("plan.not_oriented", block=block.name)
     rows, towards = good_points(block)
     surface = surface_of_points(block.points.xyz[rows] * _metres(block), towards, block.name)
-    return replace(surface, about=f"{surface.about}, of a scale that is arbitrary") if block.free_scale else surface
+    return replace(surface, about=phrase("object_size.free_scale", size=surface.about)) if block.free_scale else surface
 
 
 def _metres(block: Block) -> float:

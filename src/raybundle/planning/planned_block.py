@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.block import Block, Distances, Images, Observations, Points, Role
 from raybundle.block.select import selected
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.planning.bars import Bars
 from raybundle.planning.candidates import Stations
@@ -47,7 +48,7 @@ def planned_block(
         xyz = xyz + rng.normal(0, 1, xyz.shape) * np.nan_to_num(sigma)
     block = Block(
         name=name,
-        about=f"planned: {n} photographs of {t} points, image points of {site.sigma_px:g} px",
+        about=str(phrase("network_plan.about", photographs=n, points=t, sigma_px=site.sigma_px)),
         source="raybundle plan" + ("" if seed is None else f", errors drawn with seed {seed}"),
         cameras=(camera,),
         images=Images(

@@ -55,7 +55,7 @@ class Planned:
     length_unit: str = "m"
     """Empty where nothing fixes the scale"""
     wanted: tuple[float, str] | None = None
-    """Standard deviation of a coordinate that was wanted, and of what, as "worst point"; None: none was"""
+    """Standard deviation of a coordinate that was wanted, and of what: worst or mean; None: none was"""
 
 
 OF_PAGE = (
@@ -108,6 +108,8 @@ def write_network_page(
         contents |= _of_cloud(contents, cloud, view)
     say = language_of(language, [title, *view.given.points.ids, *view.given.images.ids, view.given.name])
     remarks: list[Text] = contents.pop("remarks")
+    if "words" in contents["images"]:
+        contents["images"]["words"] = [say.text(w) for w in contents["images"]["words"]]
     contents |= {"words": texts_of(OF_SCRIPT, say), "decimal": say.text(phrase("network_page.decimal"))}
     for classes in filter(None, contents["classes"].values()):
         classes["legend"] = [(colour, say.text(words)) for colour, words in classes["legend"]]

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.io.reading.rows import BadRow, cells_of
 
 
@@ -20,24 +21,24 @@ class Sameness:
     """of them those that are the same to the last bit"""
     difference: float = 0.0
     """largest one of two numbers at the same place, over the largest number of their column"""
-    where: str = ""
-    """table and column of it"""
+    where: tuple[str, str] = ("", "")
+    """column and table of it"""
     unlike: str = ""
     """table whose rows or texts are others; empty: none"""
 
     @property
     def sentence(self) -> str:
-        """In words; empty where there is nothing to compare."""
+        """What there is to report; empty where there is nothing to compare."""
         if not self.tables:
             return ""
         if self.unlike:
-            return f"not the same rows: {self.unlike}"
+            return phrase("sameness.unlike", table=self.unlike)
         if self.equal == self.tables:
-            return f"all {self.tables} tables are the same to the last bit"
-        return (
-            f"{self.equal} of {self.tables} tables are the same to the last bit, all to {self.difference:.1g} of the "
-            f"largest number of a column ({self.where})"
-        )
+            return phrase("sameness.all", n=self.tables)
+        return phrase(
+            "sameness.some", n=self.equal, of=self.tables, difference=self.difference, name=self.where[0],
+            table=self.where[1],
+        )  # fmt: skip
 
 
 def _in_both(first: Path, second: Path) -> list[str]:
@@ -53,7 +54,7 @@ def all_same(first: Path, second: Path) -> bool:
 def sameness(first: Path, second: Path) -> Sameness:
     """Compare the CSV tables that two result folders both have."""
     names = _in_both(first, second)
-    equal, worst, where, unlike = 0, 0.0, "", ""
+    equal, worst, where, unlike = 0, 0.0, ("", ""), ""
     for name in names:
         a, b = ((folder / name).read_bytes() for folder in (first, second))
         if a == b:
@@ -65,7 +66,7 @@ def sameness(first: Path, second: Path) -> Sameness:
             continue
         for column, value in found:
             if value > worst:
-                worst, where = value, f"{column} of {name}"
+                worst, where = value, (column, name)
     return Sameness(tables=len(names), equal=equal, difference=worst, where=where, unlike=unlike)
 
 

@@ -22,7 +22,7 @@ from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress
 from raybundle.orientation.given_points import intersected_where_better
 from raybundle.placing.georeference import Georeferenced, rejected_marks
-from raybundle.placing.told_positions import camera_notices
+from raybundle.placing.recorded_positions import camera_notices
 from raybundle.ties.block import flat_points
 from raybundle.workflows.connected_components import ConnectedComponent
 from raybundle.workflows.noise_in_parts import without_fields

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import InputError, Text, phrase
+from raybundle.errors import InputError, Message, Text, note, phrase, warning
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.geo.parsed_names import plan_system
 from raybundle.io.geo.parsed_systems import system_name
@@ -100,11 +100,13 @@ class Lean:
         return abs(self.angle) - 1.96 * spread > BATTER
 
     @property
-    def words(self) -> str:
-        """As a sentence states it."""
-        degrees = abs(float(np.degrees(self.angle)))
-        sigma = f" ± {np.degrees(self.sigma):.2g}" if np.isfinite(self.sigma) else ""
-        return f"{'back' if self.angle >= 0 else 'forward'} by {degrees:.2g}{sigma} degrees"
+    def values(self) -> dict[str, float | bool]:
+        """Of its message."""
+        known = bool(np.isfinite(self.sigma))
+        return {
+            "back": self.angle >= 0, "lean_deg": abs(float(np.degrees(self.angle))), "sigma_known": known,
+            "sigma_deg": float(np.degrees(self.sigma)) if known else 0.0,
+        }  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -140,25 +142,25 @@ class Plane:
         return self.origin + at @ self.axes[:2]
 
     @property
-    def cautions(self) -> tuple[str, ...]:
+    def cautions(self) -> tuple[Text, ...]:
         """What speaks against it."""
         if self.kind != "vertical" or self.lean is None or not self.lean.of_no_wall:
             return ()
-        by = self.plumb.words if self.plumb else phrase("plumb.block")
-        reported = (
-            f"its points lean {self.lean.words}, and no wall leans by more than {np.degrees(BATTER):.0f} degrees, the "
-            f"batter of a rampart: do they lie in one wall, and is the vertical ({by}) right? Look at them one by one"
-        )
-        return (reported,)
+        limit = float(np.degrees(BATTER))
+        found = warning("plane.leans", details=[self._vertical], **self.lean.values, limit_deg=limit)
+        return (Text.of(found),)
 
     @property
-    def remarks(self) -> tuple[str, ...]:
+    def remarks(self) -> tuple[Text, ...]:
         """What is to be reported of it."""
         if self.kind != "vertical" or self.lean is None or not self.lean.reported or self.cautions:
             return ()
-        by = self.plumb.words if self.plumb else phrase("plumb.block")
-        reported = f"the wall is not plumb by more than its standard deviation: its points lean {self.lean.words}"
-        return (f"{reported} (vertical: {by}); the plane was made plumb as asked for",)
+        return (Text.of(note("plane.not_plumb", details=[self._vertical], **self.lean.values)),)
+
+    @property
+    def _vertical(self) -> Message:
+        """By what the vertical is known."""
+        return phrase("plumb.block").message if self.plumb is None else self.plumb.words.message
 
     def as_mapping(self) -> dict[str, Any]:
         """What NAME.toml states of it."""

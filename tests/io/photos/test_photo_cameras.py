@@ -15,7 +15,7 @@ from raybundle.io.photos.cameras import camera_groups, camera_of, may_share_sens
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo, find_photos
 from raybundle.io.photos.start import starting_value, stated_projection
-from raybundle.placing.told_positions import camera_notices
+from raybundle.placing.recorded_positions import camera_notices
 from raybundle.sensors import sensor_models
 
 BODY = Metadata(make="Canon", model="Canon EOS 5D Mark II", focal_mm=24.0)

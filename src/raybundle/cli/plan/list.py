@@ -8,7 +8,8 @@ import click
 
 from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.planning.network_files import free_camera_words
+from raybundle.cli.summary import notice_line
+from raybundle.commands.planning.network_files import free_camera_warning
 from raybundle.commands.planning.photograph_list import ListKind, ListSettings, facts_of, run_plan_list
 from raybundle.settings import made
 
@@ -40,6 +41,6 @@ def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noq
     with reporting(progress) as notify:
         plan = run_plan_list(settings, notify)
     lines = [f"{counted(len(plan.design.stations), 'photograph')} listed", *facts_of(settings, plan)]
-    if words := free_camera_words(plan):
-        lines.append(f"warning: {words}")
+    if found := free_camera_warning(plan):
+        lines.append(notice_line(found))
     click.echo("\n".join(f" {line}" for line in [*lines, f"{settings.out}: list.pdf, list.csv, network.html, block"]))

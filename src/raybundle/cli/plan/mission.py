@@ -10,7 +10,7 @@ import click
 from raybundle.cli.common import NEW_FOLDER, Command, counted, facts
 from raybundle.cli.plan.precision import forecast_lines
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import remark_lines
+from raybundle.cli.summary import notice_line, remark_lines
 from raybundle.commands.planning.mission import MissionSettings, run_plan_mission
 from raybundle.settings import made
 
@@ -77,7 +77,7 @@ def lines(done: PlannedMission) -> list[str]:
     if done.forecast is not None:
         text += forecast_lines(done.forecast)
     text += [f" {one}" for r in done.remarks for one in remark_lines(r)]
-    text += [f" {'fault' if w.fault else 'warning'}: {w.words}" for w in done.warnings]
+    text += [f" {notice_line(w)}" for w in done.warnings]
     text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")
     return text
 

@@ -10,8 +10,8 @@ from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, s
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import notice_line
 from raybundle.commands.planning.network import NetworkSettings, run_plan_network
-from raybundle.commands.planning.network_files import free_camera_words, purpose_words, reported, side_words
-from raybundle.errors import note, warning
+from raybundle.commands.planning.network_files import SIDES, free_camera_warning, purpose_words, reported, side_of
+from raybundle.errors import note, phrase, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -54,11 +54,10 @@ def command(object: str, progress: str, **given: Any) -> None:  # noqa: A002  (t
 def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     t = reported(plan)
     n = t["photographs"]
-    reached = f"{plan.aim.words} " + (
-        f"{plan.figure:.3g} px" if plan.aim.unit == "px" else f"{t['least_redundancy']:.2f}"
-    )
+    aim = phrase("network_plan.aim", name=plan.aim.name)
+    reached = f"{aim} " + (f"{plan.figure:.3g} px" if plan.aim.unit == "px" else f"{t['least_redundancy']:.2f}")
     if plan.aim.unit == "m":
-        reached = f"sigma of a coordinate {_mm(t['reached_m'])} ({plan.aim.words})"
+        reached = f"sigma of a coordinate {_mm(t['reached_m'])} ({aim})"
     if plan.wanted is not None:
         reached += f", wanted {_mm(plan.wanted)}" + ("" if plan.reached else ": not reached")
     o = t["object"]
@@ -100,7 +99,7 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     lines += _seldom(plan)
     out = plan.left_out
     if len(out):
-        sides = dict.fromkeys(side_words(n) for n in out.normal)
+        sides = dict.fromkeys(SIDES[side_of(n)] for n in out.normal)
         total = len(out) + len(plan.site.points)
         lines.append(
             notice_line(
@@ -121,8 +120,8 @@ def _seldom(plan: NetworkPlan) -> list[str]:
         lines.append(notice_line(note("plan.points_seldom_found", share=share, worst=1000 * worst, unit="mm")))
     if plan.promise.lost > 0:
         lines.append(notice_line(warning("plan.network_falls_apart", share=plan.promise.lost)))
-    if words := free_camera_words(plan):
-        lines.append(f"warning: {words}")
+    if found := free_camera_warning(plan):
+        lines.append(notice_line(found))
     return lines
 
 

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from raybundle.cli.summary import notice_line
-from raybundle.errors import note, warning
+from raybundle.errors import note, phrase, warning
 
 if TYPE_CHECKING:
     from raybundle.planning.aerial import ControlRow, ControlTable, Precision
@@ -46,12 +46,16 @@ def control_lines(table: ControlTable) -> list[str]:
     head = f" {'control points: sigma [mm]':56}{'plan':>8}{'worst':>8}{'Z':>8}{'worst':>8}   not determinable"
     lines = ["", head]
     for row in table.rows:
-        name = "none" if not row.points else f"{row.points} of {1000 * row.sigma_m:.0f} mm: {row.where}"
+        name = "none" if not row.points else f"{row.points} of {1000 * row.sigma_m:.0f} mm: {_where(row)}"
         lines.append(_line(name, row.found))
     lines += [f" {_worth(table.enough(s), s)}" for s in sorted({r.sigma_m for r in table.rows if r.points})]
     lines.append(f" {'where five of 10 mm lie':56}")
-    lines += [_line(row.where, row.found) for row in table.layouts]
+    lines += [_line(_where(row), row.found) for row in table.layouts]
     return lines
+
+
+def _where(row: ControlRow) -> str:
+    return phrase("flight_change.places", where=row.where)
 
 
 def forecast_lines(f: MissionForecast) -> list[str]:

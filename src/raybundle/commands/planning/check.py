@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import POSITIVE, Range, made, setting
 
@@ -129,7 +129,7 @@ def _ground(s: PlanCheckSettings, mission: Mission) -> tuple[Ground, tuple[str, 
         return level_ground(mission.take_off[2]), ()
     planned = exposures(mission)
     above = mission.camera.distance(mission.gsd)
-    remark = f"the plan followed {mission.terrain}; without it the ground is taken where the planned heights put it"
+    remark = phrase("flight_check.ground_of_plan", terrain=mission.terrain)
     return below_photographs(planned.xyz, above), (remark,)
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raybundle.commands.planning.photograph_list import LIST, PRINTED
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, phrase, warning
 from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -62,10 +62,8 @@ def run_list_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
     remarks = list[str]()
     wide = abs(_view(planned) / _view(taken) - 1)
     if wide > 0.1:
-        remarks.append(
-            f"the camera is another one than planned: it sees {2 * _view(taken):.0f} degrees, planned were "
-            f"{2 * _view(planned):.0f}: another lens, zoom, or a part of the format"
-        )
+        seen_deg, planned_deg = 2 * _view(taken), 2 * _view(planned)
+        remarks.append(Text.of(warning("plan.other_camera", seen_deg=seen_deg, planned_deg=planned_deg)))
     stations = stations_of_result(planned)
     found = ticked(stations, stations_of_result(taken))
     done = CheckedList(
@@ -152,10 +150,10 @@ def _written(
         for k, r in enumerate(rows)
     )  # fmt: skip
     there = len(rows) - len(done.ticked.missing)
-    missing = ", ".join(done.numbers[k] for k in done.ticked.missing) or "none"
+    missing = [done.numbers[k] for k in done.ticked.missing]
     printed = replace(
-        planned, title=f"{planned.title}: {there} of {len(rows)} taken",
-        facts=(f"Missing: {missing}", *planned.facts), photographs=listed,
+        planned, title=phrase("photograph_list.title_taken", title=planned.title, n=there, of=len(rows)),
+        facts=(phrase("photograph_list.missing", n=len(missing), names=missing), *planned.facts), photographs=listed,
     )  # fmt: skip
     with new_folder(out) as folder:
         write_list(folder, printed, listed)

@@ -10,17 +10,17 @@ from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, phrase, warning
 from raybundle.missions.defaults import OVERLAP
-from raybundle.numerics.counting import counted
-from raybundle.settings import ANY, METRES, POSITIVE, Range, made, option, setting, settings_of
+from raybundle.settings import ANY, METRES, POSITIVE, Range, made, setting, settings_of
 
 if TYPE_CHECKING:
+    from raybundle.errors import Message
     from raybundle.io.missions.areas import Shape
     from raybundle.missions.camera import MissionCamera
     from raybundle.missions.mission import Mission
     from raybundle.missions.patterns import Wish
-    from raybundle.missions.report import Doubt, MissionFacts
+    from raybundle.missions.report import MissionFacts
     from raybundle.missions.terrain import Ground
     from raybundle.missions.vehicle import Vehicle
     from raybundle.numerics.arrays import Array
@@ -139,7 +139,7 @@ class PlannedMission:
 
     mission: Mission
     facts: MissionFacts
-    warnings: tuple[Doubt, ...]
+    warnings: tuple[Message, ...]
     files: tuple[Path, ...]
     remarks: tuple[str, ...]
     forecast: MissionForecast | None = None
@@ -234,7 +234,7 @@ def _task(s: MissionSettings) -> tuple[Any, Ground, tuple[str, ...]]:
     ground = lenient = level_ground(0.0)
     remarks: tuple[str, ...] = ()
     if shape.holes:
-        remarks += (f"holes in the area are flown over; give them as no-go zones to spare them ({option('no_go')})",)
+        remarks += (phrase("mission.holes_flown_over"),)
     step, terrain = 5.0, ""
     if s.dem is not None:
         grid = _heights(s, crs, outline, home, wish)
@@ -349,10 +349,13 @@ def _holes(grid: HeightGrid, outline: Array, kind: str) -> tuple[str, ...]:
     if not holes:
         return ()
     h = holes[0]
-    share = 100 * sum(hole.cells for hole in holes) / max(int(wanted.sum()), 1)
-    size = f"{h.size_m[0]:.0f} x {h.size_m[1]:.0f} m at {h.xy[0]:.0f}, {h.xy[1]:.0f}"
-    line = f"{counted(len(holes), 'hole')} in the heights of the ground, {share:.1f} % of the area, the largest {size}"
-    return (f"{line}: overlaps there are unknown",)
+    share = sum(hole.cells for hole in holes) / max(int(wanted.sum()), 1)
+    return (
+        phrase(
+            "mission.ground_holes", n=len(holes), share=share, width_m=h.size_m[0], length_m=h.size_m[1], x=h.xy[0],
+            y=h.xy[1],
+        ),
+    )  # fmt: skip
 
 
 def _write(
@@ -380,9 +383,16 @@ def _write(
                 names.append(f"{s.name}{number}{entry.suffix}")
                 entry.write(route, folder / names[-1])
                 if entry.most is not None and len(route) > entry.most:
-                    taken = f"{entry.about.split(',')[0]} takes {entry.most}"
+                    program = entry.about.split(",")[0]
                     line.append(
-                        f"{names[-1]} has {len(route)} way points, {taken}: follow "
-                        f"the ground less closely ({option('follow')}), or divide the area"
+                        Text.of(
+                            warning(
+                                "mission.too_many_way_points",
+                                name=names[-1],
+                                n=len(route),
+                                program=program,
+                                most=entry.most,
+                            )
+                        )
                     )
     return tuple(s.out / n for n in names), tuple(line)

@@ -6,7 +6,7 @@ from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import METRES, PIXELS, POSITIVE, Range, made, setting
 
@@ -150,7 +150,7 @@ def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> 
             bars=settings.scale_bars, bar_sigma=settings.scale_bar_sigma, bar_length=settings.scale_bar_length,
         ),
     )  # fmt: skip
-    write_network_plan(plan, title_of(settings.object), settings.out)
+    write_network_plan(plan, phrase("network_plan.title", name=title_of(settings.object)), settings.out)
     return plan
 
 

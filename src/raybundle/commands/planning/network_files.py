@@ -7,10 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raybundle.numerics.counting import counted
-from raybundle.settings import option
+from raybundle.errors import Text, note, phrase, warning
 
 if TYPE_CHECKING:
+    from raybundle.errors import Message
     from raybundle.numerics.arrays import Array
     from raybundle.planning.held import Held
     from raybundle.planning.network_plan import NetworkPlan
@@ -42,11 +42,12 @@ def write_network_plan(
     from raybundle.planning.planned_block import planned_block  # noqa: PLC0415
     from raybundle.report.network_page import Planned, write_network_page  # noqa: PLC0415
     from raybundle.results.contents import clean  # noqa: PLC0415
+    from raybundle.words import reader  # noqa: PLC0415
 
     s, e = plan.design.stations, plan.expected
     h = plan.held
     control, bars = (None, None) if h is None else (h.control_sigma, h.bars)
-    block = planned_block(plan.site, s, control_sigma=control, bars=bars, name=f"plan of {name}")
+    block = planned_block(plan.site, s, control_sigma=control, bars=bars, name=str(name))
     exact = planned_block(plan.site, s, control_sigma=control, bars=bars, name=block.name, seed=None)
     names = exact.points.ids
     inner = AdjustmentOptions(datum="inner", datum_points=names, jobs=1)
@@ -114,14 +115,13 @@ def write_network_plan(
         )
         planned = Planned(
             corners=plan.corners, sigma=plan.map_sigma, covariance=seen.points,
-            image_words=tuple(what_for), wanted=None if plan.wanted is None else (plan.wanted, plan.aim.words),
+            image_words=tuple(what_for), wanted=None if plan.wanted is None else (plan.wanted, plan.aim.name),
             remarks=(
-                f"Standard deviations that the plan promises, with {plan.site.sigma_px:g} px of image points, "
-                + frame_words(plan),
-                "Grey parts of the object are shown by less than two photographs.",
+                phrase("network_plan.promise", sigma_px=plan.site.sigma_px), frame_words(plan),
+                phrase("network_plan.grey"),
             ),
         )  # fmt: skip
-        write_network_page(result, folder / "network.html", planned)
+        write_network_page(result, folder / "network.html", planned, language=reader().language)
         if more is not None:
             more(folder)
 
@@ -183,79 +183,61 @@ def reported(plan: NetworkPlan) -> dict[str, Any]:
     }
 
 
-AIMED = {
-    "worst": "worst sigma", "mean": "mean sigma", "calibration": "uncertainty of the calibration",
-    "reliability": "worst check of an image point",
-}  # fmt: skip
-"""What a station is there for, by the aim"""
+SIDES = {"top": "+Z", "below": "-Z", "front": "-Y", "back": "+Y", "right": "+X", "left": "-X"}
+"""Sides of an object, and the axes that point to them"""
 
 
-def frame_words(plan: NetworkPlan) -> str:
+def frame_words(plan: NetworkPlan) -> Text:
     """In what frame the standard deviations of a plan's points are reported."""
     h = plan.held
-    if h is None:
-        return "relative to all points together. A scale bar or control gives the scale, and its own error."
-    bars = "" if h.bars is None else counted(len(h.bars.sigma), "scale bar")
-    if not len(h.control):
-        return f"relative to all points together, with the scale of {bars} and its error."
-    return f"in the frame of {counted(len(h.control), 'control point')}" + (f" and {bars}." if bars else ".")
+    control, bars = (0, 0) if h is None else (len(h.control), 0 if h.bars is None else len(h.bars.sigma))
+    return phrase("network_plan.frame", control=control, bars=bars)
 
 
 def known_words(h: Held, points: int) -> list[str]:
     """What is known of each point beforehand: control, scale bar, or nothing."""
-    words = [""] * points
-    for k in h.control:
-        words[k] = "control"
-    for k in set() if h.bars is None else set(h.bars.pairs.ravel().tolist()):
-        words[k] = (words[k] + ", " if words[k] else "") + "scale bar"
-    return words
+    bars = set[int]() if h.bars is None else set(h.bars.pairs.ravel().tolist())
+    control = set(h.control)
+    return [
+        phrase("network_plan.known", control=k in control, bar=k in bars) if k in control | bars else ""
+        for k in range(points)
+    ]  # fmt: skip
 
 
-def free_camera_words(plan: NetworkPlan) -> str:
-    """What a plan of natural points does not know where the camera is calibrated with the object; "" for others."""
+def free_camera_warning(plan: NetworkPlan) -> Message | None:
+    """What a plan of natural points does not know where the camera is calibrated with the object."""
     from raybundle.planning.measured import FREE_CAMERA  # noqa: PLC0415
 
     if plan.site.found is None or not plan.site.free:
-        return ""
-    low, high = FREE_CAMERA
-    return (
-        f"results of natural points stated {low:g} to {high:g} times what such plans promise, where the camera was "
-        f"calibrated with the object (four sets); hold a calibrated one ({option('hold_camera', True)}), or plan "
-        "with that margin"
-    )
+        return None
+    return warning("plan.free_camera", low=FREE_CAMERA[0], high=FREE_CAMERA[1])
 
 
-def purpose_words(plan: NetworkPlan, k: int) -> str:
-    """What a station is there for, in words."""
-    p = plan.purposes[k]
-    where = plan.site.points
+def purpose_words(plan: NetworkPlan, k: int) -> Text:
+    """What a station is there for: what would be worse without it."""
+    p, normal = plan.purposes[k], plan.site.points.normal
     if len(p.unseen):
-        side = side_words(where.normal[p.unseen].mean(axis=0))
-        return f"{len(p.unseen)} points {side} would be found less than twice without it"
+        side = side_of(normal[p.unseen].mean(axis=0))
+        return phrase("network_plan.points_unseen", n=len(p.unseen), side=side)
     if not p.ratio < HARDLY:
-        return "without it the network is not determined"
-    stated = list[str]()
-    if p.ratio > 1.02:
-        stated.append(f"{AIMED[plan.aim.name]} {_larger(p.ratio)} without it")
-    side = side_words(where.normal[p.worst])
-    stated.append(f"{side} up to {_larger(p.worst_ratio)}" + ("" if stated else " without it"))
+        return phrase("network_plan.undetermined")
+    larger = [(plan.aim.name, p.ratio)] if p.ratio > 1.02 else []
+    larger.append((side_of(normal[p.worst]), p.worst_ratio))
     if p.parameters and p.parameters[0][1] > 1.05:
-        stated.append(", ".join(f"{s} {_larger(r)}" for s, r in p.parameters[:2]))
-    return "; ".join(stated)
+        larger += p.parameters[:2]
+    return Text.of(*(
+        note("network_plan.larger", what=what, ratio=ratio, per_cent=100 * (ratio - 1), size=_size(ratio))
+        for what, ratio in larger
+    ))  # fmt: skip
 
 
-def _larger(ratio: float) -> str:
-    """By how much a standard deviation is larger."""
-    if ratio > HARDLY:
-        return "hardly determined"
-    return f"{ratio:.0f} times as large" if ratio > TIMES else f"{100 * (ratio - 1):.0f} % larger"
+def _size(ratio: float) -> str:
+    """How a ratio of standard deviations is written."""
+    return "hardly" if ratio > HARDLY else "times" if ratio > TIMES else "per_cent"
 
 
-def side_words(normal: Array) -> str:
+def side_of(normal: Array) -> str:
     """The side of an object that has this normal: the front is that towards -Y."""
-    x, y, z = (float(v) for v in normal)
-    if abs(z) > max(abs(x), abs(y)):
-        return "on top" if z > 0 else "below"
-    if abs(y) >= abs(x):
-        return "in front (towards -Y)" if y < 0 else "behind (towards +Y)"
-    return "on the right (towards +X)" if x > 0 else "on the left (towards -X)"
+    axis = max((1, 0, 2), key=lambda k: abs(normal[k]))
+    towards = f"{'-+'[int(normal[axis] > 0)]}{'XYZ'[axis]}"
+    return next(side for side, direction in SIDES.items() if direction == towards)

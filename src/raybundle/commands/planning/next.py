@@ -187,12 +187,14 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
     from raybundle.planning.next_words import instruction  # noqa: PLC0415
     from raybundle.report.network_page import Planned, write_network_page  # noqa: PLC0415
     from raybundle.results.contents import clean  # noqa: PLC0415
+    from raybundle.words import reader  # noqa: PLC0415
 
     words = [instruction(plan, k) for k in range(len(plan.proposals))]
     after = plan.adjusted()
     block = plan.extended()
     unit = plan.result.length_unit
-    about = f"{block.about}; {len(words)} photographs proposed, their image points are where they would be".lstrip("; ")
+    proposed = str(phrase("next_photograph.about", n=len(words)))
+    about = f"{block.about}; {proposed}" if block.about else proposed
     reported, columns = next_figures(plan), next_table(plan)
     with new_folder(settings.out) as folder:
         (folder / "block").mkdir()
@@ -213,7 +215,7 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
                 phrase("next_photograph.predicted"),
             ),
         )  # fmt: skip
-        write_network_page(after, folder / "network.html", planned)
+        write_network_page(after, folder / "network.html", planned, language=reader().language)
 
 
 def next_table(plan: NextPlan) -> dict[str, Any]:

@@ -104,14 +104,13 @@ def run_plan_list(settings: ListSettings, progress: Progress = silent) -> Networ
     shots = assistants[settings.kind].shots(task_of(settings))
     known = Wanted() if shots.bars is None else Wanted(bars=shots.bars[0], bar_sigma=shots.bars[1])
     plan = plan_network(shots.site, start=shots.stations, as_given=True, least_rays=2, known=known, progress=progress)
-    kind = assistants[settings.kind].title
-    title = phrase("photograph_list.title", assistant=kind, name=_object_words(plan))
+    title = phrase("photograph_list.title", assistant=settings.kind, name=_object_words(plan))
     printed, listed = printed_list(settings, shots, plan, title)
 
     def more(folder: Path) -> None:
         write_list(folder, printed, listed)
 
-    write_network_plan(plan, title[:1].lower() + title[1:], settings.out, more, settings.kind)
+    write_network_plan(plan, phrase("network_plan.title", name=title), settings.out, more, settings.kind)
     return plan
 
 

@@ -8,7 +8,7 @@ from typing import Any, Literal, NoReturn
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.raster_library import raster_errors, raster_library
 from raybundle.io.reading.files import check_regular
@@ -88,9 +88,8 @@ def _read(library: Any, source: Any, path: Path, crs: str, box: Array, unit: Uni
         heights, transform = _window(library, source, path, bounds, band)
     else:
         heights, transform = _warped(library, source, path, target, bounds, band)
-        words = "degrees" if own.is_geographic else own.name
-        remarks.append(f"{path.name} is in {words}; its heights were brought over into {crs} on cells of "
-                       f"{abs(transform.a):.3g} m")  # fmt: skip
+        system = "degrees" if own.is_geographic else own.name
+        remarks.append(phrase("raster.transformed", name=path.name, system=system, target=crs, cell_m=abs(transform.a)))
     heights = heights * metres
     check_heights(heights, path)
     return HeightGrid(
@@ -119,8 +118,8 @@ def metres_of_heights(source: Any, own: Any, path: Path, unit: Unit, band: int) 
     if not found and own.is_projected and abs(own.axis_info[0].unit_conversion_factor - 1) > 1e-9:
         raise InputError("raster.dem_unit_missing", unit=own.axis_info[0].unit_name, file=path)
     if found in {"ft", "us-ft"}:
-        return METRES_IN[found], [f"{path.name}: heights in feet were turned into metres"]
-    return 1.0, [] if found else [f"{path.name} does not say in what its heights are; they are taken in metres"]
+        return METRES_IN[found], [phrase("raster.feet", name=path.name)]
+    return 1.0, [] if found else [phrase("raster.unit_assumed", name=path.name)]
 
 
 def _window(library: Any, source: Any, path: Path, bounds: tuple[float, ...], band: int) -> tuple[Array, Any]:

@@ -10,7 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from PIL import Image
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, phrase, warning
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.missions.areas import GEOGRAPHIC, in_crs
 from raybundle.io.photos.photo import Photo, read_grey
@@ -67,7 +67,7 @@ def _positions(photos: Sequence[Photo], mission: Mission, remarks: list[str]) ->
     rows = [k for k, g in enumerate(gps) if g is not None]
     if len(rows) < n:
         bare = next(p.name for p, g in zip(photos, gps, strict=True) if g is None)
-        remarks.append(f"{n - len(rows)} of {n} photographs have no position ({bare}, ...); they count for nothing")
+        remarks.append(Text.of(warning("flight_check.some_unplaced", n=n - len(rows), of=n, example=bare)))
     if not rows:
         return xyz, False
     lonlat = np.array([[g.longitude_deg, g.latitude_deg] for g in gps if g is not None])
@@ -107,10 +107,10 @@ def _blur(photos: Sequence[Photo], remarks: list[str], progress: Progress) -> Bl
         for k, squares in enumerate(pool.map(_squares, photos)):
             chosen.append(squares)
             found.append(Sharpness(ratio=np.full(2, np.nan)) if squares is None else sharpness(squares))
-            progress("looking at photographs", (k + 1) / len(photos))
+            progress(phrase("flight_check.sharpness"), (k + 1) / len(photos))
     damaged = [p.name for p, c in zip(photos, chosen, strict=True) if c is None]
     if damaged:
-        remarks.append(f"{len(damaged)} photographs cannot be decoded ({damaged[0]}, ...)")
+        remarks.append(Text.of(warning("flight_check.not_decoded", n=len(damaged), example=damaged[0])))
     ratio = np.array([f.ratio for f in found])
     known = np.flatnonzero(np.isfinite(ratio).all(axis=1))
     if not len(known):

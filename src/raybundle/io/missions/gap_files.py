@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.io.digits import Places
 from raybundle.io.missions.areas import GEOGRAPHIC, in_crs
 from raybundle.io.tables import write_table
@@ -58,7 +59,10 @@ def write_gaps(check: FlightCheck, mission: Mission, folder: Path) -> tuple[Path
     features = [
         {
             "type": "Feature",
-            "properties": {"name": f"gap {k + 1}", "area_m2": round(g.area_m2, 1), "seen": g.seen, "wanted": g.wanted},
+            "properties": {
+                "name": phrase("mission_picture.gap", number=k + 1), "area_m2": round(g.area_m2, 1), "seen": g.seen,
+                "wanted": g.wanted,
+            },
             "geometry": {"type": "Polygon", "coordinates": [np.round(ring, 9).tolist()]},
         }
         for k, (g, ring) in enumerate(zip(check.gaps, rings, strict=True))
@@ -66,14 +70,15 @@ def write_gaps(check: FlightCheck, mission: Mission, folder: Path) -> tuple[Path
     text = json.dumps({"type": "FeatureCollection", "features": features}, indent=1)
     (folder / "gaps.geojson").write_text(text + "\n", encoding="utf-8", newline="\n")
     marks = "".join(
-        f"<Placemark><name>gap {k + 1}</name><Polygon><outerBoundaryIs><LinearRing><coordinates>"
+        f"<Placemark><name>{escape(phrase('mission_picture.gap', number=k + 1))}</name>"
+        "<Polygon><outerBoundaryIs><LinearRing><coordinates>"
         + " ".join(f"{x:.9f},{y:.9f},0" for x, y in ring.tolist())
         + "</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark>\n"
         for k, ring in enumerate(rings)
     )
     (folder / "gaps.kml").write_text(
         '<?xml version="1.0" encoding="UTF-8"?>\n<kml xmlns="http://www.opengis.net/kml/2.2">\n<Document>\n'
-        f"<name>{escape(mission.name)}: to be flown again</name>\n{marks}</Document>\n</kml>\n",
+        f"<name>{escape(phrase('mission_picture.gaps', name=mission.name))}</name>\n{marks}</Document>\n</kml>\n",
         encoding="utf-8",
         newline="\n",
     )

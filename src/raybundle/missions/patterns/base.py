@@ -14,7 +14,6 @@ from raybundle.missions.camera import MissionCamera
 from raybundle.missions.defaults import OVERLAP
 from raybundle.missions.polygons import along
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 NADIR = -math.pi / 2
 MOST = 20_000
@@ -115,17 +114,11 @@ class Line:
         )
 
 
-def more_over_ground() -> str:
-    """What mends an overlap over level ground that stays below what was asked for: it is the lines that lie so."""
-    return f"ask for more ({option('overlap')})"
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Pattern:
     """One way to fly."""
 
     name: str
-    about: str
     shape: Literal["area", "line", "place"]
     """what it is flown over: an area, along a line, round a place or area"""
     lines: Callable[[Array, Wish], list[Line]]
@@ -134,8 +127,6 @@ class Pattern:
     """base and spacing [m], as they are reported"""
     ground: bool = True
     """whether it photographs the ground, so that heights follow it"""
-    more: Callable[[], str] = more_over_ground
-    """words for what mends an overlap that stays below what was asked for, where relief is not the cause"""
 
 
 patterns: dict[str, Pattern] = {}

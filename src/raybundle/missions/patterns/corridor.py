@@ -86,7 +86,6 @@ def _headings(xy: Array) -> Array:
 register(
     Pattern(
         name="corridor",
-        about="lines beside each other along a way",
         shape="line",
         lines=lines,
         steps=lambda wish: wish.steps(0.0),

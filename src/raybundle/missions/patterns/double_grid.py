@@ -25,7 +25,6 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
 register(
     Pattern(
         name="double-grid",
-        about="two sets of parallel lines square to each other",
         shape="area",
         lines=lines,
         steps=lambda wish: wish.steps(wish.tilt or 0.0),

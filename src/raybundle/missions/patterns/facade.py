@@ -10,7 +10,6 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.missions.patterns.base import LOWEST_M, Line, Pattern, Wish, register, whole
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 
 def steps(wish: Wish) -> tuple[float, float]:
@@ -62,19 +61,12 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
     return found
 
 
-def more() -> str:
-    """What mends an overlap in front of a facade: neither heights of the ground nor the distance change it."""
-    return f"rows and photographs lie so in front of the facade; ask for more ({option('overlap')})"
-
-
 register(
     Pattern(
         name="facade",
-        about="rows in front of a facade over a line",
         shape="line",
         lines=lines,
         steps=steps,
         ground=False,
-        more=more,
     )
 )

@@ -16,7 +16,6 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
 register(
     Pattern(
         name="nadir",
-        about="parallel lines, looking down",
         shape="area",
         lines=lines,
         steps=lambda wish: wish.steps(wish.tilt or 0.0),

@@ -27,7 +27,6 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
 register(
     Pattern(
         name="oblique-grid",
-        about="nadir lines, and lines for each of several oblique views",
         shape="area",
         lines=lines,
         steps=lambda wish: wish.steps(0.0),

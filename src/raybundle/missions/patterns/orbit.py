@@ -10,7 +10,6 @@ from raybundle.missions.patterns.base import LOWEST_M, Line, Pattern, Wish, regi
 from raybundle.missions.patterns.facade import levels, steps
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.planes import hull
-from raybundle.settings import option
 
 WIDEST = math.radians(15)
 """Between neighbouring photographs of a ring: descriptors of features that are not flat are found again up to some 25
@@ -64,19 +63,12 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
     return found
 
 
-def more() -> str:
-    """What mends an overlap round an object: photographs of a ring and rings have each their own number."""
-    return f"photographs and rings lie so round the object; ask for more ({option('overlap')}, {option('rings')})"
-
-
 register(
     Pattern(
         name="orbit",
-        about="rings round an object",
         shape="place",
         lines=lines,
         steps=steps,
         ground=False,
-        more=more,
     )
 )

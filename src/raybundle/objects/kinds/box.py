@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.objects.kinds.base import ObjectKind
 from raybundle.objects.surface import Surface
@@ -30,4 +31,10 @@ class Box(ObjectKind):
         x, y = np.array([-1, 1, 1, -1]) * w / 2, np.array([-1, -1, 1, 1]) * d / 2
         corners = np.concatenate([np.stack([x, y, np.full(4, z)], axis=1) for z in (0.0, h)])
         wanted = np.arange(len(FACES)) >= 2
-        return Surface(name="box", vertices=corners, triangles=FACES, wanted=wanted, about=f"{w:g} x {d:g} x {h:g} m")
+        return Surface(
+            name="box",
+            vertices=corners,
+            triangles=FACES,
+            wanted=wanted,
+            about=phrase("object_size.building", width_m=w, depth_m=d, height_m=h, corners=4),
+        )

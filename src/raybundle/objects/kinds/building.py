@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.objects.kinds.base import ObjectKind
 from raybundle.objects.rings import ring_of, ring_triangles
@@ -37,5 +38,5 @@ class Building(ObjectKind):
         w, d = np.ptp(line, axis=0)
         return Surface(
             name="building", vertices=vertices, triangles=triangles, wanted=np.arange(len(triangles)) >= len(flat),
-            about=f"{w:g} x {d:g} x {height:g} m" + (f", {n} corners" if n != 4 else ""),
+            about=phrase("object_size.building", width_m=w, depth_m=d, height_m=height, corners=n),
         )  # fmt: skip

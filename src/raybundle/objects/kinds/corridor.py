@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.objects.kinds.base import ObjectKind, grid_triangles
 from raybundle.objects.surface import Surface
@@ -40,5 +41,6 @@ class Corridor(ObjectKind):
         length = float(np.linalg.norm(np.diff(axis, axis=0), axis=1).sum())
         return Surface(
             name="corridor", vertices=np.column_stack([rows, np.zeros(len(rows))]),
-            triangles=grid_triangles(2, len(axis)), about=f"{length:g} m long, {width:g} m wide",
+            triangles=grid_triangles(2, len(axis)),
+            about=phrase("object_size.corridor", length_m=length, width_m=width),
         )  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.objects.kinds.base import ObjectKind, grid_triangles
 from raybundle.objects.surface import Surface
@@ -37,5 +38,6 @@ class Cylinder(ObjectKind):
         triangles = np.concatenate([around, bottom, top])
         return Surface(
             name="cylinder", vertices=np.concatenate([*rings, [[0, 0, 0], [0, 0, h]]]), triangles=triangles,
-            wanted=np.arange(len(triangles)) < len(around), about=f"{diameter:g} m across, {h:g} m high",
+            wanted=np.arange(len(triangles)) < len(around),
+            about=phrase("object_size.cylinder", diameter_m=diameter, height_m=h),
         )  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.objects.kinds.base import ObjectKind
 from raybundle.objects.rings import ring_of, ring_triangles
@@ -30,4 +31,9 @@ class Facade(ObjectKind):
         triangles = ring_triangles(line)
         vertices = np.column_stack([line[:, 0], np.zeros(len(line)), line[:, 1]])
         w, h = np.ptp(line, axis=0)
-        return Surface(name="facade", vertices=vertices, triangles=triangles, about=f"{w:g} x {h:g} m")
+        return Surface(
+            name="facade",
+            vertices=vertices,
+            triangles=triangles,
+            about=phrase("object_size.flat", width_m=w, height_m=h),
+        )

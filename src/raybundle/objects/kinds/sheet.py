@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.objects.kinds.base import ObjectKind, grid_triangles
 from raybundle.objects.surface import Surface
@@ -25,5 +26,5 @@ class Sheet(ObjectKind):
         x, y = np.meshgrid([-w / 2, w / 2], [-h / 2, h / 2])
         return Surface(
             name="sheet", vertices=np.column_stack([x.ravel(), y.ravel(), np.zeros(4)]),
-            triangles=grid_triangles(2, 2), about=f"{w:g} x {h:g} m",
+            triangles=grid_triangles(2, 2), about=phrase("object_size.flat", width_m=w, height_m=h),
         )  # fmt: skip

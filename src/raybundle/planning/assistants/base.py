@@ -108,9 +108,6 @@ class Assistant(ABC):
 
     registry: ClassVar[dict[str, Assistant]] = {}
     name: ClassVar[str]
-    title: ClassVar[str]
-    """Of the list; "of" and the object follow"""
-    about: ClassVar[str]
     example: ClassVar[str]
     """An object as one may type it"""
     order: ClassVar[int] = 9

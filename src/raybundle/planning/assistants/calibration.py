@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, joined_texts, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.planning.assistants.base import FULL, QUARTER, Assistant, Leaf, Shots, Task, made_stations
 from raybundle.planning.optics import Optics, best_focus
@@ -29,8 +29,6 @@ class CalibrationNetwork(Assistant):
     """
 
     name = "calibration"
-    title = "Calibration photographs"
-    about = "a calibration network for this camera and this sheet"
     example = "sheet:0.42,0.297"
     order = 2
 
@@ -50,7 +48,8 @@ class CalibrationNetwork(Assistant):
             rows.append((middle + near * _away(TILT_DEG, 45.0 * k), middle, roll))
             leaves.append(
                 Leaf(
-                    group="1 convergent, full format", see=f"whole sheet from {45 * k} deg round it. {task.held(roll)}"
+                    group=phrase("photograph_list.convergent"),
+                    see=joined_texts(phrase("photograph_list.whole_sheet", azimuth_deg=45 * k), task.held(roll)),
                 )
             )
         for k, (x, y) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
@@ -59,24 +58,22 @@ class CalibrationNetwork(Assistant):
             rows.append((middle + aside + np.array([0, 0, near]), middle + aside, roll))
             leaves.append(
                 Leaf(
-                    group="2 square, sheet in the corners",
-                    see=f"sheet in another corner of the format. {task.held(roll)}",
+                    group=phrase("photograph_list.square"),
+                    see=joined_texts(phrase("photograph_list.sheet_in_corner"), task.held(roll)),
                 )
             )
         for k, side in enumerate(sides):
             roll = task.portrait if k % 2 else task.landscape
             rows.append((middle + FARTHER * near * _away(SLANT, 90.0 * k), middle, roll))
-            leaves.append(Leaf(group="3 from farther away", see=f"sheet from the {side}. {task.held(roll)}"))
+            see = joined_texts(phrase("photograph_list.sheet_from", side=side), task.held(roll))
+            leaves.append(Leaf(group=phrase("photograph_list.farther"), see=see))
         return Shots(
             stations=made_stations(rows), leaves=tuple(leaves),
             site=replace(task.site, depth=(0.0, float("inf"))),
             rules=(
                 *sharp,
-                "Zoom, focus and aperture are set once and taped; no autofocus, stabilisation or automatic rotation.",
-                (f"The sheet fills the format at {near:.2f} m. It must be flat and stay where it is, or "
-                "be turned instead of the camera, which is the same."),
-                "Over all photographs together every part of the format must show targets, the corners too.",
-                "Enough light for a short exposure, or a tripod; no reflections.",
+                phrase("photograph_list.rule_fixed_lens"), phrase("photograph_list.rule_sheet", distance_m=near),
+                phrase("photograph_list.rule_every_corner"), phrase("photograph_list.rule_light"),
             ),
         )  # fmt: skip
 
@@ -91,7 +88,7 @@ def _into_corner(task: Task, distance: float, size: Array, *, turned: bool) -> A
     return np.append(aside, 0.0)
 
 
-def _sharp_words(task: Task, near: float, size: Array) -> tuple[str, ...]:
+def _sharp_words(task: Task, near: float, size: Array) -> tuple[Text, ...]:
     """What is not sharp, and what aperture or which sheet would make it so; nothing where all is.
 
     raises  InputError where the lens is not sharp where the whole sheet fills the format
@@ -106,29 +103,27 @@ def _sharp_words(task: Task, near: float, size: Array) -> tuple[str, ...]:
     c, pixel = camera.sensor.camera_constant(camera.parameters), camera.pixel_mm[0]
     hyperfocal = first * focus / (focus - first)
     wanted = c**2 / (1000 * hyperfocal * Optics().blur_px * pixel)
-    here = f"Sharp from {low:.2f} to {high:.2f} m; the sheet reaches from {first:.2f} to {last:.2f} m: "
+    limits = phrase("photograph_list.sharp_limits", near_m=low, far_m=high, first_m=first, last_m=last)
     if wanted <= SMALLEST:
         return (
-            (
-                f"{here}stop down to f/{np.ceil(wanted):.0f} and focus to {focus:.2f} m, take a larger sheet from "
-                "farther away, or accept soft targets, which are less precise."
-            ),
+            joined_texts(limits, phrase("photograph_list.stop_down", f_number=int(np.ceil(wanted)), focus_m=focus)),
         )
     # all distances grow with the sheet, and with them the hyperfocal distance that is needed
     larger = wanted / SHARPEST
     sharp = Optics(f_number=SHARPEST, focus=focus).depth_of_field(c, pixel)
     return (
-        (
-            f"{here}all of it would be sharp at f/{wanted:.0f} only, which hardly a lens has. A sheet {larger:.1f} "
-            f"times as large, {larger * size[0]:.2f} x {larger * size[1]:.2f} m from {larger * near:.2f} m and the "
-            f"lens focused to {larger * focus:.2f} m, is sharp at f/{SHARPEST:.0f}."
+        joined_texts(
+            limits,
+            phrase(
+                "photograph_list.larger_sheet", needed=round(wanted), times=larger, width_m=larger * size[0],
+                height_m=larger * size[1], distance_m=larger * near, focus_m=larger * focus, f_number=SHARPEST,
+            ),
         ),
-        (
-            f"With this sheet: f/{SHARPEST:.0f} focused to {focus:.2f} m is sharp from {sharp[0]:.2f} to "
-            f"{sharp[1]:.2f} m; targets at the ends of the sheet are blurred by {larger * Optics().blur_px:.1f} px "
-            f"where {Optics().blur_px:g} px are sharp: less precise, and lost where dots are hardly larger than that."
+        phrase(
+            "photograph_list.blurred_sheet", f_number=SHARPEST, focus_m=focus, near_m=sharp[0], far_m=sharp[1],
+            blur_px=larger * Optics().blur_px, sharp_px=Optics().blur_px,
         ),
-    )
+    )  # fmt: skip
 
 
 def _away(tilt_deg: float, azimuth_deg: float) -> Array:

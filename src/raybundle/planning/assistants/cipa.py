@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Text, joined_texts, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.objects.surface import Surface
 from raybundle.planning.assistants.base import FULL, Assistant, Leaf, Shots, Task, made_stations
@@ -22,26 +22,18 @@ nothing gives the second facade the scale of the first"""
 ROUNDED = 0.1
 """Part of the stand-off by which corners may be cut where the ring is planned"""
 RULES = (
-    "1 Control: long distances between good points, at least one on every side; plumb lines and level lines.",
-    "2 Ring: photographs all round that overlap by more than half, and views over every corner at 45 degrees.",
-    "3 Details: square stereo pairs of every facade, base to distance 1:4 to 1:15; ornaments nearer still.",
-    "4 Camera: one camera, one lens; zoom, focus and all that changes the picture by itself are fixed.",
-    "5 Calibration: a lens that is calibrated or will be with these photographs; the widest that is good; note both.",
-    "6 Exposure: even light, small aperture, low sensitivity, a tripod where it is dark; raw or the best quality.",
-    "7 Sketch: a ground plan with the stations and the direction north, an elevation of each side.",
-    "8 Protocol: owner, place, date, weather, camera and lens, who photographed, the distances of rule 1.",
-    "9 Check: look through everything on site, sharp and complete; a copy before leaving.",
-)
+    "photograph_list.cipa_control", "photograph_list.cipa_ring", "photograph_list.cipa_details",
+    "photograph_list.cipa_camera", "photograph_list.cipa_calibration", "photograph_list.cipa_exposure",
+    "photograph_list.cipa_sketch", "photograph_list.cipa_protocol", "photograph_list.cipa_check",
+)  # fmt: skip
 """Waldhaeusl and Ogleby 1994, in words of our own"""
-SIDES = ("front", "right side", "back", "left side")
+SIDES = ("front", "right", "back", "left")
 
 
 class Cipa(Assistant):
     """A ring that shows the whole height, three views over each corner, nearer stereo pairs of each facade."""
 
     name = "cipa"
-    title = "CIPA photographs"
-    about = "the CIPA 3x3 ring round a building, and stereo pairs of its facades"
     example = "box:12,8,6"
     order = 1
 
@@ -70,7 +62,8 @@ class Cipa(Assistant):
             for t in np.linspace(0, length, n):
                 foot = a + t * along
                 rows.append((np.r_[foot + distance * out, z], np.r_[foot, aim], roll))
-                leaves.append(Leaf(group=f"ring, {name}", see=f"{name} {t:.1f} m from its left end, ground to top"))
+                see = Text.of(name, note("photograph_list.along", at_m=t))
+                leaves.append(Leaf(group=Text.of(note("photograph_list.ring"), name), see=see))
             following = _axes(b, corners[(k + 2) % count])[1]
             for turn in _turns(out, following):
                 over = np.array(
@@ -79,24 +72,31 @@ class Cipa(Assistant):
                 rows.append((np.r_[b + distance * over, z], np.r_[b, aim], roll))
                 leaves.append(
                     Leaf(
-                        group="ring, corners",
-                        see=f"{name} and {names[(k + 1) % count]} over their corner, "
-                        f"{np.degrees(turn):.0f} deg off the first",
+                        group=phrase("photograph_list.corners"),
+                        see=Text.of(
+                            note("photograph_list.over_corner", turn_deg=np.degrees(turn)),
+                            _named(corners, k, more=True),
+                            names[(k + 1) % count],
+                        ),
                     )
                 )
         near = max(DETAIL * distance, _needed(height, eye, task.half_angles[0]), least)
         task.check_sharp(near, "facade")
         for k, name in enumerate(names):
-            for place, foot, word in _pairs(task, (corners[k], corners[(k + 1) % count]), near, k + 1):
+            for place, foot, pair in _pairs(task, (corners[k], corners[(k + 1) % count]), near, k + 1):
                 rows.append((np.r_[place, z], np.r_[foot, aim], task.portrait))
-                leaves.append(Leaf(group=f"stereo pair, {name}", see=f"{name}, {word}, portrait format, both alike"))
+                leaves.append(Leaf(group=Text.of(note("photograph_list.stereo_pair"), name), see=Text.of(name, pair)))
         return Shots(
             stations=made_stations(rows), leaves=tuple(leaves), site=task.site,
             rules=(
-                *RULES,
-                (f"Ring: {distance:.1f} m before the walls, {eye:.1f} m high; pairs from {near:.1f} m, photographs "
-                f"{PAIR * near:.2f} m apart. {task.held(roll)}"),
-                *((f"No photograph from nearer than {task.clearance:.3g} m.",) if task.clearance else ()),
+                *map(phrase, RULES),
+                joined_texts(
+                    phrase(
+                        "photograph_list.distances", ring_m=distance, eye_m=eye, pairs_m=near, base_m=PAIR * near,
+                    ),
+                    task.held(roll),
+                ),
+                *((phrase("photograph_list.clearance", distance_m=task.clearance),) if task.clearance else ()),
             ),
         )  # fmt: skip
 
@@ -137,13 +137,15 @@ def _check_room(task: Task, distance: float) -> None:
         )
 
 
-def _named(corners: Array, k: int) -> str:
-    """What a side is called: by where it looks of a building along the axes, else by its number and direction."""
+def _named(corners: Array, k: int, *, more: bool = False) -> Message:
+    """What a side is called: by where it looks of a building along the axes, else by its number and direction.
+
+    more  another one follows
+    """
     out = _axes(corners[k], corners[(k + 1) % len(corners)])[1]
     turn = float(np.degrees(np.arctan2(out[0], -out[1]))) % 360
-    if len(corners) == 4 and min(turn % 90, 90 - turn % 90) < 1:
-        return SIDES[round(turn / 90) % 4]
-    return f"side {k + 1} ({SIDES[round(turn / 90) % 4]})"
+    along = len(corners) == 4 and min(turn % 90, 90 - turn % 90) < 1
+    return note("photograph_list.side", side=SIDES[round(turn / 90) % 4], number=0 if along else k + 1, more=more)
 
 
 def _turns(out: Array, following: Array) -> Array:
@@ -183,8 +185,8 @@ def _stand_off(task: Task, height: float, eye: float) -> tuple[float, float]:
     raise InputError("plan.height_not_shown", height_m=height, distance_m=upright, reach_m=task.reach, c_mm=fits)
 
 
-def _pairs(task: Task, side: tuple[Array, Array], near: float, number: int) -> Iterator[tuple[Array, Array, str]]:
-    """Stereo pairs side by side along a facade: place and what is looked at (2,), in words which one."""
+def _pairs(task: Task, side: tuple[Array, Array], near: float, number: int) -> Iterator[tuple[Array, Array, Message]]:
+    """Stereo pairs side by side along a facade: place and what is looked at (2,), and which one."""
     a, b = side
     along, out = _axes(a, b)
     length, base = float(np.linalg.norm(b - a)), PAIR * near
@@ -194,6 +196,6 @@ def _pairs(task: Task, side: tuple[Array, Array], near: float, number: int) -> I
     n = max(1, int(np.ceil(length / shared)))
     for k in range(n):
         middle = length * (k + 0.5) / n
-        for t, word in ((middle - base / 2, "left"), (middle + base / 2, "right")):
+        for t, left in ((middle - base / 2, True), (middle + base / 2, False)):
             foot = a + t * along
-            yield foot + near * out, foot, f"pair {k + 1} of {n}, {word} photograph"
+            yield foot + near * out, foot, note("photograph_list.pair", number=k + 1, of=n, left=left)

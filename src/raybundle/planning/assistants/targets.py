@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.objects.surface import SurfacePoints, farthest_first, spread
 from raybundle.planning.assistants.base import Assistant, Leaf, Shots, Task
@@ -26,8 +26,6 @@ class TargetPlan(Assistant):
     """Targets well spread over what at least three stations see, as large as the farthest of them needs."""
 
     name = "targets"
-    title = "Photographs of targets"
-    about = "where coded targets and scale bars go, how large they must be, how well the bars must be known"
     example = "box:4,3,2.5"
     order = 4
 
@@ -65,20 +63,27 @@ class TargetPlan(Assistant):
             for k, n in enumerate(names)
         ]  # fmt: skip
         leaves = tuple(
-            Leaf(group="photographs", see=_shown([names[p] for p in point[station == k]])) for k in range(len(s))
+            Leaf(
+                group=phrase("photograph_list.table_head", name="photographs"),
+                see=phrase("photograph_list.targets_shown", names=[names[p] for p in point[station == k]]),
+            )
+            for k in range(len(s))
         )
         return Shots(
             stations=s, leaves=leaves, site=site, bars=(BARS, sigma), about_targets=tuple(rows),
             rules=(
-                (f"{len(points)} targets, codes 1 to {len(points)}: dots of {1000 * dot.max():.1f} mm, codes "
-                f"{1000 * CODE * dot.max():.0f} mm across (the largest that is needed; the table has each)."),
+                phrase(
+                    "photograph_list.rule_targets", n=len(points), dot_mm=1000 * dot.max(),
+                    code_mm=1000 * CODE * dot.max(),
+                ),
                 *(
-                    f"Scale bar {k + 1}: {length[k]:.3f} m between T{i + 1} and T{j + 1}, its length known to "
-                    f"{1000 * sigma:.2g} mm or better."
+                    phrase(
+                        "photograph_list.rule_bar", number=k + 1, length_m=length[k], start=names[i], end=names[j],
+                        sigma_mm=1000 * sigma,
+                    )
                     for k, (i, j) in enumerate(bars.pairs)
                 ),
-                ("Fix targets flat; none over an edge, none that is hidden by another. Places may be missed by "
-                "a part of the distance between targets."),
+                phrase("photograph_list.rule_flat"),
             ),
         )  # fmt: skip
 
@@ -105,10 +110,6 @@ def _bar_sigma(task: Task, points: SurfacePoints, length: Array) -> float:
     of_image = site.sigma_px * site.camera.pixel_mm[0] / c * distance
     extent = float(np.ptp(points.xyz, axis=0).max())
     return SHARE * of_image * float(np.sqrt(np.sum(length**2))) / (extent / 2)
-
-
-def _shown(names: list[str]) -> str:
-    return f"{len(names)} targets: {', '.join(names)}"
 
 
 def _row(name: str, xyz: Array, dot: float, rays: int) -> tuple[str, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, joined_texts, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.planning.assistants.base import FULL, Assistant, Leaf, Shots, Task, made_stations
 
@@ -13,8 +13,6 @@ class Turntable(Assistant):
     """Rings of views: the table turns, which is the same as a camera that goes round it the other way."""
 
     name = "turntable"
-    title = "Turntable photographs"
-    about = "an object on a turntable: views at equal steps, from several heights, some with the camera turned"
     example = "cylinder:0.3,0.4"
     order = 3
 
@@ -37,18 +35,18 @@ class Turntable(Assistant):
                 rows.append((middle + distance * away, middle, task.portrait if turned else task.landscape))
                 leaves.append(
                     Leaf(
-                        group=f"camera {elevation:g} deg above the table",
-                        see=f"table turned to {360 * k / task.steps:.0f} deg. {task.held(rows[-1][2])}",
+                        group=phrase("photograph_list.above_table", elevation_deg=elevation),
+                        see=joined_texts(
+                            phrase("photograph_list.table_turned", turn_deg=360 * k / task.steps),
+                            task.held(rows[-1][2]),
+                        ),
                     )
                 )
         return Shots(
             stations=made_stations(rows), leaves=tuple(leaves), site=task.site,
             rules=(
-                f"The camera stands {distance:.2f} m before the middle of the object; only its height is changed.",
-                ("Nothing but the object and its table may be seen: a background that stands still contradicts "
-                "the rest. Use a plain one, or masks."),
-                ("Targets or texture on the table turn with the object and may be measured; light that stands still "
-                "moves over it: make it even."),
-                "Scale: a bar or two targets of known distance on the table.",
+                phrase("photograph_list.rule_turntable", distance_m=distance),
+                phrase("photograph_list.rule_background"), phrase("photograph_list.rule_even_light"),
+                phrase("photograph_list.rule_scale"),
             ),
         )  # fmt: skip

@@ -7,6 +7,7 @@ from html import escape
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.missions.mission import Exposures, Mission, exposures
 from raybundle.missions.views import Coverage
 from raybundle.numerics.arrays import Array
@@ -112,9 +113,10 @@ def _seen(plot: Plot, coverage: Coverage) -> list[str]:
 
 def _home(plot: Plot, home: Array) -> list[str]:
     x, y = float(plot.x(home[0])), float(plot.y(home[1]))
+    take_off = escape(phrase("mission_picture.take_off"))
     return [
         f'<path fill="none" stroke="#111" stroke-width="2" d="M{x - 6:.1f} {y:.1f}h12M{x:.1f} {y - 6:.1f}v12"/>',
-        f'<text x="{x + 8:.1f}" y="{y - 4:.1f}">take-off</text>',
+        f'<text x="{x + 8:.1f}" y="{y - 4:.1f}">{take_off}</text>',
     ]
 
 
@@ -134,11 +136,13 @@ def _legend(plot: Plot, mission: Mission, coverage: Coverage | None) -> list[str
         found.append(
             f'<rect x="{x:.0f}" y="{base + 18:.0f}" width="12" height="12" fill="{WAYS[flight % len(WAYS)]}"/>'
         )
-        found.append(f'<text x="{x + 16:.0f}" y="{base + 28:.0f}">battery {flight + 1}</text>')
+        battery = escape(phrase("mission_picture.battery", number=flight + 1))
+        found.append(f'<text x="{x + 16:.0f}" y="{base + 28:.0f}">{battery}</text>')
         x += 84
     x = 20.0
     if coverage is not None:
-        found.append(f'<text class="small" x="20" y="{base + 48:.0f}">photographs that show a place</text>')
+        key = escape(phrase("mission_picture.photographs_of_place"))
+        found.append(f'<text class="small" x="20" y="{base + 48:.0f}">{key}</text>')
         for k, (least, colour) in enumerate(SEEN):
             label = f"{least}" if k + 1 < len(SEEN) and SEEN[k + 1][0] == least + 1 else f"{least} +"
             if k + 1 < len(SEEN) and SEEN[k + 1][0] > least + 1:

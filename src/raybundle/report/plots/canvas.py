@@ -80,7 +80,7 @@ def format_axes(axes: Axes, camera: Camera, title: str, pad: float = 6) -> None:
         xlim=(0, camera.width_px), ylim=(camera.height_px, 0), aspect="equal", xlabel="x [px]", ylabel="y [px]",
     )  # fmt: skip
     axes.locator_params(nbins=5)
-    axes.set_title(title, fontsize="medium", pad=pad)
+    axes.set_title(title.replace("; ", ";\n"), fontsize="medium", pad=pad)
 
 
 def format_width(camera: Camera) -> float:

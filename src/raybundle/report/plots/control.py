@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.natural import natural_order
 from raybundle.report.figures.svg import span
@@ -26,7 +26,7 @@ from raybundle.report.plots.canvas import (
     vectors,
 )
 from raybundle.report.sections.control import observed_control
-from raybundle.report.text.numbers import grouped, significant
+from raybundle.report.text.numbers import significant
 from raybundle.report.text.words import expected_check_std
 from raybundle.report.view import View, rms
 
@@ -46,6 +46,11 @@ class Differences:
     """(k, 3) [view.unit]; NaN where none is"""
     std: Array
     """(k, 3) of the difference [view.unit]; NaN where nothing shows it"""
+
+    @property
+    def label(self) -> Text:
+        """Of the points."""
+        return phrase("network_page.control_points" if self.kind == "control" else "label.check_points")
 
 
 def draw(view: View, figure: Canvas | None) -> Figure:
@@ -110,10 +115,10 @@ def _coordinate(axes: Axes, view: View, found: list[Differences], k: int) -> Non
         axes.errorbar(
             at[known], d.difference[known, k], yerr=spread[known], linestyle="none", marker=marker,
             markersize=4 if len(d.rows) <= 100 else 2, color=colour, markerfacecolor="none", elinewidth=1.0,
-            capsize=2 if len(d.rows) <= 100 else 0, rasterized=many, label=d.kind,
+            capsize=2 if len(d.rows) <= 100 else 0, rasterized=many, label=d.label,
         )  # fmt: skip
         if known.any():
-            reported.append(f"{d.kind}: rms {significant(rms(d.difference[:, k]), 2)} {view.unit}")
+            reported.append(f"{d.label}: rms {significant(rms(d.difference[:, k]), 2)} {view.unit}")
         names += pick(d.rows, view.given.points.ids)
         start += len(d.rows)
     axes.axhline(0, color=BLACK, linewidth=0.6)
@@ -128,7 +133,7 @@ def _coordinate(axes: Axes, view: View, found: list[Differences], k: int) -> Non
         axes.set_xticks(range(start), names, rotation=90 if long else 0, fontsize="small")
     axes.tick_params(axis="x", labelbottom=k == 2)
     if k == 2 and start > MOST_NAMES:
-        axes.set_xlabel(" and ".join(f"{grouped(len(d.rows))} {d.kind}" for d in found) + ", in the order of names")
+        axes.set_xlabel(phrase("plot.in_order_of_names"))
 
 
 def _plan(axes: Axes, view: View, found: list[Differences]) -> None:
@@ -144,13 +149,13 @@ def _plan(axes: Axes, view: View, found: list[Differences]) -> None:
     axes.ticklabel_format(style="plain", useOffset=False)
     axes.locator_params(nbins=5)
     axes.grid(visible=True, alpha=0.3, linewidth=0.6)
-    axes.set_title("differences in plan", fontsize="medium", pad=ABOVE_KEY)
+    axes.set_title(phrase("plot.differences_in_plan"), fontsize="medium", pad=ABOVE_KEY)
     for d in found:
         colour, marker = _style(d.kind)
         at = view.adjusted.points.xyz[d.rows][:, :2]
         axes.plot(
             at[:, 0], at[:, 1], linestyle="none", marker=marker, markersize=6 if len(rows) <= 100 else 2,
-            color=colour, markerfacecolor="none", rasterized=len(at) > RASTERIZED, label=d.kind,
+            color=colour, markerfacecolor="none", rasterized=len(at) > RASTERIZED, label=d.label,
         )  # fmt: skip
     size = np.linalg.norm(every, axis=1)
     usual = max(float(np.quantile(size, 0.9)), float(size.max()) / 3)

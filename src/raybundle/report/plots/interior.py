@@ -35,7 +35,7 @@ from raybundle.report.plots.canvas import (
     cells_over_format,
     format_axes,
 )
-from raybundle.report.text.numbers import grouped, significant
+from raybundle.report.text.numbers import significant
 from raybundle.report.view import View, adjusted_interior, key_of, name_of
 
 Panel = Callable[[Axes], None]
@@ -80,25 +80,23 @@ def _panels(view: View, result: InteriorResult) -> list[Panel]:
     if interior.has("radial"):
         curve = radial_curve(interior)
         flat, share = balanced(curve)
-        words = f"balanced ($c$ {'+' if share > 0 else ''}{significant(100 * share, 2)} %)"
+        words = f"{phrase('drawn.balanced')} ($c$ {'+' if share > 0 else ''}{significant(100 * share, 2)} %)"
         drawn = [(curve, BLUE, "-", phrase("drawn.gaussian")), (flat, VERMILION, "--", words)]
-        found.append(partial(_curves, interior, drawn, reach, "radial correction, ideal − measured", _correction()))
+        found.append(partial(_curves, interior, drawn, reach, phrase("plot.radial"), _correction()))
         sigmas.append((curve, BLUE, "-", phrase("drawn.radial")))
     if interior.has("decentring"):
         curve = decentring_curve(interior)
         found.append(
-            partial(
-                _curves, interior, [(curve, BLUE, "-", "")], reach, "decentring, largest over directions", _correction()
-            )
+            partial(_curves, interior, [(curve, BLUE, "-", "")], reach, phrase("plot.decentring"), _correction())
         )
-        sigmas.append((curve, VERMILION, "--", "decentring"))
+        sigmas.append((curve, VERMILION, "--", phrase("plot.decentring_curve")))
     spread = [
         (Curve(radius_mm=c.radius_mm, value_mm=c.std_mm, std_mm=None), colour, style, name)
         for c, colour, style, name in sigmas
         if c.std_mm is not None
     ]
     if spread:
-        title = "standard deviation of the corrections"
+        title = phrase("plot.correction_sigma")
         found.append(partial(_curves, interior, spread, reach, title, phrase("axis.standard_deviation", unit="µm")))
     if any(interior.has(k) for k in sorted(ADDITIONAL)):
         found.append(partial(_grid, interior))
@@ -154,14 +152,14 @@ def _grid(interior: Interior, axes: Axes) -> None:
         axes.plot(lines[0].T, lines[1].T, color=colour, linewidth=width)
     x, y = np.asarray(camera.pixel_from_image(interior.principal_point[None])).ravel().tolist()
     axes.plot([x], [y], linestyle="none", marker="+", markersize=10, color=VERMILION, markeredgewidth=1.4)
-    times = "true size" if enlarged == 1 else f"times {grouped(enlarged) if enlarged > 1 else significant(enlarged, 1)}"
-    format_axes(axes, camera, f"corrections, {times};\nlargest {significant(largest, 3)} px")
+    format_axes(axes, camera, phrase("plot.corrections", times=enlarged, largest_px=largest))
     m = 0.03 * max(camera.width_px, camera.height_px)
     axes.set(xlim=(-m, camera.width_px + m), ylim=(camera.height_px + m, -m))
 
 
 def _uncertainty(view: View, interior: Interior, found: UncertaintyMap, axes: Axes) -> None:
     camera = interior.camera
-    where = "infinity" if found.distance is None else f"{significant(found.distance, 2)} {view.length_unit}"
-    format_axes(axes, camera, f"uncertainty of projection at {where};\nlargest {significant(found.largest, 2)} px")
-    cells_over_format(axes, camera, found.std, "standard deviation [px]", "viridis")
+    distance = 0.0 if found.distance is None else found.distance
+    title = phrase("plot.projection", distance=distance, unit=view.length_unit, largest_px=found.largest)
+    format_axes(axes, camera, title)
+    cells_over_format(axes, camera, found.std, phrase("axis.standard_deviation", unit="px"), "viridis")

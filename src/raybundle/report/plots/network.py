@@ -38,7 +38,6 @@ from raybundle.report.plots.canvas import (
     length_words,
     named,
 )
-from raybundle.report.text.numbers import counted, grouped
 from raybundle.report.view import View
 
 WIDEST, TALLEST = 6.6, 6.6
@@ -144,7 +143,7 @@ def _ellipses(axes: Axes, view: View, rows: Index, plane: tuple[int, int], facto
 def _scale(axes: Axes, view: View, factor: float, widest: float) -> None:
     """A bar of known size for the semi-axes of the ellipses, below the side view, where nothing else stands."""
     unit = round_below(0.08 * widest / factor * view.factor) / view.factor
-    words = f"{length_words(unit * view.factor, view.unit)}\n(ellipses)"
+    words = f"{length_words(unit * view.factor, view.unit)}\n({phrase('plot.error_ellipses')})"
     below = axes.transAxes + ScaledTranslation(0, -0.55, axes.figure.dpi_scale_trans)
     bar = AnchoredSizeBar(
         axes.transData, unit * factor, words, "upper left", pad=0, borderpad=0, color=BLACK, sep=4, frameon=False,
@@ -155,12 +154,8 @@ def _scale(axes: Axes, view: View, factor: float, widest: float) -> None:
 
 
 def _title(shape: NetworkShape, drawn: int, factor: float) -> str:
-    words = f"{counted(len(shape.images), 'image')}, {counted(len(shape.kept), 'object point')}"
-    if shape.far:
-        words += f" ({grouped(shape.far)} far ones outside)"
-    if factor:
-        words += f"\nerror ellipses of {grouped(drawn)} points, one sigma, enlarged {grouped(factor)} times"
-    return words
+    title = str(phrase("plot.network", images=len(shape.images), points=len(shape.kept), far=shape.far))
+    return f"{title}\n{phrase('plot.ellipses', n=drawn, times=factor)}" if factor else title
 
 
 def _legend(canvas: Canvas, view: View, role: Array, factor: float) -> None:
@@ -173,11 +168,10 @@ def _legend(canvas: Canvas, view: View, role: Array, factor: float) -> None:
 
     handles = [Line2D([], [], color=BLUE, linewidth=0.9, label=phrase("label.images"))]
     handles += [mark(phrase("label.object_points"), "o", GREY, filled=True)] if (role == Role.TIE).any() else []
-    handles += [mark("control", "^", VERMILION)] if (role == Role.CONTROL).any() else []
+    handles += [mark(phrase("network_page.control_points"), "^", VERMILION)] if (role == Role.CONTROL).any() else []
     handles += [mark(phrase("label.check_points"), "o", GREEN)] if (role == Role.CHECK).any() else []
-    handles += (
-        [Line2D([], [], color=BLACK, linewidth=1.4, label="distances")] if len(view.given.distances.start) else []
-    )
-    handles += [Line2D([], [], color=ORANGE, linewidth=0.9, label="error ellipses")] if factor else []
+    if len(view.given.distances.start):
+        handles.append(Line2D([], [], color=BLACK, linewidth=1.4, label=phrase("network_page.scale_bars")))
+    handles += [Line2D([], [], color=ORANGE, linewidth=0.9, label=phrase("plot.error_ellipses"))] if factor else []
     canvas.legend(handles=handles, loc="outside lower center", ncols=min(len(handles), 3), fontsize="small",
                   frameon=False)  # fmt: skip

@@ -22,7 +22,6 @@ from raybundle.report.plots.canvas import (
     rows_of_cameras,
 )
 from raybundle.report.residuals import normalised
-from raybundle.report.text.numbers import fixed, grouped, significant
 from raybundle.report.view import View
 
 BEYOND = 0.99
@@ -39,7 +38,7 @@ def draw(view: View, camera: str | None, figure: Canvas | None) -> Figure:
     for axes, (c, mask) in zip(rows, cameras, strict=True):
         own = view.given.cameras[c]
         cells = cell_means(view.adjustment, own, mask, tests)
-        format_axes(axes[0], own, f"camera {own.id}: means of cells")
+        format_axes(axes[0], own, phrase("plot.cell_means", camera=own.id))
         means = cells.redundancy.reshape(cells.rows, cells.columns)
         cells_over_format(axes[0], own, means, phrase("axis.redundancy_number"), "cividis", high=1.0)
         _redundancy(axes[1], view, own, mask)
@@ -50,26 +49,25 @@ def draw(view: View, camera: str | None, figure: Canvas | None) -> Figure:
 def _redundancy(axes: Axes, view: View, camera: Camera, mask: Mask) -> None:
     r = view.adjustment.image_observations.redundancy[mask].ravel()
     r = r[np.isfinite(r)]
-    counts_axis(axes, "image coordinates")
+    counts_axis(axes, phrase("axis.image_coordinates"))
     axes.set(xlim=(0, 1), xlabel=phrase("axis.redundancy_number"))
     if not len(r):
-        axes.set_title(f"no image point of camera {camera.id} has one", fontsize="medium")
+        axes.set_title(phrase("plot.none_of_camera", camera=camera.id), fontsize="medium")
         return
     axes.hist(np.clip(r, 0, 1), bins=20, range=(0, 1), color=BLUE, alpha=0.45)
     mean = float(r.mean())
     if 0 <= mean <= 1:
         axes.axvline(mean, color=BLACK, linewidth=1.2)
-    axes.set_title(f"mean {fixed(mean, 3)} (line), smallest {fixed(float(r.min()), 3)}", fontsize="medium")
+    axes.set_title(phrase("plot.mean_and_smallest", mean=mean, smallest=float(r.min())), fontsize="medium")
 
 
 def _detectable(axes: Axes, mdb: Array) -> None:
     found = mdb[np.isfinite(mdb)]
-    counts_axis(axes, "image coordinates")
-    axes.set(xlabel="smallest detectable blunder [px]")
+    counts_axis(axes, phrase("axis.image_coordinates"))
+    axes.set(xlabel=phrase("axis.smallest_blunder"))
     lost = mdb.size - len(found)
-    unknown = f"\n{grouped(lost)} with r below {UNTESTED:g} not counted" if lost else ""
     if not len(found):
-        axes.set_title("no image coordinate is controlled:\nno blunder can be found", fontsize="medium")
+        axes.set_title(phrase("report_reliability.uncontrolled"), fontsize="medium")
         axes.set_xticks([])
         axes.set_yticks([])
         return
@@ -78,5 +76,6 @@ def _detectable(axes: Axes, mdb: Array) -> None:
     axes.hist(np.clip(found, low, top), bins=30, range=(low, top), color=VERMILION, alpha=0.5)
     axes.axvline(middle, color=BLACK, linewidth=1.2)
     axes.set_xlim(low, top)
-    largest = significant(float(found.max()), 2)
-    axes.set_title(f"median {significant(middle, 2)} px (line), largest {largest} px{unknown}", fontsize="medium")
+    reported = phrase("plot.median_and_largest", median_px=middle, largest_px=float(found.max()))
+    uncounted = f"\n{phrase('plot.not_counted', n=lost, limit=UNTESTED)}" if lost else ""
+    axes.set_title(f"{reported}{uncounted}", fontsize="medium")

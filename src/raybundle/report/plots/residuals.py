@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from raybundle.adjustment.cell_means import CellMeans, cell_means
 from raybundle.block import Camera
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.figures.residuals import exaggeration
 from raybundle.report.figures.svg import round_below
@@ -24,7 +25,6 @@ from raybundle.report.plots.canvas import (
     vectors,
 )
 from raybundle.report.residuals import distribution, normalised, normalised_symbol, spread_vectors
-from raybundle.report.text.numbers import fixed, grouped, significant
 from raybundle.report.view import View, rms
 
 MOST_VECTORS = 1500
@@ -48,15 +48,15 @@ def _vectors(axes: Axes, view: View, camera: Camera, mask: Mask, tests: Array) -
     drawn = rows[spread_vectors(tests[rows], MOST_VECTORS)]
     v = view.adjustment.image_observations.residuals_px
     enlarged = exaggeration(v[rows], camera.width_px)
-    which = f"{grouped(len(rows))}" if len(drawn) == len(rows) else f"{grouped(len(drawn))} of {grouped(len(rows))}"
-    format_axes(axes, camera, f"camera {camera.id}: {which} residuals", ABOVE_KEY)
+    title = phrase("plot.residuals", camera=camera.id, n=len(drawn), of=len(rows))
+    format_axes(axes, camera, title, ABOVE_KEY)
     vectors(axes, view.given.observations.xy_px[drawn], v[drawn], enlarged, (1.0, "px"), width=0.008)
 
 
 def _means(axes: Axes, camera: Camera, means: CellMeans) -> None:
-    beyond = f"{int(means.significant.sum())} of {means.tested} differ from zero (bold)"
-    words = beyond if means.well_filled.any() else "too few points"
-    format_axes(axes, camera, f"means of cells; {words}", ABOVE_KEY)
+    tested = means.tested if means.well_filled.any() else 0
+    title = phrase("plot.means_from_zero", n=int(means.significant.sum()), of=tested)
+    format_axes(axes, camera, title, ABOVE_KEY)
     width, height = camera.width_px / means.columns, camera.height_px / means.rows
     k = np.flatnonzero(means.well_filled)
     axes.set_xticks(np.arange(means.columns + 1) * width, minor=True)
@@ -80,18 +80,18 @@ def _means(axes: Axes, camera: Camera, means: CellMeans) -> None:
 
 def _distribution(axes: Axes, tests: Array, symbol: str) -> None:
     t = tests[np.isfinite(tests)]
-    counts_axis(axes, "image coordinates")
-    axes.set(xlabel=f"normalised residual  {symbol}", xlim=(-5, 5))
+    counts_axis(axes, phrase("axis.image_coordinates"))
+    axes.set(xlabel=f"{phrase('axis.normalised_residual')}  {symbol}", xlim=(-5, 5))
     if not len(t):
-        axes.set_title("no residual has a standard deviation", fontsize="medium")
+        axes.set_title(phrase("plot.no_sigma"), fontsize="medium")
         return
     d = distribution(tests)
-    axes.stairs(d.counts, d.edges, fill=True, color=BLUE, alpha=0.45, label=f"{grouped(len(t))} coordinates")
-    axes.plot(d.at, d.expected, color=BLACK, linewidth=1.4, label="normal")
+    axes.stairs(d.counts, d.edges, fill=True, color=BLUE, alpha=0.45, label=phrase("plot.coordinates", n=len(t)))
+    axes.plot(d.at, d.expected, color=BLACK, linewidth=1.4, label=phrase("plot.normal"))
     axes.set_ylim(0, 1.28 * max(float(d.counts.max()), float(d.expected.max())))
     axes.legend(loc="upper left", fontsize="small", frameon=False)
     beyond = int((np.abs(t) > 3.2905).sum())
     axes.set_title(
-        f"rms {fixed(rms(t), 2)}; {grouped(beyond)} beyond ±3.29\n({significant(0.001 * len(t), 2)} expected)",
+        phrase("plot.beyond", rms=rms(t), n=beyond, expected=0.001 * len(t)),
         fontsize="medium",
     )

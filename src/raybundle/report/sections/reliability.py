@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 
 from raybundle.adjustment.cell_means import cell_means
-from raybundle.block.rejection import Rejection
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import ALPHA, CRITICAL_W, DELTA0, POWER
@@ -230,18 +228,6 @@ def _largest(view: View) -> Table:
     )  # fmt: skip
 
 
-def _reason(rejection: Rejection | None) -> str:
-    """Why an observation takes no part."""
-    if rejection is None:
-        return ""
-    tested = math.isfinite(rejection.tau)
-    return phrase(
-        "report_reliability.rejection", kind="other" if rejection.detail else rejection.kind.value,
-        other=rejection.detail, axis=rejection.axis if tested else "none", tau=rejection.tau if tested else 0.0,
-        limit=rejection.limit if tested else 0.0,
-    )  # fmt: skip
-
-
 def _rejected(view: View) -> list[Part]:
     rows, heading = view.rejected, Heading(text=phrase("report_reliability.rejected"))
     if not len(rows):
@@ -261,7 +247,7 @@ def _rejected(view: View) -> list[Part]:
             points,
             cells(xy[:, 0].tolist(), 2),
             cells(xy[:, 1].tolist(), 2),
-            [_reason(reasons[int(k)]) for k in rows],
+            ["" if (why := reasons[int(k)]) is None else why.text for k in rows],
         ),
         most=MOST_REJECTED,
         rest="observations.csv",

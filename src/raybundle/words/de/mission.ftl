@@ -138,3 +138,61 @@ mission-speed_limited = { $limit ->
 
 mission-ground_too_steep = Das Gelände ist steiler, als das Fluggerät bei { NUM($speed, decimals: 1) } m/s steigt: bis { NUM($raised, decimals: 1) } m zu hoch.
     .do = Fliegen Sie langsamer, um dem Gelände zu folgen.
+
+mission-too_high = Aufnahmen liegen bis { NUM($height_m, decimals: 0) } m über Grund; erlaubt sind { $limit_m } m{ $open_category ->
+        [yes] {" "}(EU 2019/947, offene Kategorie)
+        *[no] {""}
+    }.
+    .do = Planen Sie eine kleinere Bodenauflösung, folgen Sie dem Gelände, oder erhöhen Sie { OPTION("height_limit") }, wo das genehmigt ist.
+
+mission-out_of_sight = Der Flug entfernt sich bis { NUM($distance_m, decimals: 0) } m vom Startplatz; die Sichtweite ist { $limit_m } m ({ OPTION("sight") }).
+    .do = Starten Sie näher an der Mitte, oder teilen Sie das Gebiet.
+
+mission-battery_exceeded = Ein Flug dauert { NUM($minutes, decimals: 1) } min; { NUM($usable, decimals: 1) } min eines Akkus sind nutzbar.
+    .do = Teilen Sie das Gebiet, oder geben Sie die Flugzeit des Akkus an ({ OPTION("battery") }).
+
+mission-interval_short = Aufnahmen folgen im Abstand von { NUM($interval_s, decimals: 2) } s; Kamera { $camera } braucht { $needed_s } s.
+    .do = Fliegen Sie langsamer ({ OPTION("speed") }).
+
+mission-rolling_motion = Während ein Bild ausgelesen wird, bewegt sich der Rolling Shutter am Boden um { NUM($motion_px, decimals: 1) } px.
+    .do = Halten Sie für die Aufnahmen an, fliegen Sie langsamer, oder gleichen Sie mit der Plattform rolling aus.
+
+mission-seen_rarely = { NUM(PERCENT($share), decimals: 1) } % des Gebiets sind in weniger als { $photographs } Aufnahmen.
+    .why = { $where ->
+        [middle] { PERCENT($along) } % längs und { PERCENT($across) } % quer sind für seine Mitte zu wenig.
+        [zones] Diese Stellen liegen an Flugverbotszonen.
+        *[edges] Diese Stellen liegen an seinen Rändern.
+    }
+    .do = { $where ->
+        [middle] Erhöhen Sie die Überdeckung ({ OPTION("overlap") }).
+        [zones] Neigen Sie die Blicke zu den Zonen ({ OPTION("tilt") }), oder verkleinern Sie diese.
+        *[edges] Vergrößern Sie den Rand ({ OPTION("margin") }).
+    }
+
+mission-overlap_low = Die Überdeckung { $direction ->
+        [along] längs der Streifen
+        *[across] quer zu den Streifen
+    } ist nur { PERCENT($overlap) } %; verlangt sind { PERCENT($asked) } %.
+    .why = { $cause ->
+        [relief] Streifen folgen den Höhen unter ihnen; höheres Gelände daneben ist näher.
+        [facade] So weit liegen die Reihen vor der Fassade auseinander.
+        [orbit] So weit liegen Aufnahmen und Ringe um das Objekt auseinander.
+        *[pattern] So weit liegen die Streifen auseinander.
+    }
+    .do = { $cause ->
+        [relief] Fliegen Sie höher ({ OPTION("gsd") }, { OPTION("height") }), oder erhöhen Sie die Überdeckung ({ OPTION("overlap") }).
+        [orbit] Erhöhen Sie die Überdeckung ({ OPTION("overlap") }), oder die Zahl der Ringe ({ OPTION("rings") }).
+        *[pattern] Erhöhen Sie die Überdeckung ({ OPTION("overlap") }).
+    }
+
+mission-holes_flown_over = Löcher im Gebiet werden überflogen.
+    .do = Um sie auszusparen, geben Sie sie als Flugverbotszonen an ({ OPTION("no_go") }).
+
+mission-ground_holes = { $n } { $n ->
+        [one] Loch
+        *[other] Löcher
+    } in den Geländehöhen, { NUM(PERCENT($share), decimals: 1) } % des Gebiets; Überdeckungen dort sind unbekannt.
+    .why = Das größte misst { NUM($width_m, decimals: 0) } x { NUM($length_m, decimals: 0) } m bei { NUM($x, decimals: 0) }; { NUM($y, decimals: 0) }.
+
+mission-too_many_way_points = { $name } hat { $n } Wegpunkte; { $program } nimmt { $most }.
+    .do = Folgen Sie dem Gelände weniger eng ({ OPTION("follow") }), oder teilen Sie das Gebiet.

@@ -37,3 +37,21 @@ plane-points_on_line = Die Punkte der Ebene liegen auf einer Geraden.
 
 plane-axis_no_direction = { OPTION("axis", $first, $second) }: In der Ebene gesehen liegen die Punkte hintereinander.
     .do = Zwei Punkte wählen, die in der Ebene auseinanderliegen.
+
+plane-leans = Die Punkte neigen sich { $back ->
+        [yes] nach hinten
+        *[no] nach vorn
+    } um { NUM($lean_deg, digits: 2) }{ $sigma_known ->
+        [yes] {" "}± { NUM($sigma_deg, digits: 2) }
+        *[no] {""}
+    } Grad; keine Wand neigt sich um mehr als { NUM($limit_deg, digits: 2) } Grad.
+    .do = Prüfen Sie einzeln, ob die Punkte in einer Wand liegen und ob die Lotrechte stimmt.
+
+plane-not_plumb = Die Wand steht nicht lotrecht: ihre Punkte neigen sich { $back ->
+        [yes] nach hinten
+        *[no] nach vorn
+    } um { NUM($lean_deg, digits: 2) }{ $sigma_known ->
+        [yes] {" "}± { NUM($sigma_deg, digits: 2) }
+        *[no] {""}
+    } Grad.
+    .why = Die Ebene ist wie verlangt lotrecht.

@@ -46,3 +46,12 @@ raster-impossible_heights = Eine Höhe von { $height_m } m kommt auf der Erde ni
 
 raster-not_readable = Das Raster ist nicht lesbar ({ $detail }).
     .do = Prüfen, ob die Datei vollständig ist und ein unterstütztes Format hat.
+
+raster-transformed = { $name } ist in { $system ->
+        [degrees] Grad
+        *[other] { $system }
+    }; seine Höhen sind nach { $target } transformiert, Zellen von { $cell_m } m.
+
+raster-feet = { $name }: Höhen in Fuß sind in Meter umgerechnet.
+
+raster-unit_assumed = { $name } nennt keine Einheit der Höhen; Meter werden angenommen.

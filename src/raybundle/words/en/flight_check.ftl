@@ -8,3 +8,19 @@ flight_check-other_place = No photograph is where mission { $mission } planned o
 
 flight_check-no_crs = The mission has local coordinates; photographs have positions on the earth.
     .do = Plan it in a coordinate system: { OPTION("crs", "EPSG:CODE") }.
+
+# $terrain = "dsm.tif"
+flight_check-ground_of_plan = The plan followed { $terrain }, which is not given; its planned heights define the ground.
+    .do = Give the raster ({ OPTION("dem") }).
+
+# $n = 3
+# $of = 120
+# $example = "DJI_0007.JPG"
+flight_check-some_unplaced = { $n } of { $of } photographs have no position ({ $example }, ...); they do not count.
+
+# $n = 2
+# $example = "DJI_0007.JPG"
+flight_check-not_decoded = { $n } { $n ->
+        [one] photograph is
+        *[other] photographs are
+    } not readable ({ $example }, ...).

@@ -215,3 +215,91 @@ mission-speed_limited = { $limit ->
 # $raised = 6.0
 mission-ground_too_steep = The ground is steeper than the vehicle climbs at { NUM($speed, decimals: 1) } m/s: up to { NUM($raised, decimals: 1) } m too high.
     .do = Fly more slowly to follow the ground.
+
+# $height_m = 152.3
+# $limit_m = 120.0
+# $open_category = true
+mission-too_high = Photographs are up to { NUM($height_m, decimals: 0) } m above ground; { $limit_m } m are allowed{ $open_category ->
+        [yes] {" "}(EU 2019/947, open category)
+        *[no] {""}
+    }.
+    .do = Plan a smaller GSD, follow the terrain, or raise { OPTION("height_limit") } where that is permitted.
+
+# $distance_m = 712.0
+# $limit_m = 500.0
+mission-out_of_sight = The flight is up to { NUM($distance_m, decimals: 0) } m from the take-off; visual line of sight is { $limit_m } m ({ OPTION("sight") }).
+    .do = Take off nearer to the middle, or divide the area.
+
+# $minutes = 34.5
+# $usable = 31.5
+mission-battery_exceeded = A flight takes { NUM($minutes, decimals: 1) } min; { NUM($usable, decimals: 1) } min of a battery are usable.
+    .do = Divide the area, or give the battery's flight time ({ OPTION("battery") }).
+
+# $interval_s = 0.62
+# $camera = "FC6310R"
+# $needed_s = 2.5
+mission-interval_short = The interval of photographs is { NUM($interval_s, decimals: 2) } s; camera { $camera } needs { $needed_s } s.
+    .do = Fly more slowly ({ OPTION("speed") }).
+
+# $motion_px = 3.2
+mission-rolling_motion = During the read-out of a frame the rolling shutter moves by { NUM($motion_px, decimals: 1) } px on the ground.
+    .do = Stop for the photographs, fly more slowly, or adjust with the rolling platform.
+
+# $share = 0.042
+# $photographs = 3
+# $where = "edges"
+# $along = 0.8
+# $across = 0.7
+mission-seen_rarely = { NUM(PERCENT($share), decimals: 1) } % of the area is in fewer than { $photographs } photographs.
+    .why = { $where ->
+        [middle] { PERCENT($along) } % along and { PERCENT($across) } % across are too little for its middle.
+        [zones] These places are at no-go zones.
+        *[edges] These places are at its edges.
+    }
+    .do = { $where ->
+        [middle] Raise the overlap ({ OPTION("overlap") }).
+        [zones] Tilt the views towards the zones ({ OPTION("tilt") }), or make the zones smaller.
+        *[edges] Widen the margin ({ OPTION("margin") }).
+    }
+
+# $direction = "along"
+# $overlap = 0.61
+# $asked = 0.8
+# $cause = "relief"
+mission-overlap_low = The overlap { $direction ->
+        [along] along the lines
+        *[across] across the lines
+    } is only { PERCENT($overlap) } %; { PERCENT($asked) } % are required.
+    .why = { $cause ->
+        [relief] Lines follow the heights below them; higher ground beside them is nearer.
+        [facade] The rows in front of the facade are that far apart.
+        [orbit] The photographs and rings round the object are that far apart.
+        *[pattern] The lines are that far apart.
+    }
+    .do = { $cause ->
+        [relief] Fly higher ({ OPTION("gsd") }, { OPTION("height") }), or raise the overlap ({ OPTION("overlap") }).
+        [orbit] Raise the overlap ({ OPTION("overlap") }), or the number of rings ({ OPTION("rings") }).
+        *[pattern] Raise the overlap ({ OPTION("overlap") }).
+    }
+
+mission-holes_flown_over = Holes in the area are flown over.
+    .do = To spare them, give them as no-go zones ({ OPTION("no_go") }).
+
+# $n = 2
+# $share = 0.034
+# $width_m = 30.0
+# $length_m = 30.0
+# $x = 364120.0
+# $y = 5551740.0
+mission-ground_holes = { $n } { $n ->
+        [one] hole
+        *[other] holes
+    } in the ground heights, { NUM(PERCENT($share), decimals: 1) } % of the area; overlaps there are unknown.
+    .why = The largest is { NUM($width_m, decimals: 0) } x { NUM($length_m, decimals: 0) } m at { NUM($x, decimals: 0) }, { NUM($y, decimals: 0) }.
+
+# $name = "mission.csv"
+# $n = 132
+# $program = "Litchi"
+# $most = 99
+mission-too_many_way_points = { $name } has { $n } way points; { $program } takes { $most }.
+    .do = Follow the ground less closely ({ OPTION("follow") }), or divide the area.

@@ -49,3 +49,30 @@ plane-points_on_line = The points of the plane are on one line.
 # $second = "B"
 plane-axis_no_direction = { OPTION("axis", $first, $second) }: seen in the plane, the points are behind each other.
     .do = Choose two points that are apart in the plane.
+
+# $back = true
+# $lean_deg = 15.2
+# $sigma_known = true
+# $sigma_deg = 0.4
+# $limit_deg = 11.3
+plane-leans = The points lean { $back ->
+        [yes] back
+        *[no] forward
+    } by { NUM($lean_deg, digits: 2) }{ $sigma_known ->
+        [yes] {" "}± { NUM($sigma_deg, digits: 2) }
+        *[no] {""}
+    } degrees; no wall leans by more than { NUM($limit_deg, digits: 2) } degrees.
+    .do = Check one by one whether the points lie in one wall, and whether the vertical is right.
+
+# $back = true
+# $lean_deg = 15.2
+# $sigma_known = true
+# $sigma_deg = 0.4
+plane-not_plumb = The wall is not plumb: its points lean { $back ->
+        [yes] back
+        *[no] forward
+    } by { NUM($lean_deg, digits: 2) }{ $sigma_known ->
+        [yes] {" "}± { NUM($sigma_deg, digits: 2) }
+        *[no] {""}
+    } degrees.
+    .why = The plane is plumb as requested.

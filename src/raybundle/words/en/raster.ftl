@@ -66,3 +66,18 @@ raster-impossible_heights = A height of { $height_m } m does not occur on earth 
 # $detail = "not recognized as a supported format"
 raster-not_readable = The raster cannot be read ({ $detail }).
     .do = Check that the file is complete and of a supported format.
+
+# $name = "dsm.tif"
+# $system = "degrees"
+# $target = "EPSG:32632"
+# $cell_m = 83.1
+raster-transformed = { $name } is in { $system ->
+        [degrees] degrees
+        *[other] { $system }
+    }; its heights are transformed to { $target }, cells of { $cell_m } m.
+
+# $name = "dsm.tif"
+raster-feet = { $name }: heights in feet are converted to metres.
+
+# $name = "dsm.tif"
+raster-unit_assumed = { $name } does not define the unit of its heights; metres are assumed.

@@ -95,3 +95,32 @@ mission-speed_limited = { $limit ->
  } limite la vitesse à { NUM($speed, decimals: 1) } m/s (véhicule : { $vehicle } m/s).
 
 mission-ground_too_steep = Le terrain est plus raide que ne monte le véhicule à { NUM($speed, decimals: 1) } m/s : jusqu'à { NUM($raised, decimals: 1) } m trop haut.
+
+mission-too_high = Les photos sont jusqu'à { NUM($height_m, decimals: 0) } m au-dessus du sol ; { $limit_m } m sont permis{ $open_category ->
+        [yes] {" "}(UE 2019/947, catégorie ouverte)
+        *[no] {""}
+    }.
+
+mission-out_of_sight = Le vol s'éloigne jusqu'à { NUM($distance_m, decimals: 0) } m du décollage ; la vue directe porte à { $limit_m } m.
+
+mission-battery_exceeded = Un vol dure { NUM($minutes, decimals: 1) } min ; { NUM($usable, decimals: 1) } min d'une batterie sont utilisables.
+
+mission-interval_short = L'intervalle des photos est de { NUM($interval_s, decimals: 2) } s ; l'appareil { $camera } demande { $needed_s } s.
+
+mission-rolling_motion = Pendant la lecture d'une image, l'obturateur roulant se déplace de { NUM($motion_px, decimals: 1) } px au sol.
+
+mission-seen_rarely = { NUM(PERCENT($share), decimals: 1) } % de la zone est sur moins de { $photographs } photos.
+
+mission-overlap_low = Le recouvrement { $direction ->
+        [along] longitudinal
+        *[across] latéral
+    } n'est que de { PERCENT($overlap) } % ; { PERCENT($asked) } % sont demandés.
+
+mission-holes_flown_over = Les trous de la zone sont survolés.
+
+mission-ground_holes = { $n } { $n ->
+        [one] trou
+        *[other] trous
+    } dans les altitudes du sol, { NUM(PERCENT($share), decimals: 1) } % de la zone ; les recouvrements y sont inconnus.
+
+mission-too_many_way_points = { $name } a { $n } points de passage ; { $program } en accepte { $most }.

@@ -19,3 +19,19 @@ plane-points_above_each_other = Les points du plan sont l'un au-dessus de l'autr
 plane-points_on_line = Les points du plan sont sur une droite.
 
 plane-axis_no_direction = { OPTION("axis", $first, $second) } : vus dans le plan, les points sont l'un derrière l'autre.
+
+plane-leans = Les points penchent { $back ->
+        [yes] en arrière
+        *[no] en avant
+    } de { NUM($lean_deg, digits: 2) }{ $sigma_known ->
+        [yes] {" "}± { NUM($sigma_deg, digits: 2) }
+        *[no] {""}
+    } degrés; aucun mur ne penche de plus de { NUM($limit_deg, digits: 2) } degrés.
+
+plane-not_plumb = Le mur n'est pas d'aplomb : ses points penchent { $back ->
+        [yes] en arrière
+        *[no] en avant
+    } de { NUM($lean_deg, digits: 2) }{ $sigma_known ->
+        [yes] {" "}± { NUM($sigma_deg, digits: 2) }
+        *[no] {""}
+    } degrés.

@@ -29,3 +29,12 @@ raster-no_height = Le raster n'a aucune hauteur dans la zone.
 raster-impossible_heights = Une hauteur de { $height_m } m n'existe pas sur Terre (hauteurs { $lowest_m } à { $highest_m } m).
 
 raster-not_readable = Le raster est illisible ({ $detail }).
+
+raster-transformed = { $name } est en { $system ->
+        [degrees] degrés
+        *[other] { $system }
+    } ; ses altitudes sont transformées vers { $target }, cellules de { $cell_m } m.
+
+raster-feet = { $name } : les altitudes en pieds sont converties en mètres.
+
+raster-unit_assumed = { $name } ne définit pas l'unité des altitudes ; le mètre est supposé.

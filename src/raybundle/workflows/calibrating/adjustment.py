@@ -22,7 +22,7 @@ from raybundle.io.photos.photo import Found
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress
 from raybundle.pipeline.stage import Means, Stage
-from raybundle.placing.told_positions import camera_notices
+from raybundle.placing.recorded_positions import camera_notices
 from raybundle.targets.marks import Marks, Target
 from raybundle.workflows.calibrate_options import CalibrateOptions
 from raybundle.workflows.calibrate_state import CALIBRATE, Adjusted, CalibrateState, Start

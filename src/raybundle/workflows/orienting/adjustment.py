@@ -20,7 +20,7 @@ from raybundle.pipeline.stage import Means, Stage
 from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.marks import Given
 from raybundle.placing.positions import GPS_M, flight_lines, without_idle
-from raybundle.placing.told_positions import with_relative_precision
+from raybundle.placing.recorded_positions import with_relative_precision
 from raybundle.ties.points import FeatureStore
 from raybundle.workflows.connected_components import (
     ConnectedComponent,

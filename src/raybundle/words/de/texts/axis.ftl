@@ -84,3 +84,9 @@ axis-up = oben
 axis-up_in = oben [{ $unit }]
 
 axis-way_flown = Flugweg [{ $unit }]
+
+axis-smallest_blunder = kleinster aufdeckbarer grober Fehler [px]
+
+axis-image_coordinates = Bildkoordinaten
+
+axis-normalised_residual = normierte Verbesserung

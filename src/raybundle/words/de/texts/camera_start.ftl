@@ -71,3 +71,11 @@ camera_start-xmp = Kalibrierung in XMP
 camera_start-xmp_contradicts = XMP gibt { $c_px } px, zu erwarten sind { $expected_px } px; XMP zählt nicht.
 
 camera_start-zoom_lens = Zoomobjektiv, { NUM($low_mm, digits: 6) } bis { NUM($high_mm, digits: 6) } mm: Aufnahmen mit { NUM($focal_mm, digits: 6) } mm können leicht verschiedene Brennweiten haben.
+
+camera_start-cameras = { $n ->
+        [one] Kamera
+        *[other] Kameras
+    } { LIST($cameras, most: 20) }: { $photographs } { $photographs ->
+        [one] Aufnahme
+        *[other] Aufnahmen
+    }

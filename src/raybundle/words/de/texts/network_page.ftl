@@ -127,7 +127,10 @@ network_page-dense_shown = { $n ->
 network_page-wanted = Geforderte Standardabweichung einer Koordinate: { NUM($sigma) } { $unit ->
         [units] Einheiten
         *[other] { $unit }
-    } ({ $what }).
+    } ({ $what ->
+        [worst] schlechtester Punkt
+        *[mean] Mittel
+    }).
     .why = Rot ist schlechter; eine Farbstufe entspricht doppelt so vielen Aufnahmen.
 
 network_page-unseen = in weniger als zwei Bildern sichtbar

@@ -157,3 +157,8 @@ next_photograph-shows_tie_points = Sie zeigt { $n } { $n ->
         [one] Verknüpfungspunkt
         *[other] Verknüpfungspunkte
     }.
+
+next_photograph-about = { $n } { $n ->
+        [one] Aufnahme
+        *[other] Aufnahmen
+    } vorgeschlagen, mit vorhergesagten Bildpunkten

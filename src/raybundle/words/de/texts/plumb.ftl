@@ -34,3 +34,11 @@ plumb-lines = { $n } { $n ->
     }
 
 plumb-points = von { $lower } bis { $upper }
+
+plumb-lean = seine Punkte neigen sich { $back ->
+        [yes] nach hinten
+        *[no] nach vorn
+    } um { NUM($lean_deg, digits: 2) }{ $sigma_known ->
+        [yes] {" "}± { NUM($sigma_deg, digits: 2) }
+        *[no] {""}
+    } Grad

@@ -84,17 +84,3 @@ report_reliability-noncentrality = aufdeckbare Verschiebung von w
 report_reliability-level_and_power = { PERCENT($level) } %, Teststärke { PERCENT($power) } %
 
 report_reliability-critical_values = Kritische Werte
-
-report_reliability-rejection = { $kind ->
-        [blunder] grober Fehler
-        [blunder_not_located] grober Fehler in einem der Strahlen des Punktes
-        [behind_camera] hinter der Kamera
-        [rays_diverge] Strahlen divergieren
-        [single_ray] einzelner Strahl
-        [residual] Verbesserung
-        [given] als verworfen gegeben
-        *[other] { $other }
-    }{ $axis ->
-        [none] {""}
-        *[other] : τ { NUM($tau, decimals: 2) } > { NUM($limit, decimals: 2) } in { $axis }
-    }

@@ -101,3 +101,9 @@ axis-up_in = up [{ $unit }]
 
 # $unit = "m"
 axis-way_flown = way flown [{ $unit }]
+
+axis-smallest_blunder = smallest detectable blunder [px]
+
+axis-image_coordinates = image coordinates
+
+axis-normalised_residual = normalised residual

@@ -120,3 +120,14 @@ camera_start-xmp_contradicts = XMP gives { $c_px } px, { $expected_px } px are e
 # $high_mm = 55.0
 # $focal_mm = 18.0
 camera_start-zoom_lens = Zoom lens, { NUM($low_mm, digits: 6) } to { NUM($high_mm, digits: 6) } mm: photographs with { NUM($focal_mm, digits: 6) } mm may differ slightly in focal length.
+
+# $n = 2
+# $cameras = ["x-5mm", "x-5mm-2"]
+# $photographs = 3
+camera_start-cameras = { $n ->
+        [one] Camera
+        *[other] Cameras
+    } { LIST($cameras, most: 20) }: { $photographs } { $photographs ->
+        [one] photograph
+        *[other] photographs
+    }

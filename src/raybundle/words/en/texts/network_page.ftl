@@ -134,8 +134,11 @@ network_page-dense_shown = { $n } dense { $n ->
 
 # $sigma = 0.5
 # $unit = "mm"
-# $what = "worst point"
-network_page-wanted = Required standard deviation of a coordinate: { NUM($sigma) } { $unit } ({ $what }).
+# $what = "worst"
+network_page-wanted = Required standard deviation of a coordinate: { NUM($sigma) } { $unit } ({ $what ->
+        [worst] worst point
+        *[mean] mean
+    }).
     .why = Red is worse; one step of colour corresponds to twice as many photographs.
 
 network_page-unseen = seen by less than two images

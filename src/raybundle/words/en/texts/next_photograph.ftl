@@ -210,3 +210,9 @@ next_photograph-shows_tie_points = It shows { $n } tie { $n ->
         [one] point
         *[other] points
     }.
+
+# $n = 2
+next_photograph-about = { $n } { $n ->
+        [one] photograph
+        *[other] photographs
+    } proposed, with predicted image points

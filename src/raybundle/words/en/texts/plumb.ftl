@@ -43,3 +43,15 @@ plumb-lines = { $n } measured plumb { $n ->
 # $lower = "A"
 # $upper = "B"
 plumb-points = from { $lower } to { $upper }
+
+# $back = true
+# $lean_deg = 15.2
+# $sigma_known = true
+# $sigma_deg = 0.4
+plumb-lean = its points lean { $back ->
+        [yes] back
+        *[no] forward
+    } by { NUM($lean_deg, digits: 2) }{ $sigma_known ->
+        [yes] {" "}± { NUM($sigma_deg, digits: 2) }
+        *[no] {""}
+    } degrees

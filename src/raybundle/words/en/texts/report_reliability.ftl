@@ -112,22 +112,3 @@ report_reliability-noncentrality = detectable shift of w
 report_reliability-level_and_power = { PERCENT($level) } %, power { PERCENT($power) } %
 
 report_reliability-critical_values = Critical values
-
-# $kind = "blunder"
-# $other = ""
-# $axis = "x"
-# $tau = 5.24
-# $limit = 4.2
-report_reliability-rejection = { $kind ->
-        [blunder] blunder
-        [blunder_not_located] blunder in one of the point's rays
-        [behind_camera] behind the camera
-        [rays_diverge] rays diverge
-        [single_ray] single ray left
-        [residual] residual
-        [given] given as rejected
-        *[other] { $other }
-    }{ $axis ->
-        [none] {""}
-        *[other] : tau { NUM($tau, decimals: 2) } > { NUM($limit, decimals: 2) } in { $axis }
-    }

@@ -11,7 +11,7 @@ from raybundle.block import Role
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
-from raybundle.placing.told_positions import camera_notices, with_relative_precision
+from raybundle.placing.recorded_positions import camera_notices, with_relative_precision
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.text.summary import details
@@ -64,10 +64,10 @@ def test_remarks_of_several_cameras_are_one_notice():
         for p, s in (("a.jpg", "1"), ("b.jpg", "1"), ("c.jpg", "2"))
     ]
     notices = camera_notices(camera_groups(photos))
-    copies = [n for n in notices if "a copy" in n.text]
-    assert len(copies) == 1
-    assert copies[0].message.startswith("3 photographs (cameras x-5mm, ")
-    assert len(copies[0].ids) == 2
+    (copy,) = [n for n in notices if n.words == "camera_start.copy"]
+    assert copy.code == "camera"
+    assert len(copy.ids) == 2
+    assert copy.details[0].values == {"cameras": list(copy.ids), "n": 2, "photographs": 3}
 
 
 def test_classes_of_precision_are_those_of_targets():

@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
-from raybundle.errors import Message, message
+from raybundle.errors import Message, message, message_of_text, note
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.statistics import chi_square_tails
 
@@ -47,25 +47,25 @@ def with_relative_precision(result: Adjustment) -> Adjustment:
 
 
 def camera_notices(groups: Sequence[CameraGroup]) -> list[Notice]:
-    """What metadata leave open of the cameras, and what was joined; one notice where several say the same."""
+    """What metadata leave open of the cameras, and what was joined; one notice for cameras with the same remark."""
     apart = [(g, g.projection) for g in groups if g.projection]
     remarks = [(g, r) for g in groups for r in g.remarks if g.stored is None]
     # beside a calibration that is taken, what speaks against it
     doubts = [(g, r) for g in groups for r in g.remarks if g.stored is not None]
     joined = [(g, j) for g in groups for j in g.joined]
     return [
-        *(Notice(code="camera_projection", message=m, ids=ids) for m, ids in _once(apart)),
-        *(Notice(code="camera", message=m, ids=ids) for m, ids in _once(remarks)),
-        *(Notice(code="camera", message=m, ids=ids, measured=Severity.WARNING) for m, ids in _once(doubts)),
-        *(Notice(code="camera_joined", message=m, ids=ids) for m, ids in _once(joined)),
-    ]
+        *_once("camera_projection", apart), *_once("camera", remarks), *_once("camera", doubts, Severity.WARNING),
+        *_once("camera_joined", joined),
+    ]  # fmt: skip
 
 
-def _once(stated: Sequence[tuple[CameraGroup, str]]) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """Each sentence once, with the cameras of which it is stated."""
-    for sentence in dict.fromkeys(sentence for _, sentence in stated):
-        same = [g for g, other in stated if other == sentence]
-        ids = tuple(g.id for g in same)
-        n = sum(len(g.photos) for g in same)
-        who = f"camera {ids[0]}" if len(ids) == 1 else f"{n} photographs (cameras {', '.join(ids)})"
-        yield f"{who}: {sentence}", ids
+def _once(code: str, stated: Sequence[tuple[CameraGroup, str]], measured: Severity | None = None) -> Iterator[Notice]:
+    """Each remark once, with the cameras to which it applies."""
+    for text in dict.fromkeys(text for _, text in stated):
+        same = [g for g, other in stated if other == text]
+        found, ids = message_of_text(text), tuple(g.id for g in same)
+        cameras = note("camera_start.cameras", cameras=ids, n=len(ids), photographs=sum(len(g.photos) for g in same))
+        yield Notice(
+            code=code, words=found.code, values=found.values, details=(cameras, *found.details), ids=ids,
+            measured=measured,
+        )  # fmt: skip

@@ -1,0 +1,1 @@
+flight_check-sharpness = sharpness of photographs
