@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.cli.reported import refusal, values_of
 from tests.surface.height_models import folder_of, made, middles
 
 from raybundle.cli.main import main
@@ -60,10 +61,10 @@ def test_volume_of_a_cone(cone, capsys, tmp_path):
     rim = told(capsys, "heights", "volume", cone, "--outline", tmp_path / "area.csv")
     assert rim["net"]["value"] == pytest.approx(exact, abs=3 * rim["net"]["sigma"])
     assert rim["net"]["sigma_orientation"] < found["net"]["sigma_orientation"] / 3
-    assert main(["heights", "volume", str(cone), "--outline", str(tmp_path / "area.csv"), "--above", "0"]) == 0
-    out = capsys.readouterr().out
-    assert "above the height 0: 0.0042" in out
-    assert "of the area was filled" in out
+    printed = values_of(told(capsys, "heights", "volume", cone, "--outline", tmp_path / "area.csv", "--above", 0))
+    assert printed["heights.volume"]["base"] == "0"
+    assert printed["heights.volume"]["above"].startswith("0.0042")
+    assert printed["heights.volume_filled"]["share"] == pytest.approx(found["filled"])
 
 
 def test_volume_between_two_surfaces(cone, capsys, tmp_path):
@@ -77,9 +78,9 @@ def test_volume_between_two_surfaces(cone, capsys, tmp_path):
 
 def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     volume = ("heights", "volume", cone, "--above", 0)
-    assert re.search(
-        r"(?s)outline\.beyond_heights.* 0 0 0\.96 0\.64\.", refused(capsys, *volume, "--extent", 2, 2, 3, 3)
-    )
+    code, values = refusal(capsys, *volume, "--extent", 2, 2, 3, 3)
+    assert code == "outline.beyond_heights"
+    assert [0, 0, 0.96, 0.64] == pytest.approx([values[k] for k in ("left", "bottom", "right", "top")])
     assert "is empty" in refused(capsys, *volume, "--extent", 0.5, 0.1, 0.2, 0.5)
     crossed = "0.3 0.1, 0.9 0.6, 0.9 0.1, 0.3 0.6"
     assert "[flight_area.crosses_itself]" in refused(capsys, *volume, "--outline", crossed)
@@ -89,19 +90,21 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     ring = [[0.25, 0.02], [0.95, 0.02], [0.95, 0.62], [0.25, 0.62], [0.25, 0.02]]
     named = {"type": "name", "properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}}
     (tmp_path / "84.geojson").write_text(json.dumps({"type": "Polygon", "coordinates": [ring], "crs": named}))
-    said = refused(capsys, *volume, "--outline", tmp_path / "84.geojson")
-    assert re.search(r"CRS84; .*outline\.heights_in_no_map", said)
-    few = refused(capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2")
-    assert re.search(r"--outline '0\.1 0\.1, 0\.2 0\.2' .*outline\.too_few_corners", few)
+    code, values = refusal(capsys, *volume, "--outline", tmp_path / "84.geojson")
+    assert code == "outline.heights_in_no_map"
+    assert any("CRS84" in str(v) for v in values.values())
+    code, values = refusal(capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2")
+    assert code == "outline.too_few_corners"
+    assert "0.1 0.1, 0.2 0.2" in values.values()
     assert "[outline.neither_file_nor_corners]" in refused(capsys, *volume, "--outline", "0,0 1,0 1,1")
     for empty in ("", " "):
-        assert "--outline is empty. [outline.option_empty]" in refused(capsys, *volume, "--outline", empty)
-    said = refused(capsys, *volume, "--extent", 0.02, 0.1, 0.4, 0.5)
-    assert "(200 cells). [volume.no_height]" in said
-    assert "0.1 m from" in said
-    assert "--fill 0.2" in said
+        assert refusal(capsys, *volume, "--outline", empty) == ("outline.option_empty", {"name": "outline"})
+    code, values = refusal(capsys, *volume, "--extent", 0.02, 0.1, 0.4, 0.5)
+    assert (code, values["n"], values["fill"]) == ("volume.no_height", 200, "0.2")
+    assert values["distance"] == pytest.approx(0.1, abs=0.005)
     wide = (*volume, "--extent", 0.02, 0.1, 0.4, 0.5, "--fill", 0.3)
-    assert "(limit 20 %). [volume.filled_share]" in refused(capsys, *wide)
+    code, values = refusal(capsys, *wide)
+    assert (code, values["limit_percent"]) == ("volume.filled_share", 20)
     assert told(capsys, *wide, "--most-filled", 60)["filled_sigma"] > 0
     assert "[option.exclusive]" in refused(capsys, *volume, "--outline", crossed, "--extent", 0, 0, 1, 1)
     assert "--above nowhere" in refused(capsys, "heights", "volume", cone, "--above", "nowhere")
@@ -109,7 +112,7 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     (tmp_path / "area.kml").write_text("<kml/>")
     assert "area.kml" in refused(capsys, *volume, "--outline", tmp_path / "area.kml")
     assert "[folder.missing_itself]" in refused(capsys, "heights", "volume", tmp_path / "no")
-    assert "has no heights.tif" in refused(capsys, "heights", "volume", tmp_path)
+    assert "heights.tif" in refused(capsys, "heights", "volume", tmp_path)
 
 
 def square(low, high):
@@ -172,9 +175,8 @@ def test_holes_that_an_outline_or_the_edge_cuts_off_are_filled(tmp_path, capsys)
     assert beside["filled"] == pytest.approx(3 / 13)
     exact = 0.13 * 0.2 * (0.2 * 0.565 + 0.1 * 0.2)
     assert beside["net"]["value"] == pytest.approx(exact, abs=3 * beside["net"]["sigma"])
-    wide = refused(capsys, *volume, "--extent", 0.5, 0.1, 0.7, 0.3)
-    assert "(95 cells). [volume.no_height]" in wide
-    assert "--fill 0.2," in wide
+    code, values = refusal(capsys, *volume, "--extent", 0.5, 0.1, 0.7, 0.3)
+    assert (code, values["n"], values["fill"]) == ("volume.no_height", 95, "0.2")
     assert told(capsys, *volume, "--extent", 0.5, 0.1, 0.7, 0.3, "--fill", 0.2, "--most-filled", 60)[
         "filled"
     ] == pytest.approx(0.5)
@@ -264,12 +266,11 @@ def test_what_of_a_section_was_filled_is_told(cone, capsys, tmp_path):
     share = sum(r["filled"] == "1" for r in rows) / len(rows)
     assert one["filled"] == pytest.approx(share, abs=0.01)
     assert 0.2 < share < 0.3
-    assert main([*map(str, line)]) == 0
-    said = capsys.readouterr().out
-    assert "100% of it with a height" in said
-    assert f"{one['filled']:.2%} of what has a height was filled" in said
-    assert main(["heights", "section", str(cone), "--line", "0.48 0.02, 0.48 0.6"]) == 0
-    assert "filled" not in capsys.readouterr().out
+    printed = values_of(told(capsys, *line))
+    assert printed["heights.section_precision"]["share"] == 1
+    assert printed["heights.section_filled"]["share"] == pytest.approx(one["filled"])
+    found = told(capsys, "heights", "section", cone, "--line", "0.48 0.02, 0.48 0.6")
+    assert "heights.section_filled" not in values_of(found)
 
 
 def test_nothing_is_said_of_next_to_nothing_that_was_filled(tmp_path, capsys):
@@ -280,8 +281,7 @@ def test_nothing_is_said_of_next_to_nothing_that_was_filled(tmp_path, capsys):
     folder = folder_of(replace(model, heights=replace(model.heights, height=height)), tmp_path / "s")
     volume = ["heights", "volume", str(folder), "--above", "0", "--extent", "0.239999", "0.3", "0.6", "0.5"]
     assert 0 < told(capsys, *volume)["filled"] < 5e-5
-    assert main(volume) == 0
-    assert "filled" not in capsys.readouterr().out
+    assert "heights.volume_filled" not in values_of(told(capsys, *volume))
 
 
 def test_differences_of_height_are_of_places_that_were_measured(cone, capsys):
@@ -293,33 +293,33 @@ def test_differences_of_height_are_of_places_that_were_measured(cone, capsys):
         # between cells an edge as the top is a little too low
         assert one["difference"] == pytest.approx(exact, abs=4 * one["difference_sigma"] + 2e-3)
     hole = ("heights", "section", cone, "--line", "0.02 0.32, 0.9 0.32")
-    said = refused(capsys, *hole, "--between", 0.1, 0.5)
-    assert "section 1 has no height at 0.1 m (X 0.12, Y 0.32). [section.no_height_at]" in said
-    assert "at 0.01 m, 0.09 m away" in said
-    assert "--fill WIDTH" in said
+    code, values = refusal(capsys, *hole, "--between", 0.1, 0.5)
+    assert (code, values["name"], values["unit"]) == ("section.no_height_at", "section 1", "m")
+    place = [values[k] for k in ("at", "x", "y", "nearest", "distance")]
+    assert place == pytest.approx([0.1, 0.12, 0.32, 0.01, 0.09], abs=1e-6)
     assert told(capsys, *hole, "--between", 0.1, 0.5, "--fill", 0.4)["sections"][0]["difference_sigma"] > 0
     inside = ("heights", "section", cone, "--line", "0.08 0.3, 0.2 0.4", "--between", 0.01, 0.1)
     assert "[section.no_height]" in refused(capsys, *inside)
-    assert "0.2 twice. [section.same_place]" in refused(capsys, *line, "--between", 0.2, 0.2)
+    assert refusal(capsys, *line, "--between", 0.2, 0.2) == ("section.same_place", {"at": 0.2})
     assert main([*map(str, hole)]) == 0
     assert "[section.partly_measured]" in capsys.readouterr().out
 
 
 def test_bad_lines_are_refused(cone, capsys, tmp_path):
     section = ("heights", "section", cone)
-    assert "--line CORNERS is missing. [option.missing]" in refused(capsys, *section)
+    assert refusal(capsys, *section) == ("option.missing", {"setting": "line", "value": "CORNERS"})
     assert "[section.outside]" in refused(capsys, *section, "--line", "3 3, 4 4")
     assert "[outline.line_without_length]" in refused(capsys, *section, "--line", "0.1 0.1, 0.1 0.1")
-    assert "at 9. [section.beyond_end]" in refused(capsys, *section, "--line", "0 0, 0.5 0.5", "--between", 0, 9)
+    code, values = refusal(capsys, *section, "--line", "0 0, 0.5 0.5", "--between", 0, 9)
+    assert (code, values["at"]) == ("section.beyond_end", 9)
     assert "[outline.neither_file_nor_corners]" in refused(capsys, *section, "--line", "0,0 1,0")
     assert "[outline.single_place]" in refused(capsys, *section, "--line", "0.2 0.2")
     twice = [tmp_path / "twice.csv"] * 2
     found = told(capsys, *section, "--line", "0.3 0.1, 0.5 0.1", *(w for f in twice for w in ("--out", f)))
     assert found["files"] == [str(twice[0])]
     assert "[file.suffix]" in refused(capsys, *section, "--line", "0 0, 1 1", "--out", tmp_path / "a.png")
-    assert "1 000 000 are possible. [section.too_many_places]" in refused(
-        capsys, *section, "--line", "0 0, 0.9 0.6", "--step", 1e-9
-    )
+    code, values = refusal(capsys, *section, "--line", "0 0, 0.9 0.6", "--step", 1e-9)
+    assert (code, values["most"]) == ("section.too_many_places", 1_000_000)
 
 
 def test_contours_are_written_for_gis_and_cad(cone, capsys, tmp_path):
@@ -344,10 +344,11 @@ def test_contours_are_written_for_gis_and_cad(cone, capsys, tmp_path):
     assert "[contours.none]" in refused(
         capsys, "heights", "contours", level, "--interval", 0.2, "--out", tmp_path / "a.svg"
     )
-    assert "--out FILE is missing. [option.missing]" in refused(capsys, "heights", "contours", cone, "--interval", 1)
-    assert "--interval HEIGHT is missing. [option.missing]" in refused(capsys, "heights", "contours", cone)
-    assert main(["heights", "contours", str(cone), "--interval", "0.0005", "--out", str(tmp_path / "fine.svg")]) == 0
-    assert "less than two standard deviations" in capsys.readouterr().out
+    contours = ("heights", "contours", cone)
+    assert refusal(capsys, *contours, "--interval", 1) == ("option.missing", {"setting": "out", "value": "FILE"})
+    assert refusal(capsys, *contours) == ("option.missing", {"setting": "interval", "value": "HEIGHT"})
+    fine = told(capsys, *contours, "--interval", 0.0005, "--out", tmp_path / "fine.svg")
+    assert values_of(fine, ["warnings"])["contours.interval_too_small"]["interval"] == 0.0005
 
 
 def test_the_ground_is_a_surface_again(tmp_path, capsys):
@@ -371,7 +372,8 @@ def test_the_ground_is_a_surface_again(tmp_path, capsys):
     assert above["net"]["value"] == pytest.approx(180 * 0.25 * 3.0, abs=4 * above["net"]["sigma"])
     assert "[folder.exists]" in refused(capsys, "heights", "ground", folder, "--largest", 9)
     ground = ("heights", "ground", folder, "--out", tmp_path / "g")
-    assert "(0.5). [terrain.object_below_cell]" in refused(capsys, *ground, "--largest", 1e-9)
+    code, values = refusal(capsys, *ground, "--largest", 1e-9)
+    assert (code, values["cell"]) == ("terrain.object_below_cell", 0.5)
     assert "[terrain.slope_too_large]" in refused(capsys, *ground, "--largest", 9, "--slope", 1e9)
     assert "[terrain.object_too_wide]" in refused(
         capsys, "heights", "ground", folder, "--largest", 30, "--out", tmp_path / "g"
@@ -394,7 +396,7 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     assert region["area"] == pytest.approx(0.09, abs=4 * region["area_sigma"])
     with (tmp_path / "moved/moved.csv").open(encoding="utf-8") as file:
         assert next(file) == "# lengths in m\n"
-        assert next(file).startswith("# mean: volume / area; amount: movement of the inner part")
+        assert next(file).startswith("# mean: volume / area; amount:")
         (row,) = csv.DictReader(file)
     assert float(row["mean"]) == pytest.approx(float(row["volume"]) / float(row["area"]), rel=1e-6)
     assert float(row["amount"]) == pytest.approx(region["amount"], rel=1e-6)
@@ -408,22 +410,23 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     assert about["geometry_type"] == "Polygon Z"
     with (tmp_path / "moved/smallest.csv").open(encoding="utf-8") as file:
         assert next(file) == "# lengths in m\n"
-        assert next(file).startswith("# of squares: the smallest movement found with a chance of 80 %")
+        assert next(file).startswith("# of squares: ")
         rows = list(csv.DictReader(file))
     assert [float(r["side"]) for r in rows] == pytest.approx([0.05, 0.1, 0.2])
     assert [float(r["amount"]) for r in rows] == pytest.approx([s["amount"] for s in found["smallest"]], rel=1e-3)
     assert 2e-4 < found["smallest"][-1]["amount"] < found["smallest"][0]["amount"] < 2e-3
     assert found["same"] == 0
     assert "[height_grid.identical]" in refused(capsys, "heights", "difference", before, before)
-    assert main(["heights", "difference", str(before), str(after)]) == 0
-    said = capsys.readouterr().out
-    assert "1 region moved against the rest by more than chance" in said
-    assert "  1: mean 0.00" in said
-    assert "; its inner part 0.00" in said
-    assert "; significance: its strongest window" in said
-    assert "warning" not in said
-    assert "smallest movement that would be found with a chance of 80 %, in the median over the surface [m]:" in said
-    assert " over 0.05 x 0.05" in said
+    again = told(capsys, "heights", "difference", before, after)
+    printed = values_of(again)
+    assert printed["heights.moved"]["n"] == 1
+    assert printed["heights.region"]["mean"].startswith("0.00")
+    assert printed["heights.region_inner"]["amount"].startswith("0.00")
+    assert printed["heights.region_inner"]["peak"] == pytest.approx(region["peak"])
+    assert not again["warnings"]
+    assert float(printed["heights.level_of_detection"]["amount"]) == pytest.approx(again["smallest"][-1]["amount"], 0.1)
+    sides = [m["values"]["side"] for m in again["details"] if m["code"] == "heights.smallest"]
+    assert sides == pytest.approx([0.05, 0.1, 0.2])
 
 
 def test_surfaces_of_two_frames_are_not_compared(tmp_path, capsys):
@@ -431,8 +434,9 @@ def test_surfaces_of_two_frames_are_not_compared(tmp_path, capsys):
     one = folder_of(model, tmp_path / "one")
     plane = {"origin": [0.0, 0.0, 0.0], "right": [1.0, 0.0, 0.0], "up": [0.0, 0.1, 0.995], "normal": [0.0, -0.995, 0.1]}
     tilted = folder_of(model, tmp_path / "tilted", plane=plane)
-    said = refused(capsys, "heights", "difference", one, tilted)
-    assert re.search(r" 0\.48 cells \(limit 0\.1\)\. .*surface_files\.planes_differ", said)
+    code, values = refusal(capsys, "heights", "difference", one, tilted)
+    assert (code, values["limit_cells"]) == ("surface_files.planes_differ", 0.1)
+    assert values["off_cells"] == pytest.approx(0.48, abs=0.005)
     free = folder_of(model, tmp_path / "free", unit="")
     assert "[surface_files.units_differ]" in refused(capsys, "heights", "difference", one, free)
     mapped = folder_of(model, tmp_path / "map", wkt="EPSG:32633" and rasterio.crs.CRS.from_epsg(32633).to_wkt())
@@ -460,10 +464,9 @@ def test_a_plane_that_is_moved_by_little_is_the_same(tmp_path, capsys):
 
 def test_without_scale_lengths_have_no_unit(tmp_path, capsys):
     folder = folder_of(made(np.full(SHAPE, 0.1)), tmp_path / "free", unit="")
-    assert main(["heights", "volume", str(folder), "--above", "0"]) == 0
-    out = capsys.readouterr().out
-    assert "the scale is free: lengths have no unit" in out
-    assert " m3" not in out
+    printed = values_of(told(capsys, "heights", "volume", folder, "--above", 0))
+    assert "heights.scale_free" in printed
+    assert " m3" not in printed["heights.volume"]["above"]
 
 
 def test_the_difference_of_an_edited_copy_is_told(tmp_path, capsys):
@@ -472,11 +475,12 @@ def test_the_difference_of_an_edited_copy_is_told(tmp_path, capsys):
     height[20:40, 50:70] += 5e-3
     one = folder_of(model, tmp_path / "one")
     other = folder_of(replace(model, heights=replace(model.heights, height=height)), tmp_path / "other")
-    assert main(["heights", "difference", str(one), str(other)]) == 0
-    said = capsys.readouterr().out
-    assert "the whole: shift 0 m (sigma 0), tilts 0 (sigma 0) and 0 (sigma 0): chi2 0 of 3" in said
-    assert "93.49% of these are one measurement in both: they have not moved, and are not tested" in said
-    assert "  1: mean 0.0050" in said
+    printed = values_of(told(capsys, "heights", "difference", one, other))
+    whole = printed["heights.whole"]
+    assert (whole["shift"], whole["chi2"], whole["significant"]) == ("0 m (sigma 0)", 0, False)
+    assert printed["heights.tilts"]["tilts"] == ["0 (sigma 0)", "0 (sigma 0)"]
+    assert printed["heights.same_measurement"]["share"] == pytest.approx(1 - 400 / (64 * 96), abs=1e-9)
+    assert printed["heights.region"]["mean"].startswith("0.0050")
 
 
 MOVED = {"one": [(5e-3, 20, 40, 50, 70)], "none": [], "two": [(5e-3, 6, 26, 8, 28), (-3e-3, 34, 60, 50, 80)]}

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Protocol
 
 import click
 
-from raybundle.errors import Message, Severity, excluded, note, warning
+from raybundle.errors import Message, Severity, Text, excluded, note, warning
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -69,6 +69,12 @@ def not_usable(refused: Sequence[tuple[str, str]]) -> list[Message]:
         return []
     names = [name for name, _ in refused]
     return [warning("photographs.not_usable", n=len(names), names=names, details=excluded(refused))]
+
+
+def of_texts(texts: Iterable[str], severity: Severity | None = None) -> list[Message]:
+    """The messages of texts, with their own severity or all with one; words alone are a note."""
+    found = [m for t in texts for m in (t.messages if isinstance(t, Text) else [note("reason.text", text=t)])]
+    return found if severity is None else [replace(m, severity=severity) for m in found]
 
 
 def lines(summary: Summary, *, verbose: bool) -> list[str]:

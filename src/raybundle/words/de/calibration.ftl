@@ -139,7 +139,7 @@ calibration-spline_worse = Kamera { $camera }: Das Modell spline passt am Ende s
     .why = Diese Aufnahmen bestimmen seine Flächen nicht (Kamerakonstante { $c_mm } mm).
     .do = { OPTION("model") } weglassen oder Aufnahmen hinzufügen, die das Format bis in die Ecken füllen.
 
-calibration-inverse_in_part = Kamera { $camera }: die Verzeichnung hat nur für { PERCENT($share) } des Formats eine Umkehrung.
+calibration-inverse_in_part = Kamera { $camera }: die Verzeichnung hat nur für { PERCENT($share) } % des Formats eine Umkehrung.
     .do = Verwenden Sie keine Bildpunkte außerhalb davon.
 
 calibration-file_unusable = { $name } ist nicht verwendbar.

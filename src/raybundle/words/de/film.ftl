@@ -64,7 +64,7 @@ film-mirrored = Bild { $image } ist gespiegelt.
     .why = Der Film wurde von hinten gescannt, oder zwei gegenüberliegende Marken sind vertauscht.
     .do = Scannen Sie den Film von vorn, oder tauschen Sie die beiden Marken.
 
-film-shrinkage = Bild { $image }: der Film wäre um mehr als { PERCENT($limit) } geschrumpft.
+film-shrinkage = Bild { $image }: der Film wäre um mehr als { PERCENT($limit) } % geschrumpft.
     .why = Das tut kein Film.
     .do = Prüfen Sie { OPTION("pixel_mm") }.
 

@@ -65,7 +65,7 @@ picture-area_not_shown = Die Aufnahme zeigt das Gebiet nicht.
 picture-hidden_places = Von Steilhängen oder Gebäuden verdeckte Stellen werden nicht erkannt.
     .why = Eine solche Stelle kann zweimal im Bild erscheinen.
 
-picture-few_points_in_plane = { PERCENT($share) } der Punkte liegen in dieser Ebene.
+picture-few_points_in_plane = { PERCENT($share) } % der Punkte liegen in dieser Ebene.
     .why = Das meiste im Bild ist versetzt.
     .do = Wählen Sie die Wand mit { OPTION("plane") }.
 

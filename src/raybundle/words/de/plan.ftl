@@ -202,27 +202,27 @@ plan-list_most_missing = { $n } von { $of } Aufnahmen der Liste fehlen.
 
 plan-nothing_lowers = { $n } von { $wanted } Aufnahmen sind vorgeschlagen: keine weitere in Reichweite senkt den Wert.
 
-plan-hardly_lowers = Aufnahmen in Reichweite senken den Wert nur um { PERCENT($share) }.
+plan-hardly_lowers = Aufnahmen in Reichweite senken den Wert nur um { PERCENT($share) } %.
     .do = Fügen Sie Passpunkte, Maßstäbe oder genauere Bildpunkte hinzu, oder erlauben Sie andere Standpunkte ({ OPTION("step") }, { OPTION("around") }).
 
 plan-points_out_of_sight = { $n } von { $of } Punkten sind von weniger als { $rays } möglichen Standpunkten sichtbar ({ $sides }).
     .why = Für sie wird keine Genauigkeit vorhergesagt.
     .do = Erlauben Sie mehr Standpunkte ({ OPTION("heights") }, { OPTION("clearance") }, { OPTION("incidence") }, { OPTION("around") }).
 
-plan-object_between_points = { PERCENT($share) } des Objekts, zwischen den Punkten, sehen weniger als zwei Aufnahmen.
+plan-object_between_points = { PERCENT($share) } % des Objekts, zwischen den Punkten, sehen weniger als zwei Aufnahmen.
     .do = Planen Sie mit mehr { OPTION("object_points") }.
 
-plan-points_seldom_found = { PERCENT($share) } der Punkte sind in weniger als zwei Aufnahmen zu erwarten.
+plan-points_seldom_found = { PERCENT($share) } % der Punkte sind in weniger als zwei Aufnahmen zu erwarten.
     .why = Die Werte sind Mediane zufälliger Ziehungen; bei einer von zehn Aufnahmen erreicht der schlechteste Punkt { NUM($worst, digits: 2) } { $unit }.
 
-plan-network_falls_apart = In { PERCENT($share) } der zufälligen Ziehungen zerfällt das Netz.
+plan-network_falls_apart = In { PERCENT($share) } % der zufälligen Ziehungen zerfällt das Netz.
     .do = Machen Sie mehr Aufnahmen.
 
-plan-little_overlap = Die Längsüberdeckung beträgt { PERCENT($overlap) }.
+plan-little_overlap = Die Längsüberdeckung beträgt { PERCENT($overlap) } %.
     .why = Unter 50 % werden Punkte zwischen den Aufnahmen eines Streifens nur einmal gesehen.
     .do = Planen Sie mindestens 60 % Längsüberdeckung.
 
-plan-gaps_between_lines = Zwischen den Flugstreifen bleiben Lücken (Querüberdeckung { PERCENT($overlap) }).
+plan-gaps_between_lines = Zwischen den Flugstreifen bleiben Lücken (Querüberdeckung { PERCENT($overlap) } %).
     .do = Planen Sie die Streifen näher beieinander.
 
 plan-flown_apart = Genau wie geplant geflogen, hängen die Aufnahmen nicht zusammen.

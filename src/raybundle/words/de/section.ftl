@@ -18,5 +18,5 @@ section-no_height_at = { $name } hat bei { NUM($at, digits: 6) } { $unit } (X { 
     .why = Die nächste Höhe ist bei { NUM($nearest, digits: 6) } { $unit }, { $distance } { $unit } entfernt.
     .do = Für { OPTION("between") } eine andere Stelle wählen oder das Loch füllen: { OPTION("fill", "WIDTH") }.
 
-section-partly_measured = { $name }: die mittlere Höhe gilt für { PERCENT($share) } der Linie.
+section-partly_measured = { $name }: die mittlere Höhe gilt für { PERCENT($share) } % der Linie.
     .why = Auf dem Rest wurde nichts gemessen.

@@ -20,5 +20,5 @@ terrain-slope_too_large = { OPTION("slope", $slope) } steigt über eine Zelle um
 terrain-no_ground = Keine Zelle bleibt als Boden.
     .do = { OPTION("slope") } größer wählen.
 
-terrain-spans_gaps = { PERCENT($share) } dieses Geländes ist über Lücken interpoliert.
+terrain-spans_gaps = { PERCENT($share) } % dieses Geländes ist über Lücken interpoliert.
     .do = Wählen Sie ein kleineres { OPTION("largest") } oder eine größere { OPTION("slope") }.

@@ -226,7 +226,7 @@ calibration-spline_worse = Camera { $camera }: model spline ends worse ({ NUM($r
 
 # $camera = "cam"
 # $share = 0.92
-calibration-inverse_in_part = Camera { $camera }: the distortion has an inverse for { PERCENT($share) } of the format only.
+calibration-inverse_in_part = Camera { $camera }: the distortion has an inverse for { PERCENT($share) } % of the format only.
     .do = Do not use image points outside of it.
 
 # $name = "cam.toml"

@@ -100,7 +100,7 @@ film-mirrored = Image { $image } is mirrored.
 
 # $image = "a.tif"
 # $limit = 0.01
-film-shrinkage = Image { $image }: the film would have shrunk by more than { PERCENT($limit) }.
+film-shrinkage = Image { $image }: the film would have shrunk by more than { PERCENT($limit) } %.
     .why = No film does.
     .do = Check { OPTION("pixel_mm") }.
 

@@ -105,7 +105,7 @@ picture-hidden_places = Places hidden by steep slopes or buildings are not detec
     .why = Such a place may appear twice in the picture.
 
 # $share = 0.3
-picture-few_points_in_plane = { PERCENT($share) } of the points lie in this plane.
+picture-few_points_in_plane = { PERCENT($share) } % of the points lie in this plane.
     .why = Most of the picture is displaced.
     .do = Choose the wall with { OPTION("plane") }.
 

@@ -315,7 +315,7 @@ plan-list_most_missing = { $n } of { $of } photographs of the list are missing.
 plan-nothing_lowers = { $n } of { $wanted } photographs are proposed: no further one within reach lowers the figure.
 
 # $share = 0.03
-plan-hardly_lowers = Photographs within reach lower the figure by { PERCENT($share) } only.
+plan-hardly_lowers = Photographs within reach lower the figure by { PERCENT($share) } % only.
     .do = Add control, scale bars or more precise image points, or allow other stations ({ OPTION("step") }, { OPTION("around") }).
 
 # $n = 4
@@ -327,26 +327,26 @@ plan-points_out_of_sight = { $n } of { $of } points are visible from fewer than 
     .do = Allow more stations ({ OPTION("heights") }, { OPTION("clearance") }, { OPTION("incidence") }, { OPTION("around") }).
 
 # $share = 0.1
-plan-object_between_points = { PERCENT($share) } of the object, between the points, is seen by fewer than two photographs.
+plan-object_between_points = { PERCENT($share) } % of the object, between the points, is seen by fewer than two photographs.
     .do = Plan with more { OPTION("object_points") }.
 
 # $share = 0.04
 # $worst = 0.8
 # $unit = "mm"
-plan-points_seldom_found = { PERCENT($share) } of the points are expected in fewer than two photographs.
+plan-points_seldom_found = { PERCENT($share) } % of the points are expected in fewer than two photographs.
     .why = Figures are medians over random draws; in one of ten surveys the worst point reaches { NUM($worst, digits: 2) } { $unit }.
 
 # $share = 0.1
-plan-network_falls_apart = In { PERCENT($share) } of random draws the network falls apart.
+plan-network_falls_apart = In { PERCENT($share) } % of random draws the network falls apart.
     .do = Take more photographs.
 
 # $overlap = 0.4
-plan-little_overlap = The forward overlap is { PERCENT($overlap) }.
+plan-little_overlap = The forward overlap is { PERCENT($overlap) } %.
     .why = Below 50 %, points between the photographs of a line are seen once.
     .do = Plan at least 60 % forward overlap.
 
 # $overlap = -0.1
-plan-gaps_between_lines = The flight lines leave gaps (side overlap { PERCENT($overlap) }).
+plan-gaps_between_lines = The flight lines leave gaps (side overlap { PERCENT($overlap) } %).
     .do = Plan lines nearer to each other.
 
 plan-flown_apart = Flown exactly as planned, the photographs do not hold together.

@@ -44,5 +44,5 @@ section-no_height_at = { $name } has no height at { NUM($at, digits: 6) } { $uni
 
 # $name = "line 1"
 # $share = 0.8
-section-partly_measured = { $name }: the mean height is that of { PERCENT($share) } of the line.
+section-partly_measured = { $name }: the mean height is that of { PERCENT($share) } % of the line.
     .why = On the rest nothing was measured.

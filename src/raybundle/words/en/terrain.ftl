@@ -37,5 +37,5 @@ terrain-no_ground = No cell remains as ground.
     .do = Give a larger { OPTION("slope") }.
 
 # $share = 0.6
-terrain-spans_gaps = { PERCENT($share) } of this ground is interpolated across gaps.
+terrain-spans_gaps = { PERCENT($share) } % of this ground is interpolated across gaps.
     .do = Choose a smaller { OPTION("largest") } or a larger { OPTION("slope") }.

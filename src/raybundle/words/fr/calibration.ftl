@@ -88,6 +88,6 @@ calibration-not_possible = La caméra ne peut pas être étalonnée à partir de
 
 calibration-spline_worse = Caméra { $camera } : le modèle spline finit moins bien ({ NUM($rms_px, digits: 2) } px) que le départ ({ NUM($start_rms_px, digits: 2) } px).
 
-calibration-inverse_in_part = Caméra { $camera } : distorsion inversible sur { PERCENT($share) } du format seulement.
+calibration-inverse_in_part = Caméra { $camera } : distorsion inversible sur { PERCENT($share) } % du format seulement.
 
 calibration-file_unusable = { $name } n'est pas utilisable.

@@ -40,7 +40,7 @@ film-as_many_marks = Autant de repères que d'inconnues : un repère faux n'est 
 
 film-mirrored = L'image { $image } est inversée.
 
-film-shrinkage = Image { $image } : le film aurait rétréci de plus de { PERCENT($limit) }.
+film-shrinkage = Image { $image } : le film aurait rétréci de plus de { PERCENT($limit) } %.
 
 film-residuals_enlarged = Image { $image } : les résidus des repères valent { NUM($sigma0, digits: 3) } fois ce qui est indiqué.
 

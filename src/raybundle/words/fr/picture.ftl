@@ -37,7 +37,7 @@ picture-area_not_shown = La photographie ne montre pas la zone.
 
 picture-hidden_places = Les endroits cachés par des pentes ou des bâtiments ne sont pas détectés.
 
-picture-few_points_in_plane = { PERCENT($share) } des points sont dans ce plan.
+picture-few_points_in_plane = { PERCENT($share) } % des points sont dans ce plan.
 
 picture-points_displaced = Points décalés dans l'image de { NUM($off, digits: 2) } { $unit } ({ NUM($pixels, digits: 2) } px) : ils sont hors du plan.
 

@@ -121,19 +121,19 @@ plan-list_most_missing = { $n } photos de la liste sur { $of } manquent.
 
 plan-nothing_lowers = { $n } photos sur { $wanted } proposées : aucune autre à portée n'abaisse la valeur.
 
-plan-hardly_lowers = Les photos à portée n'abaissent la valeur que de { PERCENT($share) }.
+plan-hardly_lowers = Les photos à portée n'abaissent la valeur que de { PERCENT($share) } %.
 
 plan-points_out_of_sight = { $n } points sur { $of } sont visibles de moins de { $rays } stations possibles ({ $sides }).
 
-plan-object_between_points = { PERCENT($share) } de l'objet, entre les points, est vu par moins de deux photos.
+plan-object_between_points = { PERCENT($share) } % de l'objet, entre les points, est vu par moins de deux photos.
 
-plan-points_seldom_found = { PERCENT($share) } des points sont attendus dans moins de deux photos.
+plan-points_seldom_found = { PERCENT($share) } % des points sont attendus dans moins de deux photos.
 
-plan-network_falls_apart = Dans { PERCENT($share) } des tirages, le réseau se désagrège.
+plan-network_falls_apart = Dans { PERCENT($share) } % des tirages, le réseau se désagrège.
 
-plan-little_overlap = Le recouvrement longitudinal est de { PERCENT($overlap) }.
+plan-little_overlap = Le recouvrement longitudinal est de { PERCENT($overlap) } %.
 
-plan-gaps_between_lines = Des lacunes restent entre les bandes (recouvrement latéral { PERCENT($overlap) }).
+plan-gaps_between_lines = Des lacunes restent entre les bandes (recouvrement latéral { PERCENT($overlap) } %).
 
 plan-flown_apart = Volées exactement comme prévu, les photos ne forment pas un bloc.
 

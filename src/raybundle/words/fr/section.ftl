@@ -10,4 +10,4 @@ section-no_height = { $name } n'a pas d'altitude à { NUM($at, digits: 6) } { $u
 
 section-no_height_at = { $name } n'a pas d'altitude à { NUM($at, digits: 6) } { $unit } (X { NUM($x, digits: 8) }, Y { NUM($y, digits: 8) }).
 
-section-partly_measured = { $name } : l'altitude moyenne est celle de { PERCENT($share) } de la ligne.
+section-partly_measured = { $name } : l'altitude moyenne est celle de { PERCENT($share) } % de la ligne.

@@ -10,4 +10,4 @@ terrain-slope_too_large = { OPTION("slope", $slope) } monte de { $rise } par cel
 
 terrain-no_ground = Aucune cellule ne reste comme sol.
 
-terrain-spans_gaps = { PERCENT($share) } de ce terrain est interpolé sur des lacunes.
+terrain-spans_gaps = { PERCENT($share) } % de ce terrain est interpolé sur des lacunes.
