@@ -17,6 +17,7 @@ from typing import Any, TextIO
 
 import click
 
+from raybundle.cli import frequent
 from raybundle.cli.command import command_words
 from raybundle.cli.failures import failure_lines, silence
 from raybundle.cli.lazy import LazyGroup
@@ -107,7 +108,7 @@ def cli() -> None:
 
 
 INTERRUPTED = "interrupted; nothing was written"
-cli.home, cli.summaries, cli.sections = "raybundle.cli", COMMANDS, TASKS
+cli.home, cli.summaries, cli.sections, cli.frequent = "raybundle.cli", COMMANDS, TASKS, frequent.COMMANDS
 
 
 def main(argv: Sequence[str] | None = None) -> int:
