@@ -23,3 +23,13 @@ def refusal(capsys, *arguments, status=2):
     """Code and values of the error with which a command ends."""
     found = reported(capsys, *arguments, status=status)
     return found["code"], found["values"]
+
+
+def codes_of(found, parts=PARTS):
+    """Codes of the reported messages, in their order."""
+    return [m["code"] for part in parts for m in found.get(part, ())]
+
+
+def texts_of(found, parts=PARTS):
+    """Their texts: of what has no code of its own."""
+    return "\n".join(m["text"] for part in parts for m in found.get(part, ()))

@@ -80,7 +80,7 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     volume = ("heights", "volume", cone, "--above", 0)
     code, values = refusal(capsys, *volume, "--extent", 2, 2, 3, 3)
     assert code == "outline.beyond_heights"
-    assert [0, 0, 0.96, 0.64] == pytest.approx([values[k] for k in ("left", "bottom", "right", "top")])
+    assert pytest.approx([values[k] for k in ("left", "bottom", "right", "top")]) == [0, 0, 0.96, 0.64]
     assert "is empty" in refused(capsys, *volume, "--extent", 0.5, 0.1, 0.2, 0.5)
     crossed = "0.3 0.1, 0.9 0.6, 0.9 0.1, 0.3 0.6"
     assert "[flight_area.crosses_itself]" in refused(capsys, *volume, "--outline", crossed)

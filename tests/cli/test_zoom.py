@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.cli.reported import reported, values_of
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.block.stored import joint_covariance
@@ -48,11 +49,9 @@ def settings(tmp_path_factory):
 
 def test_from_results_to_any_focal_length(settings, tmp_path, capsys):
     library = tmp_path / "library"
-    words = ["calibration", "zoom", *settings, "--out", str(tmp_path / "lens"), "--keep", "--library", str(library)]
-    assert main(words) == 0
-    said = capsys.readouterr().out
-    assert "4 settings from 24.2 to 68.3 mm, focal lengths rounded to 0.1 mm" in said
-    assert "kept in the camera library" in said
+    words = ["calibration", "zoom", *settings, "--out", tmp_path / "lens", "--keep", "--library", library]
+    found = values_of(reported(capsys, *words), ["summary"])["zoom.settings"]
+    assert found == {"n": 4, "low_mm": 24.2, "high_mm": 68.3, "resolution_mm": 0.1}
     (entry,) = read_library(library).entries
     assert entry.zoom is not None
     assert entry.name == "nikon-d850-7-24-70-24.2-68.3mm-6000x4000"

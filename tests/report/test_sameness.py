@@ -1,5 +1,7 @@
 """Whether two results say the same, and how near."""
 
+import pytest
+
 from raybundle.report.sameness import sameness
 
 
@@ -10,12 +12,15 @@ def test_same_near_and_unlike(tmp_path):
         (folder / "points.csv").write_text("id,x,note\np,1000,\nq,-2,\n")
         (folder / "images.csv").write_text("id,x\ni,3\n")
     (a / "alone.csv").write_text("id\n")
-    assert sameness(a, b).sentence == "all 2 tables are the same to the last bit"
+    found = sameness(a, b).sentence.message
+    assert found.code == "comparison.same_tables"
+    assert (found.values["n"], found.values["equal"], found.values["difference"]) == (2, 2, 0)
     (b / "points.csv").write_text("id,x,note\np,1000,\nq,-2.00001,\n")
-    assert sameness(a, b).sentence == (
-        "1 of 2 tables are the same to the last bit, all to 1e-08 of the largest number of a column (x of points.csv)"
-    )
+    values = sameness(a, b).sentence.message.values
+    assert (values["n"], values["equal"], values["where"]) == (2, 1, "x of points.csv")
+    assert values["difference"] == pytest.approx(1e-8)
     for other in ("id,x,note\np,1000,\n", "id,x,note\np,1000,\nr,-2,\n", "id,x,note\np,1000,wrong\nq,-2,\n"):
         (b / "points.csv").write_text(other)
-        assert sameness(a, b).sentence == "not the same rows: points.csv"
+        found = sameness(a, b).sentence.message
+        assert (found.code, found.values) == ("comparison.other_rows", {"table": "points.csv"})
     assert sameness(a, tmp_path / "none").sentence == ""

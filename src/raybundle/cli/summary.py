@@ -38,6 +38,8 @@ class Summary:
     """What to do where nothing is wrong; else that is the remedy of the gravest notice."""
     files: Sequence[object] = ()
     """Files and folders that were written."""
+    table: Sequence[Message | str] = ()
+    """Rows and lines of a command that shows a table: always printed"""
     details: Sequence[Message | str] = ()
     """Further figures, and rows of tables, for --verbose."""
 
@@ -83,7 +85,7 @@ def lines(summary: Summary, *, verbose: bool) -> list[str]:
 
     grave = _grave(summary.notices)
     shown = grave if verbose else grave[:SHOWN]
-    found = [m.headline() for m in summary.done]
+    found = [*(m.headline() for m in summary.done), *table_lines(summary)]
     if verbose:
         found += [f"  {d if isinstance(d, str) else d.text()}" for d in summary.details]
     found += [notice_line(n, whole=verbose) for n in shown]
@@ -99,6 +101,11 @@ def lines(summary: Summary, *, verbose: bool) -> list[str]:
     return found
 
 
+def table_lines(summary: Summary) -> list[str]:
+    """The rows of its table."""
+    return [row if isinstance(row, str) else row.text() for row in summary.table]
+
+
 def loud(summary: Summary) -> list[str]:
     """What a quiet command prints: faults and warnings."""
     return [notice_line(n) for n in _grave(summary.notices)]
@@ -106,7 +113,7 @@ def loud(summary: Summary) -> list[str]:
 
 def data(summary: Summary) -> dict[str, Any]:
     """The same for JSON: messages as code, values and text."""
-    found: dict[str, Any] = {"summary": [_object(m) for m in summary.done]}
+    found: dict[str, Any] = {"summary": [_object(m) for m in summary.done], "lines": table_lines(summary)}
     for name, severity in (("faults", Severity.FAULT), ("warnings", Severity.WARNING), ("notes", Severity.NOTE)):
         found[name] = [_object(n) for n in summary.notices if _message(n).severity is severity]
     found["details"] = [_object(d) for d in summary.details if not isinstance(d, str)]
@@ -138,12 +145,6 @@ def notice_line(notice: Message | Coded, *, whole: bool = False) -> str:
         return "\n".join([f"{message.severity.value}: {first}{also} [{message.code}]", *others])
     others = f" (+{len(also)})" if also else ""
     return f"{message.severity.value}: {message.headline()}{others} [{message.code}]"
-
-
-def remark_lines(text: str) -> list[str]:
-    """The lines of a remark: each of its messages with its severity, a text as a note."""
-    messages = getattr(text, "messages", ())
-    return [notice_line(m) for m in messages] or [f"note: {text}"]
 
 
 def _remedy(grave: Sequence[Message | Coded]) -> str:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.io.reading.rows import BadRow, cells_of
 
 
@@ -31,13 +32,11 @@ class Sameness:
         if not self.tables:
             return ""
         if self.unlike:
-            return f"not the same rows: {self.unlike}"
-        if self.equal == self.tables:
-            return f"all {self.tables} tables are the same to the last bit"
-        return (
-            f"{self.equal} of {self.tables} tables are the same to the last bit, all to {self.difference:.1g} of the "
-            f"largest number of a column ({self.where})"
-        )
+            return phrase("comparison.other_rows", table=self.unlike)
+        return phrase(
+            "comparison.same_tables", n=self.tables, equal=self.equal, difference=float(self.difference),
+            where=self.where,
+        )  # fmt: skip
 
 
 def _in_both(first: Path, second: Path) -> list[str]:

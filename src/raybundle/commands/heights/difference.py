@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from raybundle.surfaces.smallest_movements import SmallestMovement
 
 
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeightsDifferenceSettings:
     """Two surfaces."""

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from raybundle.errors import Message, warning
 from raybundle.numerics.counting import counted
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
@@ -211,18 +211,14 @@ def known_words(h: Held, points: int) -> list[str]:
     return words
 
 
-def free_camera_words(plan: NetworkPlan) -> str:
-    """What a plan of natural points does not know where the camera is calibrated with the object; "" for others."""
+def free_camera(plan: NetworkPlan) -> list[Message]:
+    """What a plan of natural points does not know where the camera is calibrated with the object; [] for others."""
     from raybundle.planning.measured import FREE_CAMERA  # noqa: PLC0415
 
     if plan.site.found is None or not plan.site.free:
-        return ""
+        return []
     low, high = FREE_CAMERA
-    return (
-        f"results of natural points stated {low:g} to {high:g} times what such plans promise, where the camera was "
-        f"calibrated with the object (four sets); hold a calibrated one ({option('hold_camera', True)}), or plan "
-        "with that margin"
-    )
+    return [warning("plan.free_camera", low=float(low), high=float(high))]
 
 
 def purpose_words(plan: NetworkPlan, k: int) -> str:

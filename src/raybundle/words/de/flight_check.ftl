@@ -6,3 +6,13 @@ flight_check-other_place = Keine Aufnahme liegt dort, wo die Befliegung { $missi
 
 flight_check-no_crs = Die Mission hat lokale Koordinaten; Aufnahmen haben Positionen auf der Erde.
     .do = Die Mission in einem Koordinatensystem planen: { OPTION("crs", "EPSG:CODE") }.
+
+flight_check-blurred = { $n } unscharfe { $n ->
+        [one] Aufnahme zählt
+        *[other] Aufnahmen zählen
+    } nicht: { $names }.
+
+flight_check-tilted = { $n } zu stark geneigte { $n ->
+        [one] Aufnahme zählt
+        *[other] Aufnahmen zählen
+    } nicht: { $names }.

@@ -233,3 +233,24 @@ plan-flown_lost = Genau wie geplant geflogen, sind Parameter nicht bestimmbar: {
 
 plan-flown_calibrated = Keine geprüfte Änderung des Flugs bestimmt sie.
     .do = Halten Sie die Kamera fest, wie vor dem Flug kalibriert.
+
+plan-flight_undetermined = { $lost ->
+        [yes] Dieser Flug bestimmt nicht: { $parameters }.
+        *[no] Nur die Unregelmäßigkeit des Fluges bestimmt { $parameters }.
+    }
+    .why = { $lost ->
+            [yes] Bei genau ebenem Flug in einer Höhe nicht bestimmt: { $level }.
+            *[no] Ein genau ebener Flug in einer Höhe bestimmt sie nicht.
+        }
+    .do = { $remedy ->
+            [none] { $hold ->
+                [camera] Keine Änderung des Fluges hilft: die Kamera wie kalibriert festhalten ({ OPTION("hold_camera", "True") }).
+                [lever_arm] Keine Änderung des Fluges hilft: den Hebelarm messen und festhalten.
+                *[both] Keine Änderung hilft: Kamera ({ OPTION("hold_camera", "True") }) und gemessenen Hebelarm festhalten.
+            }
+            *[other] Den Plan ändern: { $remedy }. Sigma: { $figures }.
+        }
+
+plan-free_camera = Ergebnisse natürlicher Punkte waren { $low }- bis { $high }-mal so unsicher wie solche Pläne vorhersagen.
+    .why = Das gilt für eine Kamera, die mit dem Objekt kalibriert wird (vier Datensätze).
+    .do = Eine kalibrierte Kamera festhalten ({ OPTION("hold_camera", "True") }) oder mit dieser Reserve planen.

@@ -8,3 +8,17 @@ flight_check-other_place = No photograph is where mission { $mission } planned o
 
 flight_check-no_crs = The mission has local coordinates; photographs have positions on the earth.
     .do = Plan it in a coordinate system: { OPTION("crs", "EPSG:CODE") }.
+
+# $n = 1
+# $names = ["DJI_0031.jpg (3.2 px)"]
+flight_check-blurred = { $n } blurred { $n ->
+        [one] photograph does
+        *[other] photographs do
+    } not count: { $names }.
+
+# $n = 1
+# $names = ["DJI_0151.jpg"]
+flight_check-tilted = { $n } { $n ->
+        [one] photograph, tilted too far, does
+        *[other] photographs, tilted too far, do
+    } not count: { $names }.

@@ -358,3 +358,32 @@ plan-flown_lost = Flown exactly as planned, parameters are not determinable: { $
 
 plan-flown_calibrated = No change of the flight that was tried determines them.
     .do = Hold the camera as calibrated before the flight.
+
+# $parameters = ["c", "x0"]
+# $lost = false
+# $level = ["c", "x0"]
+# $remedy = "headings alternate"
+# $figures = ["Z 1.5 m to 20 mm"]
+# $hold = "camera"
+plan-flight_undetermined = { $lost ->
+        [yes] This flight does not determine { $parameters }.
+        *[no] Only the unevenness of the flight determines { $parameters }.
+    }
+    .why = { $lost ->
+            [yes] Not determined if exactly level at one height: { $level }.
+            *[no] A flight exactly level at one height does not determine them.
+        }
+    .do = { $remedy ->
+            [none] { $hold ->
+                [camera] No change of the flight helps: hold the camera as calibrated ({ OPTION("hold_camera", "True") }).
+                [lever_arm] No change of the flight helps: measure the lever arm and hold it.
+                *[both] No change helps: hold the camera ({ OPTION("hold_camera", "True") }) and the measured lever arm.
+            }
+            *[other] Change the plan: { $remedy }. Sigma: { $figures }.
+        }
+
+# $low = 1.5
+# $high = 3.0
+plan-free_camera = Results of natural points have been { $low } to { $high } times as uncertain as such plans predict.
+    .why = That holds for a camera that is calibrated with the object (four sets).
+    .do = Hold a calibrated camera ({ OPTION("hold_camera", "True") }), or plan with that margin.

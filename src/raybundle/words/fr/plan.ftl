@@ -140,3 +140,10 @@ plan-flown_apart = Volées exactement comme prévu, les photos ne forment pas un
 plan-flown_lost = Volés exactement comme prévu, des paramètres ne sont pas déterminables : { $parameters }.
 
 plan-flown_calibrated = Aucune modification du vol essayée ne les détermine.
+
+plan-flight_undetermined = { $lost ->
+        [yes] Ce vol ne détermine pas { $parameters }.
+        *[no] Seule l'irrégularité du vol détermine { $parameters }.
+    }
+
+plan-free_camera = Les résultats de points naturels ont été { $low } à { $high } fois plus incertains que prévu.

@@ -68,3 +68,14 @@ photograph_list-use = { $grade ->
     }
 
 photograph_list-reach = Bildpunkte reichen bis { PERCENT($share) } % des Wegs zu den Ecken.
+
+photograph_list-ticked = Liste von { $n } Aufnahmen: { $oriented } orientiert; { $missing } fehlen, { $beside } neben der Liste.
+
+photograph_list-missing = Es fehlt { $number }: { $text }
+
+photograph_list-named = { $kind ->
+        [doubled] Mehrfach aufgenommen
+        [rolled] Kamera anders gehalten als gelistet
+        [beside] Neben der Liste
+        *[not_oriented] Nicht orientiert
+    }: { $names }.

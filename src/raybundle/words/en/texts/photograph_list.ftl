@@ -105,3 +105,22 @@ photograph_list-use = { $grade ->
 
 # $share = 0.8
 photograph_list-reach = Image points reach { PERCENT($share) } % of the way to the corners.
+
+# $n = 6
+# $oriented = 5
+# $missing = 1
+# $beside = 0
+photograph_list-ticked = List of { $n } photographs: { $oriented } oriented; { $missing } missing, { $beside } beside the list.
+
+# $number = "05"
+# $text = "front, left"
+photograph_list-missing = Missing { $number }: { $text }
+
+# $kind = "doubled"
+# $names = ["03"]
+photograph_list-named = { $kind ->
+        [doubled] Taken more than once
+        [rolled] Camera not held as listed
+        [beside] Beside the list
+        *[not_oriented] Not oriented
+    }: { $names }.
