@@ -255,7 +255,7 @@ def test_of_several_formats_what_can_be_written_is(folder, tmp_path, capsys):
     out = tmp_path / "delivery"
     assert main(["convert", str(tmp_path / "degrees"), "--to", "gpkg,dxf,las,ply", "--out", str(out)]) == 2
     told = " ".join(capsys.readouterr().err.split())
-    assert "dxf is not" in told
+    assert "dxf: " in told
     assert "written: " in told
     for suffix, there in ((".gpkg", True), (".dxf", False), (".las", True), (".ply", True)):
         assert out.with_suffix(suffix).exists() == there
@@ -299,7 +299,7 @@ def test_what_is_wrong_is_said_and_nothing_is_left(case, folder, tmp_path):
 
 def test_a_block_needs_observations(folder, tmp_path):
     convert(folder, "--to", "nerfstudio", "--out", tmp_path / "t.json")
-    with pytest.raises(InputError, match="no image observations"):
+    with pytest.raises(InputError, match="no image"):
         convert(tmp_path / "t.json", "--to", "block", "--out", tmp_path / "again")
 
 

@@ -15,7 +15,7 @@ import pyogrio
 import pytest
 from PIL import Image
 from pypdf import PdfReader
-from tests.cli.reported import codes_of, reported, texts_of, values_of
+from tests.cli.reported import codes_of, refuses, reported, texts_of, values_of
 
 import raybundle as rb
 from raybundle import adjust
@@ -123,8 +123,8 @@ def test_a_drawing_in_the_axes_of_a_picture_lies_on_it_within_a_pixel(wall, tmp_
 
 def test_a_geopackage_takes_these_axes_and_other_formats_say_that_they_do_not(wall, tmp_path):
     done = rb.convert(wall / "result", tmp_path / "wall.gpkg", to="gpkg", within=wall / "wall.toml")
-    assert any("axes of the plane" in r for r in done.remarks)
-    with pytest.raises(InputError, match=r"ply.*dxf, gpkg.*format\.not_in_plane"):
+    assert any(" axes " in r for r in done.remarks)
+    with refuses("format.not_in_plane", format="ply"):
         rb.convert(wall / "result", tmp_path / "wall.ply", to="ply", within=wall / "wall.toml")
     (tmp_path / "turned.toml").write_text((wall / "wall.toml").read_text().replace("right = [", "right = [0.5, ", 1))
     with pytest.raises(InputError, match=r"3.*value\.count"):
@@ -234,7 +234,7 @@ def test_words_that_are_too_long_are_cut_and_that_is_told(tmp_path):
     picture, _ = chart(tmp_path)
     long = "Donaudampfschifffahrtsgesellschaft" * 40
     done = rb.drawing_sheet(picture, tmp_path / "a.pdf", title=long, client=long, paper="A4")
-    assert any("shortened in the title block: title, client" in r for r in done.remarks)
+    assert any(r.endswith(": title, client") for r in done.remarks)
     once = rb.drawing_sheet(picture, tmp_path / "b.pdf", title="Ein sehr langer Titel " * 8, paper="A4")
     assert not any("shortened" in r for r in once.remarks)
 
@@ -291,7 +291,7 @@ def test_a_sheet_is_in_the_language_of_its_project(wall, tmp_path):
     for left in ("landscape", "client", "Plumb plane", "degrees", "Standard deviation", "X right"):
         assert left not in german
     assert "landscape" in words("again.pdf", language="en")
-    with pytest.raises(InputError, match=r"en, de.*report\.unknown_language"):
+    with refuses("report.unknown_language", language="xx"):
         rb.drawing_sheet(project / "result", tmp_path / "x.pdf", language="xx", **asked)
 
 
@@ -339,7 +339,7 @@ def test_a_picture_without_a_plane_is_refused(tmp_path, wall):
 def test_a_broken_picture_is_told(tmp_path):
     picture, _ = chart(tmp_path)
     picture.write_bytes(picture.read_bytes()[:200])
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match=r"sheet|picture\.|file\."):
         rb.drawing_sheet(picture, tmp_path / "sheet.pdf")
 
 
@@ -373,7 +373,7 @@ def test_measured_lengths_stand_at_their_lines(tmp_path):
     (group,) = [g for g in done.groups if g.kind == "distance"]
     std = done.sigma0 * 0.05 * np.sqrt(1 - group.redundancy[0])
     assert float(found[2]) == pytest.approx(std, rel=0.05)
-    assert "Lengths at their lines are those in space." in " ".join(text_of(tmp_path / "a.pdf").split())
+    assert headline("drawing_sheet.lengths", {}) in " ".join(text_of(tmp_path / "a.pdf").split())
     rb.drawing_sheet(tmp_path / "r", tmp_path / "b.pdf", paper="A3", lengths=False)
     assert "±" not in text_of(tmp_path / "b.pdf")
 
@@ -441,7 +441,7 @@ def test_points_off_the_plane_are_said_to_lie_beside_their_image(wall, tmp_path)
     rewritten(off / "points.csv", lambda row: {"Y": repr(float(row["Y"]) + 0.5)} if row["point"] == "P20" else {})
     rb.drawing_sheet([wall / "wall.tif", off], tmp_path / "s.pdf")
     words = " ".join(text_of(tmp_path / "s.pdf").split())
-    assert "beside their image in the picture" in words
+    assert "beside their image" in words
     size = re.search(r"P20: ([0-9]+) mm\.", words)
     assert float(size[1]) == pytest.approx(500 * told["slope_rms"], rel=0.01)
 

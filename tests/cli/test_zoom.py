@@ -61,14 +61,16 @@ def test_from_results_to_any_focal_length(settings, tmp_path, capsys):
     free, covariance = joint_covariance(best.camera)
     assert best.camera.estimate == free == ("c", "x0", "y0", "K1", "P1", "P2")
     assert 1.01 * 0.1 / np.sqrt(12) < np.sqrt(covariance[0, 0]) < 0.05  # rounding, and the calibrations
-    assert any("within 24.2 to 68.3 mm of a calibrated zoom lens" in r for r in best.reasons)
+    assert any("24.2 to 68.3 mm" in r for r in best.reasons)
     photos = [photo(42.0), photo(85.0)]
     taken, left = with_library(photos, camera_groups(photos), library)
     assert taken.stored is not None
-    assert "is observed with its covariance" in taken.remarks[-1]
+    assert taken.remarks[-1].message.values["observed"]
     assert left.stored is None
     (beyond,) = find_calibrations(photo(85.0), library)
-    assert beyond.reasons == ("it is for 24.2 to 68.3 mm of a zoom lens, the photograph has 85 mm",)
+    (reason,) = beyond.reasons
+    assert "24.2 to 68.3 mm" in reason
+    assert "85 mm" in reason
 
 
 def test_focal_lengths_that_are_not_rounded_leave_nothing_open(settings, tmp_path):

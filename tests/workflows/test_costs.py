@@ -26,6 +26,7 @@ from raybundle.workflows.costs.estimate import estimate
 from raybundle.workflows.costs.recording import TaskRecord
 from raybundle.workflows.costs.stages import Asked
 from tests.blocking.networks import flight
+from tests.cli.reported import reported, values_of
 
 C = constants.shipped()
 A = Asked(
@@ -234,28 +235,27 @@ def test_the_command_measures_once(tmp_path, monkeypatch, capsys):
 
     monkeypatch.setattr(measure, "measure", measured)
     words = ["estimate-cost", "--images", "500", "--disk", "1000"]
-    assert main(words) == main(words) == 0
-    assert "today" in capsys.readouterr().out
+    assert main(words) == 0
+    assert values_of(reported(capsys, *words))["costs.measured"]["date"] == "today"
     assert len(done) == 1
     assert main([*words, "--measure"]) == 0
     assert len(done) == 2
-    assert main([*words, "--no-measure"]) == 0
-    assert C.measured in capsys.readouterr().out
+    assert values_of(reported(capsys, *words, "--no-measure"))["costs.measured"]["date"] == C.measured
 
 
 def test_the_table_and_what_gives_way(capsys):
     words = ["estimate-cost", "--images", "1000000", "--flight-overlap", "0.8", "0.6", "--workers", "256"]
     assert main([*words, "--memory", "4", "--disk", "1000", "--no-measure"]) == 0
     said = capsys.readouterr().out
-    rows = [line for line in said.splitlines() if line.startswith(" ") and "warning" not in line]
+    rows = said.splitlines()[1:]
     assert not [line for line in rows if re.search(r"\d (s|min|h|d|[MGT]B)[\d<]", line)]  # columns stand apart
     for stage in ("features", "matching", "precision", "reduction up", "solution down", "covariances", "statistics"):
-        assert f"\n {stage} " in said
-    assert "12.5 show a place" in said
-    assert "warning: disk: " in said
-    assert "warning: memory of the driver: " in said
-    assert main([*words, "--no-measure", "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
+        assert f"\n{stage} " in said
+    found = reported(capsys, *words, "--memory", 4, "--disk", 1000, "--no-measure")
+    assert values_of(found)["costs.assumed"]["overlap"] == pytest.approx(12.5)
+    exceeded = {m["values"]["what"] for m in found["warnings"] if m["code"] == "costs.exceeded"}
+    assert {"disk", "memory of the driver"} <= exceeded
+    told = reported(capsys, *words, "--no-measure")
     assert told["asked"]["images"] == 1_000_000
     assert told["core_hours"] == pytest.approx(sum(s["cpu_s"] for s in told["stages"]) / 3600)
     assert told["limits"][0]["share"] > 1
@@ -270,10 +270,10 @@ def test_photographs_are_counted_by_their_headers(tmp_path, capsys):
     assert found.asked.images == 3
     assert found.asked.megapixels == pytest.approx(400 * 301 / 1e6)
     assert found.unread == ("broken.jpg",)
-    assert main(["estimate-cost", str(tmp_path), "--no-measure"]) == 0
-    said = capsys.readouterr().out
-    assert "3 photographs of 0.12 MP, 3 show a place" in said  # no more than there are
-    assert "not counted: 1 file that cannot be read (broken.jpg)" in said
+    printed = values_of(reported(capsys, "estimate-cost", tmp_path, "--no-measure"))
+    assert printed["costs.estimated"]["n"] == 3
+    assert printed["costs.assumed"]["overlap"] == 3  # no more than there are
+    assert printed["costs.unread"] == {"n": 1, "names": ["broken.jpg"]}
     (tmp_path / "0.png").unlink()
     (tmp_path / "1.png").unlink()
     with pytest.raises(InputError, match=r"1.*broken\.jpg.*photograph\.too_few"):
@@ -315,17 +315,14 @@ def test_this_machine_is_measured():
 def test_memory_is_that_of_this_machine_and_what_helps_is_said(capsys, monkeypatch):
     words = ["estimate-cost", "--images", "10000", "--megapixels", "20", "--disk", "10", "--no-measure"]
     monkeypatch.setattr("raybundle.numerics.machine.available_memory", lambda: 12.5e9)
-    assert main(words) == 0
-    said = capsys.readouterr().out
-    assert "12.5 GB available" in said
-    assert "what helps: a machine of " in said
-    assert "here --points-per-image" in said
-    assert "orient --quick leaves precision out" in said
-    assert "products on another disk" in said
-    assert "the largest matrix of a part has" in said
-    assert "not counted: the further adjustments by which orient rejects blunders" in said
-    assert main([*words, "--workers", "16", "--network", "0", "--memory", "2"]) == 0
-    alone = capsys.readouterr().out
-    assert "warning: memory of driver and workers together: " in alone
-    assert main([*words, "--workers", "16", "--memory", "2"]) == 0
-    assert "workers together" not in capsys.readouterr().out
+    found = reported(capsys, *words)
+    printed = values_of(found)
+    exceeded = {m["values"]["what"]: m["values"]["given"] for m in found["warnings"]}
+    assert exceeded["memory of precision"] == "12.5 GB"
+    assert exceeded["disk"] == "10 GB"
+    assert found["next"]["code"] == "costs.memory_remedy"
+    assert {"costs.precision_remedy", "costs.disk_remedy", "costs.largest_matrix", "costs.not_included"} <= set(printed)
+    together = "memory of driver and workers together"
+    for more, known in ((("--network", 0), True), ((), False)):
+        found = reported(capsys, *words, "--workers", 16, *more, "--memory", 2)
+        assert (together in {m["values"].get("what") for m in found["warnings"]}) == known

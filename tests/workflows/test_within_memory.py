@@ -30,6 +30,7 @@ from raybundle.numerics.machine import available_memory
 from raybundle.pipeline.executors import Staying
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.words import headline
 from raybundle.workflows.adjust import adjust
 from raybundle.workflows.left import bytes_in, left_beside
 from raybundle.workflows.within_memory import BASE, IN_MEMORY, within_memory
@@ -355,7 +356,7 @@ def test_an_interrupt_says_where_parts_are_and_a_later_run_removes_them(tmp_path
         assert status == 130
         gc.collect()
         said = capsys.readouterr().err
-        assert f"interrupted; what is finished is kept in {left}" in said
+        assert headline("interruption.kept", {"folder": str(left)}) in said
         assert "the same command continues there" in said
         assert store in said
         assert left_beside(tmp_path / "result")[0].bytes > 0

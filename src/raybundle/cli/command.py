@@ -66,10 +66,11 @@ class Command(click.Command):
             ctx.params["progress"] = "none"
         as_json, quiet = (bool(ctx.meta.get(name)) for name in (JSON, QUIET))
         if ctx.params.get("as_json") or not (as_json or quiet):
-            status = super().invoke(ctx)
-            if (summary := ctx.meta.get(SUMMARY)) is not None:
-                _echo(lines(summary, verbose=bool(ctx.meta.get(VERBOSE))))
-            return status
+            try:
+                return super().invoke(ctx)
+            finally:
+                if (summary := ctx.meta.get(SUMMARY)) is not None:
+                    _echo(lines(summary, verbose=bool(ctx.meta.get(VERBOSE))))
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
             status = super().invoke(ctx)

@@ -74,9 +74,11 @@ def not_usable(refused: Sequence[tuple[str, str]]) -> list[Message]:
 
 
 def of_texts(texts: Iterable[str], severity: Severity | None = None) -> list[Message]:
-    """The messages of texts, with their own severity or all with one; words alone are a note."""
-    found = [m for t in texts for m in (t.messages if isinstance(t, Text) else [note("reason.text", text=t)])]
-    return found if severity is None else [replace(m, severity=severity) for m in found]
+    """The messages of texts, all of one severity, or each of its own; of what has none it is a note."""
+    found = [m for t in texts for m in (t.messages if isinstance(t, Text) else [note("summary.text", text=t)])]
+    return [
+        replace(m, severity=severity or (Severity.NOTE if m.severity is Severity.ERROR else m.severity)) for m in found
+    ]
 
 
 def lines(summary: Summary, *, verbose: bool) -> list[str]:

@@ -56,7 +56,7 @@ def command(progress: str, **given: Any) -> None:
     report(Summary(
         done=[*first, _precision(done.planned), *([note("flight.determined")] if done.planned.sure else [])],
         notices=[*_overlap(plan), *verdict(done)],
-        details=[*more, *rows, *([] if table is None else control_lines(table))],
+        table=[] if table is None else control_lines(table), details=[*more, *rows],
         files=[] if settings.out is None else [settings.out],
     ))  # fmt: skip
 
