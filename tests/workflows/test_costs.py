@@ -319,7 +319,7 @@ def test_memory_is_that_of_this_machine_and_what_helps_is_said(capsys, monkeypat
     printed = values_of(found)
     exceeded = {m["values"]["what"]: m["values"]["given"] for m in found["warnings"]}
     assert exceeded["memory of precision"] == "12.5 GB"
-    assert exceeded["disk"] == "10 GB"
+    assert exceeded["disk"] == "10.0 GB"
     assert found["next"]["code"] == "costs.memory_remedy"
     assert {"costs.precision_remedy", "costs.disk_remedy", "costs.largest_matrix", "costs.not_included"} <= set(printed)
     together = "memory of driver and workers together"
