@@ -467,7 +467,7 @@ def test_shards_need_the_url_alone(tmp_path, url, expected, capsys, monkeypatch)
         pytest.fail("shards have not done it")
     assert f"in {url}/tasks.jsonl" in said
     assert f" {url} for each I from 0" in said
-    assert " tasks done" in capsys.readouterr().out
+    assert "Tasks done: " in capsys.readouterr().out
     assert not (tmp_path / "objects/site/tasks.jsonl").exists()
 
 
