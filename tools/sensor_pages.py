@@ -133,7 +133,7 @@ def carried_line_page(name: str, model: Carried) -> str:
     condition = type(sensor).condition
     return "\n\n".join([
         f"# {name}", inspect.getdoc(type(sensor)) or "",
-        f"The line stands on the platform [{platform}]({platform}.md), which says how it moves.",
+        f"The line stands on the platform [{platform}]({platform}.md), which describes its motion.",
         "## Formula",
         f"X, Y, Z: the point in the axes that the line had when it was measured, U, V, W of {platform}.",
         formulas(condition, sensor.symbols),

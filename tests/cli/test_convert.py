@@ -1,6 +1,7 @@
 """`raybundle convert`: between block and result folders and foreign formats, with what was assumed printed."""
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -9,12 +10,12 @@ from dataclasses import replace
 import click
 import numpy as np
 import pytest
+from tests.cli.reported import reported, texts_of, values_of
 
 import raybundle as rb
 from raybundle import adjust
 from raybundle.block import Distances
 from raybundle.cli.convert import command
-from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.block.scenes import local_in
@@ -31,6 +32,11 @@ def convert(*words):
     command.main([str(w) for w in words], standalone_mode=False)
 
 
+def converted(capsys, *words):
+    """What a conversion reports."""
+    return reported(capsys, "convert", *words)
+
+
 @pytest.fixture(scope="module")
 def block():
     return simulate(field_scene(FIELD), Survey()).truth
@@ -43,11 +49,11 @@ def folder(block, tmp_path):
 
 
 def test_there_and_back_by_the_command_line(folder, block, tmp_path, capsys):
-    convert(folder, "--to", "colmap", "--out", tmp_path / "model")
-    printed = capsys.readouterr().out
-    assert f"5 oriented images, {len(block.points)} points, {len(block.observations)} image obs" in printed
-    assert "written as OPENCV" in printed or "written as FULL_OPENCV" in printed
-    assert "cameras: largest deviation 0.0" in printed
+    found = converted(capsys, folder, "--to", "colmap", "--out", tmp_path / "model")
+    counts = {"images": 5, "points": len(block.points), "observations": len(block.observations)}
+    assert values_of(found)["block.converted"] == {**counts, "formats": ["colmap"]}
+    assert re.search("as (FULL_)?OPENCV", texts_of(found, ["notes"]))
+    assert 0 < values_of(found)["block.cameras_fitted"]["largest_px"] < 0.1
     convert(tmp_path / "model", "--to", "block", "--out", tmp_path / "again")
     again = read_block(tmp_path / "again")
     np.testing.assert_allclose(again.images.centre, block.images.centre, atol=1e-12)
@@ -61,8 +67,8 @@ def test_there_and_back_by_the_command_line(folder, block, tmp_path, capsys):
 )
 def test_inputs_are_recognised(target, name, folder, tmp_path, capsys):
     convert(folder, "--to", target, "--out", tmp_path / "x" / name)
-    convert(tmp_path / "x" / name, "--to", "ply", "--out", tmp_path / "again.ply")
-    assert "5 oriented images" in capsys.readouterr().out
+    found = converted(capsys, tmp_path / "x" / name, "--to", "ply", "--out", tmp_path / "again.ply")
+    assert values_of(found)["block.converted"]["images"] == 5
     assert (tmp_path / "again-stations.ply").is_file()
 
 
@@ -73,8 +79,8 @@ def test_a_result_gives_its_adjusted_values(tmp_path, capsys):
 
     result = adjust(given, AdjustmentOptions(reject="snooping"))
     write_result(result, tmp_path / "r", report="none")
-    convert(tmp_path / "r", "--to", "ply", "--out", tmp_path / "p.ply")
-    assert "rejected image observation" in capsys.readouterr().out
+    found = converted(capsys, tmp_path / "r", "--to", "ply", "--out", tmp_path / "p.ply")
+    assert "rejected image" in texts_of(found, ["notes"])
     data = (tmp_path / "p.ply").read_bytes()
     head, _, body = data.partition(b"end_header\n")
     assert b"property float sigma_x" in head
@@ -99,9 +105,9 @@ def flight():
 
 def test_stations_on_a_map(tmp_path, capsys):
     write_block(flight(), tmp_path / "b")
-    convert(tmp_path / "b", "--to", "geojson", "--out", tmp_path / "s.geojson", "--crs", "EPSG:32632")
-    printed = capsys.readouterr().out
-    assert "EPSG:32632+ellipsoid" in printed
+    out = tmp_path / "s.geojson"
+    found = converted(capsys, tmp_path / "b", "--to", "geojson", "--out", out, "--crs", "EPSG:32632")
+    assert "EPSG:32632+ellipsoid" in texts_of(found, ["notes"])
     stations = json.loads((tmp_path / "s.geojson").read_text())["features"]
     from pyproj import Transformer
 
@@ -156,12 +162,11 @@ def photographs(tmp_path):
 
 
 def test_photographs_without_distortion(photographs, tmp_path, capsys):
-    convert(
-        tmp_path / "b", "--to", "colmap-text", "--out", tmp_path / "dense" / "sparse",
+    found = converted(
+        capsys, tmp_path / "b", "--to", "colmap-text", "--out", tmp_path / "dense" / "sparse",
         "--photos", tmp_path / "photos", "--undistort", "inside",
     )  # fmt: skip
-    printed = capsys.readouterr().out
-    assert "0.png is left out" in printed
+    assert "0.png" in texts_of(found, ["notes"])
     from PIL import Image
 
     cameras = (tmp_path / "dense" / "sparse" / "cameras.txt").read_text().split("\n")[1].split()
@@ -230,12 +235,12 @@ def test_pictures_and_model_are_written_together_or_not_at_all(photographs, tmp_
     assert [p.name for p in out.iterdir() if not p.name.startswith(".")] == []
 
     def refused(*_, **__):
-        raise InputError("cannot be written")
+        raise InputError("refused")
 
     words = ["--to", "colmap", "--out", out / "model", "--undistort", "inside", "--photos", tmp_path / "photos"]
     with monkeypatch.context() as m:
         m.setattr("raybundle.workflows.convert.written", refused)
-        with pytest.raises(InputError, match="cannot be written"):
+        with pytest.raises(InputError, match="refused"):
             convert(tmp_path / "b", *words)
     assert list(out.iterdir()) == []
     convert(tmp_path / "b", *words)
@@ -247,10 +252,10 @@ def test_of_several_formats_what_can_be_written_is(folder, tmp_path, capsys):
     placed = replace(block, place=local_in("EPSG:4326", (10.0, 50.0, 100.0)))
     rb.write_block(placed, tmp_path / "degrees")
     out = tmp_path / "delivery"
-    assert main(["convert", str(tmp_path / "degrees"), "--to", "gpkg,dxf,las,ply", "--out", str(out)]) == 2
-    told = " ".join(capsys.readouterr().err.split())
-    assert "dxf is not written: dxf" in told
-    assert "written: " in told
+    found = reported(capsys, "convert", tmp_path / "degrees", "--to", "gpkg,dxf,las,ply", "--out", out, status=2)
+    (failed,) = found["details"]
+    assert "dxf" in json.dumps(failed)
+    assert str(out.with_suffix(".gpkg")) in json.dumps(found["values"])
     for suffix, there in ((".gpkg", True), (".dxf", False), (".las", True), (".ply", True)):
         assert out.with_suffix(suffix).exists() == there
 
@@ -293,7 +298,7 @@ def test_what_is_wrong_is_said_and_nothing_is_left(case, folder, tmp_path):
 
 def test_a_block_needs_observations(folder, tmp_path):
     convert(folder, "--to", "nerfstudio", "--out", tmp_path / "t.json")
-    with pytest.raises(InputError, match="has no image observations"):
+    with pytest.raises(InputError, match="no image"):
         convert(tmp_path / "t.json", "--to", "block", "--out", tmp_path / "again")
 
 
@@ -342,20 +347,19 @@ def test_formats_in_metres_want_a_length(free_and_fixed, tmp_path, capsys):
     with pytest.raises(InputError, match=r"format\.free_scale"):
         convert(free_and_fixed / "free", "--to", "kml", "--out", tmp_path / "a.kml", "--crs", "EPSG:25832",
                 "--frame-origin", "500000", "5400000", "100")  # fmt: skip
-    capsys.readouterr()
-    convert(free_and_fixed / "free", "--to", "las", "--out", tmp_path / "a.las", "--free-scale")
-    assert "note: the scale of the block is free" in capsys.readouterr().out
-    convert(free_and_fixed / "fixed", "--to", "las", "--out", tmp_path / "b.las")
-    assert "scale" not in capsys.readouterr().out
+    free = converted(capsys, free_and_fixed / "free", "--to", "las", "--out", tmp_path / "a.las", "--free-scale")
+    assert "scale" in texts_of(free, ["notes"])
+    fixed = converted(capsys, free_and_fixed / "fixed", "--to", "las", "--out", tmp_path / "b.las")
+    assert "scale" not in texts_of(fixed)
 
 
 def test_exchange_formats_carry_a_free_scale(free_and_fixed, tmp_path, capsys):
-    convert(free_and_fixed / "free", "--to", "ply", "--out", tmp_path / "p.ply")
+    found = [converted(capsys, free_and_fixed / "free", "--to", "ply", "--out", tmp_path / "p.ply")]
     assert b'comment scale = "free"\n' in (tmp_path / "p.ply").read_bytes()
-    convert(free_and_fixed / "free", "--to", "nerfstudio", "--out", tmp_path / "t.json")
+    found.append(converted(capsys, free_and_fixed / "free", "--to", "nerfstudio", "--out", tmp_path / "t.json"))
     assert json.loads((tmp_path / "t.json").read_text())["scale"] == "free"
-    convert(free_and_fixed / "free", "--to", "colmap", "--out", tmp_path / "m")
-    assert capsys.readouterr().out.count("the scale of the block is free") == 3
+    found.append(converted(capsys, free_and_fixed / "free", "--to", "colmap", "--out", tmp_path / "m"))
+    assert all("scale" in texts_of(f, ["notes"]) for f in found)
     convert(free_and_fixed / "free", "--to", "block", "--out", tmp_path / "b")
     assert read_block(tmp_path / "b").free_scale
     convert(free_and_fixed / "fixed", "--to", "ply", "--out", tmp_path / "q.ply")
@@ -381,9 +385,9 @@ def test_a_table_is_no_format_and_where_it_is_is_said(tmp_path):
 def test_several_formats_are_files_that_begin_alike(tmp_path, capsys):
     pytest.importorskip("laspy", reason="LAS needs the extra [las]")
     write_block(flight(), tmp_path / "b")
-    convert(tmp_path / "b", "--to", "las,ply", "--out", tmp_path / "pit", "--crs", "EPSG:32632")
-    printed = capsys.readouterr().out
-    assert printed.splitlines()[-1].startswith(f" las: {tmp_path / 'pit.las'}, ply: {tmp_path / 'pit.ply'}")
+    out = tmp_path / "pit"
+    found = converted(capsys, tmp_path / "b", "--to", "las,ply", "--out", out, "--crs", "EPSG:32632")
+    assert found["files"] == {name: f"{out}.{name}" for name in ("las", "ply")}
     assert (tmp_path / "pit.las").stat().st_size
     assert (tmp_path / "pit.ply").stat().st_size
     with pytest.raises(InputError, match=r"pit\.ply.*file\.exists"):
@@ -399,9 +403,10 @@ def test_elements_passed_over_are_printed_and_data(tmp_path, capsys):
     head = {"w": 800, "h": 600, "fl_x": 400.0, "rolling_shutter": [0, 0, 0.03]}
     frames = [{"file_path": n, "mask_path": "m", "transform_matrix": np.eye(4).tolist()} for n in ("a", "b")]
     (tmp_path / "t.json").write_text(json.dumps({**head, "frames": frames}))
-    convert(tmp_path / "t.json", "--to", "nerfstudio", "--out", tmp_path / "again.json")
-    assert "2 frames.mask_path, 1 rolling_shutter" in capsys.readouterr().out
-    assert main(["convert", str(tmp_path / "t.json"), "--to", "colmap", "--out", str(tmp_path / "m"), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["not_read"] == {"frames.mask_path": 2, "rolling_shutter": 1}
-    convert(tmp_path / "again.json", "--to", "colmap", "--out", tmp_path / "own")
-    assert "rolling_shutter" not in capsys.readouterr().out
+    given = tmp_path / "t.json"
+    for to, out in (("nerfstudio", tmp_path / "again.json"), ("colmap", tmp_path / "m")):
+        found = converted(capsys, given, "--to", to, "--out", out)
+        assert "frames.mask_path" in texts_of(found, ["notes"])
+        assert found["not_read"] == {"frames.mask_path": 2, "rolling_shutter": 1}
+    own = converted(capsys, tmp_path / "again.json", "--to", "colmap", "--out", tmp_path / "own")
+    assert "rolling_shutter" not in texts_of(own)

@@ -134,7 +134,8 @@ def test_one_photograph_is_not(orient, photos):
     some_of_the_portal(photos, [2])
     told = orient(photos)
     assert told.status == 2
-    assert "1 usable photograph; at least 2 are needed. [photograph.too_few_usable]" in told.err
+    assert "error: 1 usable " in told.err
+    assert "[photograph.too_few_usable]" in told.err
 
 
 @needs_portal
@@ -142,7 +143,8 @@ def test_the_same_photograph_again_and_again_is_one(orient, photos):
     some_of_the_portal(photos, [2, 2, 2], ["a.jpg", "b.jpg", "c.jpg"])
     told = orient(photos)
     assert told.status == 2
-    assert "1 usable photograph; at least 2 are needed. [photograph.too_few_usable]" in told.err
+    assert "error: 1 usable " in told.err
+    assert "[photograph.too_few_usable]" in told.err
     assert "b.jpg: " in told.err
 
 
@@ -229,7 +231,7 @@ def test_a_read_only_place_is_named(orient, photos, tmp_path):
     place.mkdir(mode=0o500)
     told = orient(photos, out=place / "project")
     assert told.status == 2
-    assert "cannot be written" in told.err
+    assert "[file.not_writable]" in told.err
 
 
 @pytest.mark.parametrize(
@@ -252,7 +254,8 @@ def test_a_wrong_option_is_named(orient, photos, more):
 def test_a_bar_of_negative_length_is_refused_before_anything_is_done(orient, photos, tmp_path):
     told = orient(photos, more=["--scale-bar", "A", "B", "-24", "0.01"])
     assert told.status == 2
-    assert "'--scale-bar': -24.0 is not in the range x>0" in told.err
+    assert "'--scale-bar': -24.0 " in told.err
+    assert "x>0" in told.err
     assert not (tmp_path / "project").exists()
 
 

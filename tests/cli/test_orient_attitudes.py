@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.cli.reported import codes_of, refusal, reported, texts_of
 
 from raybundle.cli.main import main
 from raybundle.io.geo.coordinate_systems import local_frame
@@ -42,7 +43,7 @@ def test_a_file_of_attitudes_is_observed_and_compared_in_the_report(tmp_path, ca
     xyz = frame.crs_from_local(centre + rng.normal(0, 0.05, centre.shape))
     told = rotation_from_vector(rng.normal(0, np.radians(0.2), (len(rows), 3))) @ rotation
     n = len(rows)
-    file = tmp_path / "told.csv"
+    file = tmp_path / "ins.csv"
     trajectory = Trajectory(
         path=file, names=tuple(r["image"] for r in rows), xyz=xyz, sigma=np.full((n, 3), 0.05), crs="EPSG:4979",
         rotation=told, rotation_sigma=np.full((n, 3), np.radians(0.2)), true_north=True,
@@ -54,14 +55,13 @@ def test_a_file_of_attitudes_is_observed_and_compared_in_the_report(tmp_path, ca
     assert f"{n} of {n} photographs" in printed
     report = (out / "result/report.html").read_text(encoding="utf-8")
     assert headline("report_trajectories.comparison", {}) in report
-    assert "(opk, from told.csv)" in report
+    assert "(opk, from ins.csv)" in report
     again = ["orient", str(photos), "--out", str(out), "--positions", str(file), "--no-report", *QUICK]
-    assert main([*again, "--relative", "shift"]) == 0
-    printed = capsys.readouterr().out
-    assert "relative aerial control: the positions of 5 photographs on 2 flight lines are used" in printed
-    assert "not determinable" not in printed
-    assert main([*again, "--attitudes", "rpy-ned"]) == 2
-    assert "told.csv has attitudes as opk, not as rpy-ned" in capsys.readouterr().err
+    found = reported(capsys, *again, "--relative", "shift")
+    assert "5 photographs on 2 " in texts_of(found)
+    assert not [code for code in codes_of(found) if "not_determinable" in code]
+    _, values = refusal(capsys, *again, "--attitudes", "rpy-ned")
+    assert {"opk", "rpy-ned"} <= set(map(str, values.values()))
 
 
 def test_options_that_do_not_fit(tmp_path, capsys):
@@ -69,7 +69,7 @@ def test_options_that_do_not_fit(tmp_path, capsys):
     photos.mkdir()
     status = main(["orient", str(photos), "--out", str(tmp_path / "p"), "--attitude-sigma", "0", "1"])
     assert status == 2
-    assert "0.0 is not in the range x>0" in capsys.readouterr().err
+    assert "x>0" in capsys.readouterr().err
 
 
 @needs_portal
@@ -96,5 +96,5 @@ def test_what_can_have_no_effect_is_refused_before_anything_is_computed(tmp_path
 
 def test_a_coordinate_system_without_positions_is_said_to_have_no_effect():
     (remark,) = check_asked((), Given(), positions=None, crs="EPSG:32633", relative="", scenes=False)
-    assert "EPSG:32633 has no effect: no positions of a grid are given" in remark
+    assert "EPSG:32633" in remark
     assert not check_asked((), Given(), positions=None, crs="EPSG:32633", relative="", scenes=True)

@@ -62,4 +62,4 @@ def test_a_place_where_nothing_can_be_written_is_found_first(words, option, case
 def test_a_place_without_permission(words, option, tmp_path, capsys):
     (tmp_path / "locked").mkdir(mode=0o500)
     assert main([*words, option, str(tmp_path / "locked" / "x")]) == 2
-    assert "choose a folder that can be written" in capsys.readouterr().err
+    assert "[file.not_writable]" in capsys.readouterr().err

@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from tests.cli.reported import refusal, reported, values_of
 
 from raybundle.block import Role
 from raybundle.cli.main import main
@@ -19,76 +20,46 @@ PUBLISHED = ("--base", "16", "--line-spacing", "48", "--ground", "120", "--tie-p
 @pytest.mark.long
 def test_one_heading_is_warned_of_and_mended(capsys, tmp_path):
     out = tmp_path / "block"
-    assert main(["plan", "flight", *PUBLISHED[:-1], "12", "--out", str(out)]) == 0
-    told = capsys.readouterr().out
-    assert "overlap 80 % along, 60 % across" in told
-    (planned,) = [line for line in told.splitlines() if line.startswith(" as planned")]
-    assert planned.endswith("none (c, x0, y0)")
-    (turned,) = [line for line in told.splitlines() if line.startswith(" headings alternate  ")]
-    assert turned.endswith("none (c)")
-    assert "warning: c, x0, y0 hang on the unevenness of the flight alone; what mends it: lines across" in told
+    found = reported(capsys, "plan", "flight", *PUBLISHED[:-1], "12", "--out", out)
+    printed = values_of(found)
+    assert [printed["flight.overlap"][k] for k in ("along", "across")] == pytest.approx([0.8, 0.6], abs=1e-3)
+    assert (found["planned"]["lost"], found["planned"]["lost_level"]) == ([], ["c", "x0", "y0"])
+    (turned,) = [f for f in found["remedies"] if f["name"] == "headings alternate"]
+    assert (turned["lost"], turned["lost_level"]) == ([], ["c"])
+    undetermined = values_of(found, ["warnings"])["plan.flight_undetermined"]
+    assert undetermined["parameters"] == ["c", "x0", "y0"]
+    assert undetermined["remedy"].startswith("headings")
     assert len(read_block(out).images) == 32
     assert main(["plan", "flight", *PUBLISHED, "--out", str(out)]) == 2
-    assert "stands there already" in capsys.readouterr().err
+    assert "[folder.exists]" in capsys.readouterr().err
 
 
 def test_what_is_lost_is_no_figure(capsys):
-    assert main(["plan", "flight", *PUBLISHED, "--jitter", "0", "0", "--alternate"]) == 0
-    told = capsys.readouterr().out
-    (planned,) = [line for line in told.splitlines() if line.startswith(" as planned")]
+    words = ["plan", "flight", *PUBLISHED, "--jitter", "0", "0", "--alternate"]
+    assert main([*words, "--verbose"]) == 0
+    (planned,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("  as planned")]
     assert planned.split()[2:] == ["32", "-", "-", "-", "-", "-", "c", "(c)"]
-    assert "fault: c cannot be determined by this flight; what mends it" in told
+    lost = values_of(reported(capsys, *words), ["faults"])["plan.flight_undetermined"]
+    assert (lost["parameters"], lost["lost"]) == (["c"], True)
+    assert lost["remedy"] != "none"
 
 
 @pytest.mark.long
 def test_a_sound_plan_and_a_held_camera(capsys):
-    assert main(["plan", "flight", *PUBLISHED, "--cross", "30", "--control-points", "1"]) == 0
-    assert "everything is determined by design" in capsys.readouterr().out
-    assert main(["plan", "flight", *PUBLISHED, "--hold-camera"]) == 0
-    assert "everything is determined by design" in capsys.readouterr().out
+    for more in (("--cross", "30", "--control-points", "1"), ("--hold-camera",)):
+        found = reported(capsys, "plan", "flight", *PUBLISHED, *more)
+        assert "flight.determined" in values_of(found, ["summary"])
+        assert found["planned"]["lost_level"] == []
 
 
 @pytest.mark.long
 def test_gaps_are_said(capsys):
-    assert (
-        main(
-            [
-                "plan",
-                "flight",
-                "--overlap",
-                "0.4",
-                "0.3",
-                "--tie-points",
-                "9",
-                "--hold-camera",
-                "--control-points",
-                "5",
-                "--cross",
-                "20",
-            ]
-        )
-        == 0
-    )
-    assert "below 50 % along" in capsys.readouterr().out
-    assert (
-        main(
-            [
-                "plan",
-                "flight",
-                "--base",
-                "16",
-                "--line-spacing",
-                "130",
-                "--tie-points",
-                "14",
-                "--hold-camera",
-                "--cross",
-                "20",
-            ]
-        )
-        == 0
-    )
-    assert "the lines leave gaps" in capsys.readouterr().out
+    held = ("--hold-camera", "--cross", 20)
+    words = ("--overlap", 0.4, 0.3, "--tie-points", 9, "--control-points", 5)
+    found = reported(capsys, "plan", "flight", *words, *held)
+    assert values_of(found, ["warnings"])["plan.little_overlap"]["overlap"] == pytest.approx(0.4)
+    found = reported(capsys, "plan", "flight", "--base", 16, "--line-spacing", 130, "--tie-points", 14, *held)
+    assert values_of(found, ["faults"])["plan.gaps_between_lines"]["overlap"] < 0
 
 
 def test_the_forecast_is_that_of_the_adjustment_and_control_helps():
@@ -100,9 +71,10 @@ def test_the_forecast_is_that_of_the_adjustment_and_control_helps():
     assert one.sigma_c_px < free.sigma_c_px
     done = plan_flight(Flight(alternating=True, points=9, control=1))
     assert done.advised is None
-    assert [r.name for r in done.remedies] == [
-        "five control points", "lines across, 1.3 times as high", "lines across, tilted 30 deg",
-    ]  # fmt: skip
+    five, higher, tilted = (r.plan for r in done.remedies)
+    assert (five.control, five.cross_tilt_deg) == (5, None)
+    assert (higher.control, higher.cross_height) == (1, pytest.approx(1.3 * done.planned.plan.height))
+    assert (tilted.control, tilted.cross_tilt_deg) == (1, 30)
 
 
 def test_control_of_a_simulated_flight():
@@ -134,10 +106,9 @@ def test_a_flight_is_surveyed_again_with_new_positions(tmp_path, capsys):
 
 
 def test_flights_that_are_too_large_are_refused_at_once(capsys):
-    assert main(["plan", "flight", "--lines", "40", "--photographs-per-line", "80"]) == 2
-    assert "3 200 photographs; forecasts are possible for up to 1 000. [plan.flight_too_large]\n  40 lines of 80 " in (
-        capsys.readouterr().err
-    )
+    code, values = refusal(capsys, "plan", "flight", "--lines", "40", "--photographs-per-line", "80")
+    assert code == "plan.flight_too_large"
+    assert {3200, 1000, 40, 80} <= set(values.values())
 
 
 def test_tie_points_are_as_dense_as_photographs_need_them():
@@ -154,22 +125,22 @@ def test_control_that_has_no_layout_is_refused(capsys):
 
 
 def test_control_by_number_and_place_is_told(capsys):
-    assert main(["plan", "flight", *PUBLISHED, "--alternate", "--hold-camera", "--control-table"]) == 0
-    told = capsys.readouterr().out
-    assert "5 of 10 mm: corners and middle" in told
-    assert "are enough; more bring less than 10 % of the worst height" in told
-    assert "where five of 10 mm lie" in told
-    assert " the same without RTK" in told
+    words = ["plan", "flight", *PUBLISHED, "--alternate", "--hold-camera", "--control-table"]
+    found = reported(capsys, *words)
+    assert any(line.startswith("5 of 10 mm: ") for line in found["lines"])
+    assert headline("flight.layouts", {}) in found["lines"]
+    enough = {"sigma_mm": 10.0, "n": 5, "known": True}
+    assert headline("flight.control_enough", enough).partition("5")[0] in "\n".join(found["lines"])
+    assert found["without_rtk"] is not None
 
 
 def test_a_mission_tells_its_precision(capsys, tmp_path):
     out = tmp_path / "plan"
     area = "7.1 50.1, 7.102 50.1005, 7.1018 50.102, 7.0998 50.1015"
-    assert main(["plan", "mission", area, "--vehicle", "mavic-3e", "--predict", "--out", str(out)]) == 0
-    told = capsys.readouterr().out
-    assert "predicted without control" in told
-    assert "  RTK (0.02, 0.02, 0.03 m): plan " in told
-    assert headline("plan.flown_lost", {"parameters": ["c"]}) in told
+    found = reported(capsys, "plan", "mission", area, "--vehicle", "mavic-3e", "--predict", "--out", out)
+    rtk = values_of(found, ["summary"])["flight.predicted"]
+    assert (rtk["rtk"], rtk["sigma_m"]) == (True, [0.02, 0.02, 0.03])
+    assert values_of(found, ["warnings"])["plan.flown_lost"] == {"parameters": ["c"]}
     written = json.loads((out / "precision.json").read_text(encoding="utf-8"))
     assert written["not_determinable_as_planned"] == ["c"]
     assert written["rtk"]["not_determinable"] == []

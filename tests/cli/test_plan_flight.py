@@ -5,10 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.cli.reported import reported, texts_of, values_of
 from tests.missions.cases import CAMERA, mission
 
 from raybundle.cli.main import main
-from raybundle.cli.plan.flight import _verdict
+from raybundle.cli.plan.flight import verdict
 from raybundle.cli.plan.precision import cell, length
 from raybundle.commands.planning.flight import FlightSettings
 from raybundle.errors import InputError
@@ -25,13 +26,24 @@ def run(capsys, *words):
     return status, got.out, got.err
 
 
+def reports(capsys, *words):
+    """Values of what the command reports, by code."""
+    return values_of(reported(capsys, "plan", "flight", *words))
+
+
+def predictions(found):
+    """What a mission predicts, with RTK and without."""
+    return [m["values"] for m in (*found["summary"], *found["details"]) if m["code"] == "flight.predicted"]
+
+
 def test_area_and_pixel_give_height_lines_and_photographs(capsys):
-    status, told, _ = run(capsys, "--area", 100, 150, "--gsd", 0.02, "--tie-points", 10, "--hold-camera")
-    assert status == 0
+    found = reports(capsys, "--area", 100, 150, "--gsd", 0.02, "--tie-points", 10, "--hold-camera")
     # 0.02 m of 3650 px: 73 m; 3648 and 5472 px of it: 73.0 and 109.4 m; a fifth and three tenths of them
-    assert " 5 lines of 14 photographs, 73 m above ground; base 14.6 m, lines 32.8 m apart; a pixel is 20 mm" in told
-    assert " overlap 80 % along, 70 % across; tie points over 100 m x 150 m" in told
-    assert " positions of 0.02, 0.02, 0.03 m (RTK)" in told
+    assert found["flight.lines"] == pytest.approx({"lines": 5, "n": 14, "height_m": 73.0, "pixel_mm": 20.0})
+    assert found["flight.spacing"] == pytest.approx({"base_m": 14.592, "spacing_m": 32.832})
+    overlap = {"along": 0.8, "across": 0.7, "width_m": 100.0, "length_m": 150.0}
+    assert found["flight.overlap"] == pytest.approx(overlap)
+    assert found["flight.positions"] == {"sigma_m": [0.02, 0.02, 0.03], "rtk": True}
 
 
 @pytest.mark.parametrize("area", [(50.0, 80.0), (131.0, 64.0), (32.832, 29.184)])
@@ -60,13 +72,12 @@ def test_lines_and_photographs_are_those_of_a_mission_over_the_same_area():
 def test_what_no_change_mends_is_to_be_known_from_elsewhere():
     plan = Flight(points=9, alternating=True)
     planned = forecast(plan)
-    told = _verdict(FlightPlan(planned=planned, without_rtk=None, remedies=()))
-    assert told.endswith("c hangs on the unevenness of the flight alone; none of the changes above mends it: hold the "
-                         "camera as calibrated (--hold-camera)")  # fmt: skip
-    arm = replace(planned, lost_level=("c", "az"))
-    assert "(--hold-camera), and measure the lever arm" in _verdict(
-        FlightPlan(planned=arm, without_rtk=None, remedies=())
-    )
+    for lost, hold in ((("c",), "camera"), (("c", "az"), "both"), (("az",), "lever_arm")):
+        some = replace(planned, lost_level=lost)
+        (found,) = verdict(FlightPlan(planned=some, without_rtk=None, remedies=()))
+        assert (found.code, found.severity) == ("plan.flight_undetermined", "warning")
+        assert found.values["parameters"] == list(lost)
+        assert (found.values["remedy"], found.values["hold"]) == ("none", hold)
 
 
 def test_an_area_without_a_pixel_and_a_pixel_without_an_area():
@@ -105,26 +116,24 @@ def test_contradictions_are_told_in_python_as_python_writes_them():
 
 @pytest.mark.long
 def test_rows_are_called_what_they_are(capsys):
-    _, arm, _ = run(capsys, "--free-lever-arm", "--cross", 30, "--tie-points", 8)
-    assert " the same without RTK, lever arm held " in arm
-    _, poor, _ = run(capsys, "--rtk", 5, 5, 10, *FAST)
-    assert " positions of 5, 5, 10 m (no RTK)" in poor
+    arm = reported(capsys, "plan", "flight", "--free-lever-arm", "--cross", 30, "--tie-points", 8)
+    assert arm["without_rtk"]["name"].endswith(" held")
+    assert reports(capsys, "--rtk", 5, 5, 10, *FAST)["flight.positions"] == {"sigma_m": [5, 5, 10], "rtk": False}
+    _, poor, _ = run(capsys, "--rtk", 5, 5, 10, *FAST, "--verbose")
     assert poor.count("RTK") == 1
 
 
 def test_what_mends_is_told_for_each_that_hangs(capsys):
-    _, told, _ = run(capsys, "--no-rtk", "--alternate", "--tie-points", 12)
-    verdict = told.splitlines()[-1]
-    found = re.search(
-        r"warning: c.* hangs? on .*; what mends it: lines across, tilted 30 deg, five control points; "
-        r"sigma Z ([\d.]+) m to ([\d.]+) mm, c ([\d.]+) px to ([\d.]+) px",
-        verdict,
-    )
-    assert found, verdict
-    z, z_after, c, c_after = map(float, found.groups())
-    assert 1000 * z > 50 * z_after
-    assert c > 10 * c_after
-    (five,) = [line for line in told.splitlines() if line.startswith(" five control points")]
+    words = ("--no-rtk", "--alternate", "--tie-points", 12)
+    found = reports(capsys, *words)["plan.flight_undetermined"]
+    assert "c" in found["parameters"]
+    assert ("30 deg" in found["remedy"], "five" in found["remedy"]) == (True, True)
+    first, second = (re.fullmatch(r"(\w+) ([\d.]+) m?\w+ to ([\d.]+) \w+", f) for f in found["figures"][:2])
+    assert (first[1], second[1]) == ("Z", "c")
+    assert 1000 * float(first[2]) > 50 * float(first[3])
+    assert float(second[2]) > 10 * float(second[3])
+    _, printed, _ = run(capsys, *words, "--verbose")
+    (five,) = [line.strip() for line in printed.splitlines() if line.startswith("  five ")]
     assert re.search(r"Z x\d+, (c|K1) x1(\.\d+)? ", five), five
 
 
@@ -138,11 +147,11 @@ def test_metres_from_one_metre_on(capsys):
         "-",
     ]
     assert [cell(v, 0) for v in (0.0161, 0.9994, 1.491, np.nan)] == ["16", "999", "1.49 m", "-"]
-    _, told, _ = run(capsys, "--no-rtk", *FAST)
+    _, told, _ = run(capsys, "--no-rtk", *FAST, "--verbose")
     assert "e+0" not in told
     assert re.search(r"as planned +32 +[\d.]+ m +[\d.]+ m +[\d.]+ m", told)
     _, table, _ = run(capsys, "--no-rtk", "--control-table", *FAST)
-    (none,) = [line for line in table.splitlines() if line.startswith(" none ")]
+    (none,) = [line for line in table.splitlines() if line.startswith("none ")]
     assert re.search(r"none +[\d.]+ m +[\d.]+ m +", none)
 
 
@@ -150,26 +159,22 @@ def test_metres_from_one_metre_on(capsys):
 def test_a_mission_tells_metres_and_its_positions(capsys, tmp_path):
     area = "7.1 50.1, 7.102 50.1005, 7.1018 50.102, 7.0998 50.1015"
     words = ["plan", "mission", area, "--vehicle", "mavic-3e", "--predict"]
-    assert main([*words, "--free-lever-arm", "--out", str(tmp_path / "a")]) == 0
-    told = capsys.readouterr().out
-    assert "no RTK (5, 5, 10 m), lever arm held: plan 1." in told
-    assert "e+0" not in told
-    assert main([*words, "--rtk", "5", "5", "10", "--out", str(tmp_path / "b")]) == 0
-    told = capsys.readouterr().out
-    assert told.count("RTK") == 1
-    assert "  no RTK (5, 5, 10 m): plan " in told
-    assert main([*words, "--overlap", "0.3", "0.02", "--out", str(tmp_path / "c")]) == 0
-    told = capsys.readouterr().out
-    assert "what neighbours have in common is too narrow; ask for more overlap (--overlap)" in told
-    assert "everything cannot" not in told
+    arm = predictions(reported(capsys, *words, "--free-lever-arm", "--out", tmp_path / "a"))[-1]
+    assert (arm["rtk"], arm["sigma_m"], arm["held"]) == (False, [5, 5, 10], True)
+    assert re.fullmatch(r"1\.\d\d m", arm["plan"])
+    (poor,) = predictions(reported(capsys, *words, "--rtk", 5, 5, 10, "--out", tmp_path / "b"))
+    assert (poor["rtk"], poor["sigma_m"], poor["held"]) == (False, [5, 5, 10], False)
+    narrow = reported(capsys, *words, "--overlap", 0.3, 0.02, "--out", tmp_path / "c")
+    assert "plan.flown_apart" in values_of(narrow, ["warnings"])
+    assert "plan.flown_lost" not in values_of(narrow)
 
 
 @pytest.mark.long
 def test_a_facade_is_told_of_turned_views(capsys, tmp_path):
     wall = "7.1 50.1, 7.102 50.1005"
     words = ["--pattern", "facade", "--heights", "0", "18", "--gsd", "0.003", "--predict", "--out", str(tmp_path / "w")]
-    assert main(["plan", "mission", wall, "--vehicle", "mavic-3e", *words]) == 0
-    told = capsys.readouterr().out
-    assert "what determines everything: the rows flown once more with the view turned" in told
-    assert "oblique-grid" not in told
-    assert "terrain" not in told
+    found = reported(capsys, "plan", "mission", wall, "--vehicle", "mavic-3e", *words)
+    kinds = [m["values"]["kind"] for m in found["notes"] if m["code"] == "flight.mend"]
+    assert kinds[0] == "turned"
+    assert "oblique-grid" not in kinds
+    assert "terrain" not in texts_of(found)

@@ -34,10 +34,10 @@ def test_a_round_has_its_number_and_a_remark_none():
 def test_share_and_number_of_tasks_agree_and_remarks_are_lines_of_their_own(capsys):
     with reporting("json") as tell:
         Counting(tell, "pairs", total=4, done=1, costs=()).one_more(1.0)
-        tell("no worker is there", Remark())
+        tell("no worker", Remark())
         tell("pairs", Counted(0.5, 2, 4, 1.0))
     first, remark, last = map(json.loads, capsys.readouterr().err.splitlines())
     assert first["share"] == first["done"] / first["total"] == 0.5
-    assert remark["remark"] == "no worker is there"
+    assert remark["remark"] == "no worker"
     assert "share" not in remark
     assert last["stage"] == "pairs"

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from scipy.spatial import KDTree
+from tests.cli.reported import refuses
 
 import raybundle as rb
 from raybundle import adjust
@@ -87,7 +88,7 @@ def test_a_geotiff_has_marks_at_their_coordinates(ground, tmp_path):
     rasterio, (folder, marks) = pytest.importorskip("rasterio"), ground
     done = rectified(folder, tmp_path / "g.tif", horizontal=True)
     assert done.unit == "m"
-    assert "the picture lies in EPSG:32632" in done.remarks
+    assert any("EPSG:32632" in r for r in done.remarks)
     with rasterio.open(tmp_path / "g.tif") as picture:
         assert picture.crs.to_epsg() == 32632
         assert picture.profile["compress"] == "deflate"
@@ -113,8 +114,8 @@ def test_without_geotiff_the_system_stands_beside(name, ground, tmp_path, monkey
         m.setitem(sys.modules, "rasterio", None)
         done = rectified(folder, tmp_path / name, horizontal=True)
     told = " ".join(done.remarks)
-    assert f"the coordinate system stands in {name}.aux.xml" in told
-    assert ("pip install 'raybundle[geo]'" in told) == name.endswith(".tif")
+    assert f"{name}.aux.xml" in told
+    assert ("raybundle[geo]" in told) == name.endswith(".tif")
     rasterio = pytest.importorskip("rasterio")
     with rasterio.open(tmp_path / name) as picture:
         assert picture.crs.to_epsg() == 32632
@@ -129,7 +130,7 @@ def test_an_area_is_one_of_the_map(ground, tmp_path):
     rectified(folder, tmp_path / "g.tif", horizontal=True, extent=area)
     with rasterio.open(tmp_path / "g.tif") as picture:
         assert tuple(picture.bounds) == pytest.approx(area, abs=1e-6)
-    with pytest.raises(InputError, match=r"-0\.5 to 0\.5.* 699999 to 700001.*EPSG:32632.*picture\.area_far_away"):
+    with refuses("picture.area_far_away", west=-0.5, east=0.5, south=-0.5, north=0.5):
         rectified(folder, tmp_path / "h.tif", horizontal=True, extent=(-0.5, -0.5, 0.5, 0.5))  # of the plane
 
 
@@ -158,7 +159,7 @@ def test_a_wall_stays_in_its_plane(ground, tmp_path):
 def test_a_system_in_degrees_leaves_the_picture_in_the_local_plane(ground, tmp_path):
     folder, _ = ground
     done = rectified(folder, tmp_path / "g.tif", source="degrees", horizontal=True)
-    assert "EPSG:4326 is no projected system; the picture is in the local plane" in " ".join(done.remarks)
+    assert "EPSG:4326" in " ".join(done.remarks)
     assert abs(float((tmp_path / "g.tfw").read_text().split()[4])) < 10
 
 

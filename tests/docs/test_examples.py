@@ -212,7 +212,8 @@ def test_commands_that_are_not_run_have_their_options(page, line):
 def options_of_commands(command, context, name=""):
     """Every command by its words, with the options that it has."""
     if not isinstance(command, click.Group):
-        return {name: {o for p in command.params for o in (*p.opts, *p.secondary_opts)} | {"--help", "--version"}}
+        own = {o for p in command.params for o in (*p.opts, *p.secondary_opts)}
+        return {name: own | {"--help", "--help-all", "--version"}}
     found = {}
     for word in command.list_commands(context):
         inner = command.get_command(context, word)

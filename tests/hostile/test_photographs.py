@@ -165,7 +165,19 @@ def test_photographs_turned_by_a_program_are_oriented_and_told_of(orient, photos
     # other programs get the files as they are stored
     out = tmp_path / "colmap"
     assert (
-        main(["convert", str(tmp_path / "project/result"), "--to", "colmap", "--out", str(out), "--approximate"]) == 0
+        main(
+            [
+                "convert",
+                str(tmp_path / "project/result"),
+                "--to",
+                "colmap",
+                "--out",
+                str(out),
+                "--verbose",
+                "--approximate",
+            ]
+        )
+        == 0
     )
     written = capsys.readouterr().out
     assert "camera virtual-24-24mm is written" in written

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.cli.reported import reported, values_of
 from tests.conftest import DATA
 from tests.missions.cases import LEVEL, OUTLINES, mission
 from tests.missions.flying import fly, texture
@@ -183,11 +184,13 @@ def test_the_command_tells_and_writes(tmp_path, capsys):
     write_mission(PLAN, tmp_path / "mission.toml")
     fly(PLAN, tmp_path / "flown", drop=set(range(60, 110)), blur={30}, tilt={150})
     out = tmp_path / "check"
-    assert main(["plan", "check", str(tmp_path), str(tmp_path / "flown"), "--out", str(out)]) == 4
-    told = capsys.readouterr().out
-    assert f" {COUNT} photographs planned" in told
-    assert "DJI_0031.jpg" in told
-    assert "DJI_0151.jpg" in told
+    found = values_of(reported(capsys, "plan", "check", tmp_path, tmp_path / "flown", "--out", out, status=4))
+    counts = found["flight_check.photographs"]
+    assert (counts["planned"], counts["missing"], counts["beside"]) == (COUNT, 50, 0)
+    (blurred,) = found["flight_check.blurred"]["names"]
+    assert blurred.startswith("DJI_0031.jpg (")
+    assert found["flight_check.tilted"]["names"] == ["DJI_0151.jpg"]
+    assert found["flight_check.gaps"]["n"] == 1
     assert sorted(p.name for p in out.iterdir()) == ["check.svg", "gaps.geojson", "gaps.kml", "photographs.csv"]
     rows = (out / "photographs.csv").read_text().splitlines()
     assert sum(r.endswith(",no,missing") for r in rows) == 50
@@ -207,10 +210,8 @@ def test_the_command_tells_and_writes(tmp_path, capsys):
 
 def test_nothing_to_fly_again_ends_with_status_0(tmp_path, capsys, good):
     write_mission(PLAN, tmp_path / "mission.toml")
-    assert main(["plan", "check", str(tmp_path / "mission.toml"), str(good[0]), "--no-sharpness"]) == 0
-    done = rb.check_flight(tmp_path, good[0], sharpness=False)
-    assert not done.check.gaps
-    assert not done.check.refly
+    found = reported(capsys, "plan", "check", tmp_path / "mission.toml", good[0], "--no-sharpness")
+    assert "flight_check.nothing_again" in values_of(found, ["summary"])
 
 
 def test_positions_from_a_file(tmp_path, capsys):

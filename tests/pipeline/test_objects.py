@@ -470,7 +470,7 @@ def test_shards_need_the_url_alone(tmp_path, url, expected, capsys, monkeypatch)
         pytest.fail("shards have not done it")
     assert shown.code == "task.shards_waiting"
     assert (shown.values["file_name"], shown.values["project"]) == (f"{url}/tasks.jsonl", url)
-    assert " tasks done" in capsys.readouterr().out
+    assert "Tasks done: " in capsys.readouterr().out
     assert not (tmp_path / "objects/site/tasks.jsonl").exists()
 
 

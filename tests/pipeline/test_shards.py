@@ -11,7 +11,6 @@ import pytest
 from PIL import Image
 
 from raybundle.cli.main import main
-from raybundle.commands.status import status_of
 from raybundle.errors import InputError, TasksWaiting
 from raybundle.pipeline.choosing import executor_for
 from raybundle.pipeline.executors import Threads
@@ -21,6 +20,8 @@ from raybundle.pipeline.shards import Shards, do_shard
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
 from raybundle.settings import option
+from raybundle.words import headline
+from tests.cli.reported import reported, values_of
 from tests.pipeline.graph import NO_MATRIX, digest, done_by, executions, tasks_of
 
 LEAVES = 8
@@ -92,13 +93,10 @@ def test_small_products_are_kept_before_what_was_handed_over_is_removed(tmp_path
 def test_what_fails_in_a_shard_is_told_by_the_run_and_tried_again_by_the_next(tmp_path, capsys):
     tasks = tasks_of(2, crash={1: "bad input"}, small=False)
     asked(tmp_path / "p", tasks)
-    assert main(["worker", str(tmp_path / "p"), "--shard", "0/1", "--wait", "0"]) == 0
-    shown = capsys.readouterr().out.splitlines()
-    assert shown[0] == " 1 task done"
-    assert [(line.split(":")[1], NO_MATRIX in line) for line in shown[1:3]] == [
-        (" leaf 1", True), (" node 2", False),
-    ]  # fmt: skip
-    assert NO_MATRIX in shown[3]
+    found = reported(capsys, "worker", tmp_path / "p", "--shard", "0/1", "--wait", 0)
+    assert values_of(found)["task_share.done"] == {"n": 1, "waiting": 0}
+    assert [m["values"]["name"] for m in found["warnings"]] == ["leaf 1", "node 2"]
+    assert all("leaf.csv" in m["text"] for m in found["warnings"])
     project = Project.open(tmp_path / "p")
     try:
         means = Means(project=project, executor=Shards())
@@ -260,26 +258,27 @@ def test_status_says_how_far_work_is_and_where_products_lie(tmp_path, capsys):
     tasks = tasks_of(LEAVES, crash={3: "bad input"})
     asked(tmp_path / "p", tasks)
     do_shard(tmp_path / "p", 0, 2, wait_s=0.0)
-    assert main(["status", str(tmp_path / "p")]) == 0
-    shown = capsys.readouterr().out
-    found = status_of(tmp_path / "p")
-    done, total = found.listed
-    assert 0 < done < total == len(tasks)
-    at = found.running
-    assert (at.stage, at.done, at.total, found.works) == ("graph", done, total, False)  # not as when the run ended
-    assert f"graph, {done} of {total} " in shown
-    assert not found.store
+    found = reported(capsys, "status", tmp_path / "p")
+    done, n = found["listed"]
+    assert n == len(tasks)
+    assert 0 < done < len(tasks)
+    lines = found["lines"]
+    assert headline("project_status.listed", {"n": n, "done": done}) in lines
+    running = {"state": "waiting", "stage": "graph", "done": done, "total": n, "at": ""}
+    begin = headline("project_status.running", running).partition("(")[0]
+    assert any(line.startswith(begin) for line in lines)  # not as many as when the run ended
+    products = headline("project_status.products", {"size": "", "store": "none"}).partition(":")[0]
+    assert any(line.startswith(products) for line in lines)
     project = Project.open(tmp_path / "p")
     try:
         note(project.folder, "matching", 7, 12)
-        found = status_of(tmp_path / "p")
-        at = found.running
-        assert (at.stage, at.done, at.total, found.works) == ("matching", 7, 12, True)
+        assert main(["status", str(tmp_path / "p")]) == 0
+        assert "\nIn work: matching, 7 of 12 done (" in "\n" + capsys.readouterr().out
         means = Means(project=project, executor=Threads(1))
         means.do(tasks, "graph")
         assert main(["status", str(tmp_path / "p")]) == 0
-        assert "7 of 12" not in capsys.readouterr().out
-        found = status_of(tmp_path / "p")
-        assert (found.running, found.works) == (None, True)
+        said = capsys.readouterr().out
+        assert headline("project_status.works", {}) in said
+        assert "7 of 12" not in said
     finally:
         project.close()

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.cli.reported import reported, values_of
 
 import raybundle as rb
 from raybundle.block.select import selected
@@ -42,7 +43,7 @@ def rows(path):
 @pytest.mark.parametrize("kind", sorted(assistants))
 def test_every_list_is_written_and_keeps_its_promise(tmp_path, kind, capsys):
     assert listed(tmp_path, kind, "--f-number", "16") == 0
-    assert "photographs listed" in capsys.readouterr().out
+    assert "Listed: " in capsys.readouterr().out
     folder = tmp_path / "list"
     table, block = rows(folder / "list.csv"), rb.read_block(folder / "block")
     assert len(table) == len(block.images) == json.loads((folder / "plan.json").read_text())["photographs"]
@@ -160,11 +161,11 @@ def test_a_result_is_ticked_off(tmp_path, capsys):
     some = np.arange(len(block.images)) != 4
     rb.write_block(selected(block, "image", some), tmp_path / "some")
     capsys.readouterr()
-    words = ["plan", "check", str(tmp_path / "list"), str(tmp_path / "some"), "--out", str(tmp_path / "checked")]
-    assert main([*words, "--progress", "none"]) == 4
-    said = capsys.readouterr().out
-    assert "1 missing" in said
-    assert "missing 05: front" in said
+    words = ["plan", "check", tmp_path / "list", tmp_path / "some", "--out", tmp_path / "checked"]
+    found = values_of(reported(capsys, *words, status=4))
+    assert found["photograph_list.ticked"]["missing"] == 1
+    assert found["photograph_list.not_taken"]["number"] == "05"
+    assert found["photograph_list.not_taken"]["text"].startswith("front")
     table = rows(tmp_path / "checked/list.csv")
     assert [r["image"] for r in table if not r["taken"]] == ["05"]
     assert (tmp_path / "checked/list.pdf").read_bytes().startswith(b"%PDF")
@@ -181,11 +182,9 @@ def test_photographs_are_ticked_off_by_what_they_show(tmp_path, capsys):
     words = ["plan", "list", "targets", project, "--stations", project, "--count", "12", "--across", "3"]
     assert main([*words, "--out", str(tmp_path / "list")]) == 0
     capsys.readouterr()
-    assert main(["plan", "check", str(tmp_path / "list"), str(tmp_path / "again"), "--progress", "none"]) == 4
-    said = capsys.readouterr().out
-    assert " 6 photographs listed, 5 taken" in said
-    assert " 1 missing" in said
-    assert "missing 06" in said
+    found = values_of(reported(capsys, "plan", "check", tmp_path / "list", tmp_path / "again", status=4))
+    assert found["photograph_list.ticked"] == {"n": 6, "oriented": 5, "missing": 1, "beside": 0}
+    assert found["photograph_list.not_taken"]["number"] == "06"
 
 
 @pytest.mark.long

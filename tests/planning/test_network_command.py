@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
+from tests.cli.reported import reported, values_of
 
 import raybundle as rb
 from raybundle.cli.main import main
@@ -22,6 +23,11 @@ def plan(tmp_path, *words, name="plan"):
     return main(["plan", "network", *words, *SMALL, "--out", str(tmp_path / name)])
 
 
+def planned(capsys, tmp_path, *words, name="plan"):
+    """Values of what a plan reports, by code."""
+    return values_of(reported(capsys, "plan", "network", *words, *SMALL, "--out", tmp_path / name))
+
+
 def rows(path):
     with path.open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
@@ -29,9 +35,9 @@ def rows(path):
 
 @pytest.mark.long
 def test_the_block_of_a_plan_is_adjusted_to_what_was_promised(tmp_path, capsys):
-    assert plan(tmp_path, "facade:6,4", "--photographs", "8", "--aim", "mean", "--heights", "0.5", "4") == 0
-    said = capsys.readouterr().out
-    assert said.startswith(" 8 photographs of facade 6 x 4 m: ")
+    found = planned(capsys, tmp_path, "facade:6,4", "--photographs", 8, "--aim", "mean", "--heights", 0.5, 4)
+    stations = found["network.stations"]
+    assert (stations["n"], stations["object"], stations["aim"]) == (8, "facade 6 x 4 m", "mean")
     folder = tmp_path / "plan"
     told = json.loads((folder / "plan.json").read_text())
     block = read_block(folder / "block")
@@ -60,8 +66,8 @@ QUICK = {"facade", "box"}
 )
 def test_every_kind_of_object_is_planned(tmp_path, kind, capsys):
     size = ",".join(f"{v:g}" for v in kind.example)
-    assert plan(tmp_path, f"{kind.name}:{size}", "--photographs", "10", "--rays", "2", "--hold-camera") == 0
-    assert f"of {kind.name}" in capsys.readouterr().out
+    words = (f"{kind.name}:{size}", "--photographs", 10, "--rays", 2, "--hold-camera")
+    assert planned(capsys, tmp_path, *words)["network.stations"]["object"].startswith(kind.name)
 
 
 @pytest.mark.long
@@ -69,8 +75,8 @@ def test_meshes_are_objects(tmp_path, capsys):
     machine = trimesh.creation.box(bounds=[[0, 0, 0], [2000, 1000, 1500]])
     machine.export(tmp_path / "machine.stl")
     wanted = (str(tmp_path / "machine.stl"), "--photographs", "12", "--rays", "2", "--hold-camera")
-    assert plan(tmp_path, *wanted, "--unit", "0.001") == 0
-    assert "2 x 1 x 1.5 m, 12 triangles" in capsys.readouterr().out
+    found = planned(capsys, tmp_path, *wanted, "--unit", "0.001")
+    assert "2 x 1 x 1.5 m, 12 triangles" in found["network.stations"]["object"]
     assert rb.read_block(tmp_path / "plan/block").points.xyz[:, 2].max() <= 1.5
     (tmp_path / "broken.ply").write_bytes(b"ply\nformat ascii 1.0\nelement vertex 3\n")
     (tmp_path / "cloud.obj").write_text("v 0 0 0\nv 1 0 0\n")
@@ -135,10 +141,9 @@ def test_cameras_of_a_calibration(tmp_path, capsys, text, said):
 
 @pytest.mark.long
 def test_what_cannot_be_seen_is_told(tmp_path, capsys):
-    assert plan(tmp_path, "box:4,3,2.5", "--photographs", "10", "--rays", "2", "--incidence", "60") == 0
-    said = capsys.readouterr().out
-    assert "[plan.points_out_of_sight]" in said
-    assert "2 possible stations (+Z)" in said
+    found = planned(capsys, tmp_path, "box:4,3,2.5", "--photographs", 10, "--rays", 2, "--incidence", 60)
+    unseen = found["plan.points_out_of_sight"]
+    assert (unseen["sides"], unseen["rays"]) == (["on top"], 2)
 
 
 @pytest.mark.long
@@ -151,14 +156,13 @@ def test_in_python_alike(tmp_path):
 @pytest.mark.long
 def test_outlines_and_axes_are_objects(tmp_path, capsys):
     (tmp_path / "gable.csv").write_text("X,Z\n0,0\n8,0\n8,5\n4,8\n0,5\n")
-    assert plan(tmp_path, f"facade:{tmp_path / 'gable.csv'}", "--photographs", "9", "--rays", "2") == 0
-    assert "facade 8 x 8 m" in capsys.readouterr().out
+    found = planned(capsys, tmp_path, f"facade:{tmp_path / 'gable.csv'}", "--photographs", 9, "--rays", 2)
+    assert found["network.stations"]["object"] == "facade 8 x 8 m"
     assert rb.read_block(tmp_path / "plan/block").points.xyz[:, 2].max() > 6.5
     axis = {"type": "LineString", "coordinates": [[7.1, 50.1], [7.1004, 50.1], [7.1006, 50.1002]]}
     (tmp_path / "road.geojson").write_text(json.dumps(axis))
     words = (f"corridor:{tmp_path / 'road.geojson'},6", "--photographs", "12", "--rays", "2", "--hold-camera")
-    assert plan(tmp_path, *words, name="road") == 0
-    assert "m long, 6 m wide" in capsys.readouterr().out
+    assert "6 m wide" in planned(capsys, tmp_path, *words, name="road")["network.stations"]["object"]
     for text, said in (
         ("1,2\n3\n", "line 2"),
         ("a,b\n", "no pairs of numbers"),
@@ -174,17 +178,16 @@ def test_rasters_of_heights_are_objects(tmp_path, capsys):
     pytest.importorskip("rasterio")
     raster = str(Path(__file__).parents[1] / "missions/jacksboro.tif")
     words = (raster, "--photographs", "12", "--rays", "2", "--hold-camera", "--measured", "natural")
-    done = plan(tmp_path, *words, "--crs", "EPSG:32614", "--c", "24")
-    told = capsys.readouterr()
-    assert done == 0, told.err
-    assert "cells of" in told.out
+    found = planned(capsys, tmp_path, *words, "--crs", "EPSG:32614", "--c", "24")
+    assert "cells of" in found["network.stations"]["object"]
     assert plan(tmp_path, raster, "--photographs", "8", name="x") == 2
     assert "degrees" in capsys.readouterr().err
 
 
 @pytest.mark.long
 def test_results_are_objects_and_their_stations_are_judged(tmp_path, capsys):
-    assert plan(tmp_path, "facade:6,4", "--photographs", "10", "--rays", "2", "--scale-bars", "2") == 0
+    found = planned(capsys, tmp_path, "facade:6,4", "--photographs", 10, "--rays", 2, "--scale-bars", 2)
+    assert found["network.known"]["bars"] == len(found["network.known"]["lengths_m"]) == 2
     first = tmp_path / "plan"
     assert json.loads((first / "plan.json").read_text())["known"]["scale_bars"] == 2
     assert main(["simulate", str(first), "--seed", "3", "--out", str(tmp_path / "measured")]) == 0
@@ -216,7 +219,10 @@ def test_results_are_objects_and_their_stations_are_judged(tmp_path, capsys):
 @pytest.mark.long
 def test_whole_surfaces_and_photographs_once_more(tmp_path, capsys):
     words = ("facade:6,4", "--sigma", "0.3", "--rays", "2", "--hold-camera", "--measured", "natural", "--everywhere")
-    assert plan(tmp_path, *words, "--repeat", "2") == 0
+    found = reported(capsys, "plan", "network", *words, *SMALL, "--repeat", 2, "--out", tmp_path / "plan")
+    added = [m["values"] for m in found["details"] if m["code"] == "network.added"]
+    assert [(m["again"], m["n"]) for m in added][1] == (True, 2)
+    assert added[0]["again"] is False
     told = json.loads((tmp_path / "plan/plan.json").read_text())
     everywhere, repeated = told["added"]
     assert everywhere["again_from"] == []

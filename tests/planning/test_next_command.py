@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import trimesh
+from tests.cli.reported import reported, values_of
 
 import raybundle as rb
 from raybundle.cli.main import main
-from raybundle.cli.plan.next import lines
+from raybundle.cli.plan.next import summary
 from raybundle.commands.planning.next import NextSettings, write_next_plan
 from raybundle.errors import phrase
 from raybundle.io.block.folder import read_block, write_block
@@ -54,10 +55,11 @@ def rows(path):
 
 def test_a_result_and_what_is_written(ring, tmp_path, capsys):
     out = tmp_path / "next"
-    assert plan(ring, out, "--heights", "0", "3", "--candidates", "200") == 0
-    said = capsys.readouterr().out
-    assert phrase("next_photograph.goal", goal="worst") in said
-    assert "next-1  " in said
+    words = ("--heights", 0, 3, "--candidates", 200, "--photographs", 2)
+    found = reported(capsys, "plan", "next", ring, *words, "--out", out)
+    assert values_of(found)["network.lowered"]["n"] == 2
+    assert values_of(found)["network.judged"]["judged"] > 0
+    assert [m["values"]["name"] for m in found["summary"][1:]] == ["next-1", "next-2"]
     table, told = rows(out / "next.csv"), json.loads((out / "next.json").read_text())
     assert [r["image"] for r in table] == ["next-1", "next-2"]
     assert told["vertical_known"] is True
@@ -79,8 +81,11 @@ def test_a_result_and_what_is_written(ring, tmp_path, capsys):
 
 
 def test_a_block_without_a_datum_and_its_calibration(field, tmp_path, capsys):
-    assert plan(field, tmp_path / "a", "--aim", "calibration", "--candidates", "150") == 0
-    assert phrase("next_photograph.goal", goal="calibration") in capsys.readouterr().out
+    words = ("--aim", "calibration", "--candidates", 150, "--photographs", 2)
+    found = reported(capsys, "plan", "next", field, *words, "--out", tmp_path / "a")
+    lowered = values_of(found)["network.lowered"]
+    assert lowered["before"].endswith(" px")
+    assert lowered["after"].endswith(" px")
     told = json.loads((tmp_path / "a/next.json").read_text())
     assert told["unit"] == "px"
     assert told["vertical_known"] is False
@@ -160,8 +165,7 @@ def test_what_is_not_determinable_yet_has_no_figure(field, tmp_path):
     assert [(r["sigma_before"], r["sigma_after"] == "") for r in table] == [("", True), ("", False)]
     told = json.loads((tmp_path / "n/next.json").read_text())
     assert [p["after"] is None for p in told["proposals"]] == [True, False]
-    assert done.proposals[0].before.value == np.inf
-    assert "not determinable" in lines(done, settings)[0]
+    assert summary(done, settings).done[0].values["before"] == "not determinable"
 
 
 def test_in_python_alike(ring, tmp_path):

@@ -17,7 +17,7 @@ from raybundle.report.sections.result import result_section
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from raybundle.results.contents import result_json
-from raybundle.results.state import relative_heights, state_line, state_words
+from raybundle.results.state import relative_heights, state_messages, state_words
 
 SOURCE = Path(raybundle.__file__).parent
 REMARK, CAUTION, FAULT = (
@@ -133,11 +133,14 @@ def test_heights_that_nobody_measured_travel_with_what_is_made_of_a_result():
     relative = state_words({"warnings": [levelled]})
     assert [m.code for m in relative.messages] == ["state.heights_relative"]
     assert relative_heights(relative)
-    assert state_line(relative) == f"warning: {relative}"
+    assert [m.severity for m in state_messages(relative)] == ["warning"]
+    assert [m.severity for m in state_messages(str(relative))] == ["warning"]
     wrong = {"code": "control_contradicts", "message": "P1", "severity": "fault"}
     found = state_words({"warnings": [levelled, wrong]})
     assert [m.code for m in found.messages] == ["state.faults", "state.fault_text", "state.heights_relative"]
     assert found.messages[0].values == {"n": 1}
     assert relative_heights(found)
-    assert state_line(found) == f"fault: {found}"
+    assert [(m.code, m.severity) for m in state_messages(found)] == [(m.code, "fault") for m in found.messages]
+    assert [m.severity for m in state_messages(str(found))] == ["fault"]
+    assert state_messages("") == []
     assert state_words({"warnings": [{"code": "model", "message": "x", "severity": "warning"}]}) == ""

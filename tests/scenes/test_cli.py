@@ -12,6 +12,7 @@ from raybundle.io.scenes import read_scene
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.scenes.rpc import observe_rpc
 from raybundle.words import headline
+from tests.cli.reported import reported, values_of
 
 
 @pytest.fixture
@@ -30,8 +31,8 @@ def test_there_and_back(file, rpc, tmp_path, capsys):
     points, image, ground = (tmp_path / f"{n}.csv" for n in ("points", "image", "ground"))
     lon, lat, _ = rpc.ground_offset.tolist()
     points.write_text(f"point,lon_deg,lat_deg,h_m\nA,{lon!r},{lat!r},120\nB,{lon + 0.001!r},{lat!r},1000\n")
-    assert main(["rpc", "project", str(file), str(points), "--out", str(image)]) == 0
-    assert "[rpc.points_beyond]" in capsys.readouterr().out
+    found = reported(capsys, "rpc", "project", file, points, "--out", image)
+    assert values_of(found, ["notes"])["rpc.points_beyond"]["points"] == ["B"]
     expected = rpc.project(np.array([[lon, lat, 120.0]]))[0]
     rows = table(image)
     assert [float(rows[0][k]) for k in ("x_px", "y_px")] == pytest.approx(expected, abs=1e-6)
@@ -66,13 +67,10 @@ def test_correct(file, rpc, place, scene, tmp_path, capsys, bias):
 
 def test_info_and_fit(sensors, tmp_path, capsys):
     source, out = sensors / "maxar/dg_example1.xml", tmp_path / "new_RPC.TXT"
-    assert main(["rpc", "info", str(source)]) == 0
-    said = capsys.readouterr().out
-    assert "35170 x 23708 px" in said
-    assert "rigorous minus RPC" in said
-    assert main(["rpc", "fit", str(source), "--out", str(out)]) == 0
-    said = capsys.readouterr().out
-    largest = float(re.search(r"at most ([\d.]+) px", said)[1])
+    found = reported(capsys, "rpc", "info", source)
+    assert "35170 x 23708 px" in values_of(found)["scene.file"]["parts"]
+    assert found["rigorous_minus_rpc"]["limit_px"] > 0
+    largest = values_of(reported(capsys, "rpc", "fit", source, "--out", out))["scene.fitted"]["largest"]
     assert 0 < largest < 0.5
     assert read_scene(out).rpc.image_scale[0] == pytest.approx(35170 / 2)
     assert main(["rpc", "fit", str(source), "--out", str(out)]) == 2
@@ -84,7 +82,9 @@ def test_errors_in_words(file, tmp_path, capsys, sensors):
     points.write_text("point,lon_deg,lat_deg,h_m\nA,1,x,3\n")
     out = tmp_path / "o.csv"
     assert main(["rpc", "project", str(file), str(points), "--out", str(out)]) == 2
-    assert "line 2, column lat_deg" in capsys.readouterr().err
+    printed = capsys.readouterr().err
+    assert "line 2" in printed
+    assert "lat_deg" in printed
     assert main(["rpc", "fit", str(file), "--out", str(tmp_path / "b.txt")]) == 2
     assert "[scene.model_missing]" in capsys.readouterr().err
     assert main(["rpc", "project", str(file), str(points), "--model", "rigorous", "--out", str(out)]) == 2
@@ -101,7 +101,8 @@ def test_errors_in_words(file, tmp_path, capsys, sensors):
 
 def test_info_of_a_scene_that_looks_past_its_body(sensors, capsys):
     assert main(["rpc", "info", str(sensors / "usgscsm/constVelocityLineScan.json")]) == 0
-    assert capsys.readouterr().out.count("looks past the body") == 4
+    past = headline("scene.corner", {"x": 0.0, "y": 0.0, "known": False}).rpartition(": ")[2]
+    assert capsys.readouterr().out.count(past) == 4
 
 
 def test_points_of_another_place_are_refused(file, tmp_path, capsys):
@@ -140,9 +141,9 @@ def control(rpc, path, wrong=None, sigma=0.2):
 
 def test_correct_names_a_wrong_point_and_leaves_it_out(file, rpc, tmp_path, capsys):
     points, out = control(rpc, tmp_path / "c.csv", wrong=3), tmp_path / "new_RPC.TXT"
-    assert main(["rpc", "correct", str(file), points, "--image-sigma", "0.2", "--out", str(out)]) == 0
-    said = capsys.readouterr().out
-    assert re.search(r"warning: 1 of 8 .*: P3 \(.*6\d px\)\. \[rpc\.points_contradict\]", said)
+    found = reported(capsys, "rpc", "correct", file, points, "--image-sigma", 0.2, "--out", out)
+    (wrong,) = [m for m in found["warnings"] if m["code"] == "rpc.points_contradict"]
+    assert re.search(r"1 of 8 .*: P3 \(.*6\d px\)", wrong["text"])
     assert read_scene(out).rpc.image_offset - rpc.image_offset == pytest.approx([12, -7], abs=0.4)
 
 
@@ -150,7 +151,7 @@ def test_correct_writes_nothing_where_nothing_fits(file, rpc, tmp_path, capsys):
     points, out = control(rpc, tmp_path / "c.csv", sigma=30.0), tmp_path / "new_RPC.TXT"
     assert main(["rpc", "correct", str(file), points, "--image-sigma", "0.2", "--out", str(out)]) == 3
     said = capsys.readouterr()
-    assert "agrees with the points" not in said.out
+    assert said.out == ""
     assert "[bias.misfit]" in said.err
     assert not out.exists()
 
@@ -160,14 +161,13 @@ def test_every_point_keeps_its_row(file, rpc, tmp_path, capsys):
     points, out, back = (tmp_path / n for n in ("p.csv", "o.csv", "b.csv"))
     rows = [("in", lon, lat, 120), ("high", lon, lat, 1500), ("away", lon - 60, lat, 100)]
     points.write_text("point,lon_deg,lat_deg,h_m\n" + "".join(f"{i},{a!r},{b!r},{h}\n" for i, a, b, h in rows))
-    assert main(["rpc", "project", str(file), str(points), "--out", str(out)]) == 0
-    said = capsys.readouterr().out
+    found = values_of(reported(capsys, "rpc", "project", file, points, "--out", out))
     inside, high, away = table(out)
     expected = rpc.project(np.array([[lon, lat, 120.0]]))[0]
     assert [float(inside[k]) for k in ("x_px", "y_px")] == pytest.approx(expected, abs=1e-6)
     assert inside["note"] == ""
-    assert headline("rpc.points_beyond", {"n": 1, "points": ["high"]}) in said
-    assert headline("rpc.points_lost", {"n": 1, "points": ["away"], "which": "image"}) in said
+    assert found["rpc.points_beyond"] == {"n": 1, "points": ["high"]}
+    assert found["rpc.points_lost"] == {"n": 1, "points": ["away"], "which": "image"}
     assert (away["x_px"], away["y_px"]) == ("", "")
     assert "[rpc.point_far_away]" in away["note"]
     assert high["x_px"] != ""
@@ -176,7 +176,7 @@ def test_every_point_keeps_its_row(file, rpc, tmp_path, capsys):
     assert "[rpc.points_lost]" in capsys.readouterr().out
     found, none = table(back)
     assert [none[k] for k in ("x_px", "y_px", "lon_deg", "lat_deg", "h_m")] == ["100", "100", "", "", "90000"]
-    assert "no ground point" in none["note"]
+    assert "[rpc.no_ground_point]" in none["note"]
     assert float(found["lon_deg"]) == pytest.approx(rpc.localise(np.array([[100.0, 100.0]]), 200.0)[0, 0])
 
 
@@ -184,7 +184,7 @@ def test_the_ending_says_what_is_written(rpc, file, tmp_path, capsys):
     control(rpc, tmp_path / "control.csv")
     out = tmp_path / "corr.RPB"
     assert main(["rpc", "correct", str(file), str(tmp_path / "control.csv"), "--out", str(out)]) == 0
-    assert out.read_text().startswith('satId = "unknown";')
+    assert out.read_text().startswith("satId")
     assert "BEGIN_GROUP = IMAGE" in out.read_text()
     capsys.readouterr()
     assert main(["rpc", "correct", str(file), str(tmp_path / "control.csv"), "--out", str(tmp_path / "corr.xml")]) == 2

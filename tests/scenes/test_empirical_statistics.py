@@ -9,6 +9,7 @@ from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.scenes.empirical import empirical_models, fit_empirical
 from raybundle.scenes.empirical_statistics import choose_empirical, empirical_statistics
+from tests.cli.reported import reported, values_of
 from tests.scenes.test_empirical import LENS, cube, made
 
 
@@ -106,10 +107,9 @@ def test_the_command(tmp_path, capsys):
     xyz, xy = noisy("dlt-brown", 80)
     roles = ["check" if k % 8 == 0 else "control" for k in range(80)]
     file = table(tmp_path / "points.csv", xyz, xy, roles)
-    assert main(["empirical", file, "--image-sigma", "0.3", "--out", str(tmp_path / "out")]) == 0
-    told = capsys.readouterr().out
-    assert "advised: dlt-brown is adequate with 16 parameters" in told
-    assert "10 check points: rms" in told
+    found = values_of(reported(capsys, "empirical", file, "--image-sigma", 0.3, "--out", tmp_path / "out"))
+    assert (found["empirical.advised"]["model"], found["empirical.advised"]["n"]) == ("dlt-brown", 16)
+    assert found["empirical.check_points"]["n"] == 10
     model = json.loads((tmp_path / "out/model.json").read_text())
     assert model["adequate"]
     assert model["parameters"]["K1"]["unit"] == "px^-2"
@@ -122,7 +122,7 @@ def test_the_command(tmp_path, capsys):
     assert main(["empirical", file, "--image-sigma", "0.3", "--out", str(tmp_path / "out")]) == 2
     assert "[folder.exists]" in capsys.readouterr().err
     assert main(["empirical", file, "--model", "affine", "--image-sigma", "0.3"]) == 3
-    assert "affine is not adequate" in capsys.readouterr().out
+    assert "[empirical.not_adequate]" in capsys.readouterr().out
     assert main(["empirical", file, "--model", "dlt-brown", "--without", "K3", "--image-sigma", "0.3"]) in {0, 3}
     assert "held" in capsys.readouterr().out
 
@@ -149,5 +149,5 @@ def test_geographic_points_are_taken_to_a_cartesian_frame(tmp_path, capsys):
     text = table(tmp_path / "g.csv", ground, xy)
     file = tmp_path / "g.csv"
     file.write_text(file.read_text().replace("X,Y,Z", "lon_deg,lat_deg,h_m"))
-    assert main(["empirical", text, "--image-sigma", "0.3", "--model", "dlt"]) == 0
-    assert "agree with a sigma of 0.3 px" in capsys.readouterr().out
+    found = reported(capsys, "empirical", text, "--image-sigma", 0.3, "--model", "dlt")
+    assert values_of(found, ["notes"])["empirical.adequate"]["sigma_px"] == 0.3

@@ -12,6 +12,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.io.scenes import agreement_of, read_scene, remarks_of
 from raybundle.scenes.model_agreement import ModelsContradict
 from raybundle.scenes.rpc_fit import fit_rpc
+from tests.cli.reported import reported, values_of
 from tests.scenes.conftest import make_scene
 
 PD, WIDTH = 13246.0, 8000
@@ -164,9 +165,8 @@ def test_models_that_contradict_each_other_are_a_fault(tmp_path, capsys, wrong, 
         (["correct", str(file), str(control)], "corrected_RPC.TXT"),
         (["batch", str(file), "--control", str(control)], "all"),
     ):
-        capsys.readouterr()
-        assert main(["rpc", *words, "--out", str(tmp_path / to)]) == 0
-        assert preferred.headline() in capsys.readouterr().out
+        found = reported(capsys, "rpc", *words, "--out", tmp_path / to)
+        assert preferred.values == pytest.approx(values_of(found)["scene.rpc_preferred"])
     with pytest.raises(ModelsContradict, match=r"scene\.models_contradict"):
         read_block(scene_block(tmp_path / "block", file, "linescan"))
     assert read_block(scene_block(tmp_path / "other", file, "rpc")).cameras

@@ -54,7 +54,7 @@ def test_a_folder(folder, control, rpc, tmp_path, capsys):
     words = ["rpc", "batch", str(folder), "--control", str(control), "--image-sigma", "0.2", "--out", str(out)]
     assert main(words) == 0
     printed = capsys.readouterr().out
-    assert "3 of 4 scenes corrected" in printed
+    assert headline("scene.corrected", {"n": 3, "of": 4}) in printed
     assert headline("rpc.scene_left_out", {"scene": "d_RPC.TXT"}) in printed
     assert sorted(p.name for p in out.iterdir()) == ["a_RPC.TXT", "b_RPC.TXT", "biases.csv", "c_RPC.TXT"]
     rows = table(out / "biases.csv")

@@ -1,7 +1,6 @@
 """`raybundle targets`: sheet, choose, detect."""
 
 import csv
-import json
 import re
 
 import cv2
@@ -16,6 +15,7 @@ from raybundle.targets.codes import read_table
 from raybundle.targets.families import families
 from raybundle.targets.marks import MarkOptions, detect, target
 from raybundle.targets.sidecar import read_sidecar
+from tests.cli.reported import reported, values_of
 from tests.targets.render import shot
 from tests.targets.test_sheets import PX, raster
 
@@ -35,10 +35,10 @@ def photographs(folder):
 def test_detect_writes_tables_and_pictures(tmp_path, capsys):
     centres = photographs(tmp_path / "photos")
     out, block, pictures = tmp_path / "targets.csv", tmp_path / "observations.csv", tmp_path / "found"
-    files = ["--out", str(out), "--observations", str(block), "--overlay", str(pictures)]
-    assert main(["targets", "detect", str(tmp_path / "photos"), "--target", "aicon12", "--dots", *files, "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)["photographs"]
-    assert {p["photograph"]: p["names"] for p in found} == {n: [str(c[0])] for n, c in centres.items()}
+    files = ["--out", out, "--observations", block, "--overlay", pictures]
+    found = reported(capsys, "targets", "detect", tmp_path / "photos", "--target", "aicon12", "--dots", *files)
+    points = values_of(found)["target_seen.points"]
+    assert points == {"photographs": 2, "n": 2, "target": families["aicon12"].title}
     with out.open() as file:
         table = csv.DictReader(file)
         rows = [r for r in table if r["code"]]
@@ -62,9 +62,8 @@ def test_nothing_found_is_status_two(tmp_path, capsys):
     noise = np.random.default_rng(1).normal(120, 3, (90, 120)).astype(np.uint8)
     Image.fromarray(noise).save(tmp_path / "photos" / "blank.png")
     for family in ("agisoft20", "chessboard-7x5", "circles-5x4", "photomodeler-sheet", "apriltag-36h11"):
-        assert main(["targets", "detect", str(tmp_path / "photos"), "--target", family, "--json"]) == 2
-        (found,) = json.loads(capsys.readouterr().out)["photographs"]
-        assert (found["photograph"], found["points"]) == ("blank.png", 0)
+        found = values_of(reported(capsys, "targets", "detect", tmp_path / "photos", "--target", family, status=2))
+        assert found["target_seen.photograph"] == {"name": "blank.png", "n": 0, "points": ""}
 
 
 def test_the_family_must_be_named(tmp_path, capsys):
@@ -105,14 +104,19 @@ def test_bad_usage(tmp_path, capsys, arguments, message):
 
 
 def test_sheets_of_boards_and_tags(tmp_path, capsys):
-    for number, *arguments in (
-        (54, "chessboard-9x6", "--spacing", "24mm", "--lying"),
-        (16, "apriltag-36h11", "--spacing", "40mm", "--codes", "0-3"),
-        (8, "aruco-4x4_50", "--spacing", "4cm", "--count", "2"),
+    for arguments, text in (
+        (
+            ["chessboard-9x6", "--spacing", "24mm", "--lying"],
+            "54 points of chessboard",
+        ),
+        (["apriltag-36h11", "--spacing", "40mm", "--codes", "0-3"], "16 points of"),
+        (["aruco-4x4_50", "--spacing", "4cm", "--count", "2"], "8 points of"),
     ):
         out = tmp_path / f"{arguments[0]}.pdf"
         assert main(["targets", "sheet", "--target", *arguments, "--out", str(out)]) == 0
-        assert f" {number} points of {target(arguments[0]).title} on 1 page A4" in capsys.readouterr().out
+        printed = capsys.readouterr().out
+        assert printed.startswith(text)
+        assert printed.splitlines()[0].endswith(" on 1 page A4.")
 
 
 def test_table_of_ones_own(tmp_path, capsys):
@@ -120,7 +124,7 @@ def test_table_of_ones_own(tmp_path, capsys):
     table.write_text("1 15\n2 51\n")
     arguments = ["--table", str(table), "--bits", "8", "--codes", "1,2", "--out", str(tmp_path / "s.svg")]
     assert main(["targets", "sheet", *arguments]) == 0
-    assert wanted_targets((), table, 8, None)[0].title in capsys.readouterr().out
+    assert "8 bits" in capsys.readouterr().out
 
 
 def test_the_file_of_another_sheet_stays(tmp_path, capsys):
@@ -178,7 +182,7 @@ def test_dots_are_printed(tmp_path, capsys):
         out = tmp_path / f"{polarity}.svg"
         arguments = ["--target", "dots", "--spacing", "20mm", "--polarity", polarity, "--out", str(out)]
         assert main(["targets", "sheet", *arguments]) == 0
-        assert f" {number} points of {target('dots').title}" in capsys.readouterr().out
+        assert capsys.readouterr().out.startswith(f"{number} points of dots")
         found = detect(cv2.GaussianBlur(raster(out), (0, 0), 0.8), "dots", MarkOptions(polarity=polarity))
         place = np.array([(t.x_mm, 297 - t.y_mm) for t in read_sidecar(out.with_suffix(".toml")).targets]) * PX
         away = np.linalg.norm(found.xy_px[:, None] - place, axis=2)
@@ -226,5 +230,6 @@ def test_what_calibrate_refuses_before_it_looks(tmp_path, capsys):
         assert message in capsys.readouterr().err
     (wanted,) = wanted_targets((), table, 8, None)
     assert not isinstance(wanted, str)
-    assert (wanted.rings.bits, wanted.title.endswith(table.name)) == (8, True)
+    assert wanted.title.endswith("rings.csv")
+    assert "8 bits" in wanted.title
     assert target(wanted) is wanted

@@ -19,7 +19,6 @@ from raybundle.blocking.stored import adjust_columns
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.pipeline.store import Folder
-from raybundle.words.numbers import grouped
 from raybundle.workflows.costs import constants, measure, photographs
 from raybundle.workflows.costs.adjustment import KINDS, adjustment, parts_of, task_of
 from raybundle.workflows.costs.cutting import cut_flight
@@ -27,7 +26,7 @@ from raybundle.workflows.costs.estimate import estimate
 from raybundle.workflows.costs.recording import TaskRecord
 from raybundle.workflows.costs.stages import Asked
 from tests.blocking.networks import flight
-from tests.messages import refused
+from tests.cli.reported import reported, values_of
 
 C = constants.shipped()
 A = Asked(
@@ -126,7 +125,7 @@ def test_the_memory_of_features_is_that_of_measured_ones():
 
 def test_features_are_among_what_may_give_way():
     small = estimate(replace(A, images=10, memory_gb=1.0), C, disk_gb=1e9)
-    assert small.limits[0].what.endswith(" features")
+    assert small.limits[0].what == "memory of features"
     assert small.limits[0].share > 1
 
 
@@ -136,8 +135,8 @@ def test_what_is_tightest_stands_first():
     assert found.limits[0].share > 1
     assert [x.share for x in found.limits] == sorted((x.share for x in found.limits), reverse=True)
     large = estimate(replace(A, images=1_000_000, memory_gb=4.0), C, disk_gb=1e9)
-    over = {x.what.rpartition(" ")[2] for x in large.limits if x.share > 1}
-    assert {"driver", "front"} <= over
+    over = {x.what for x in large.limits if x.share > 1}
+    assert {"memory of the driver", "memory of the largest front"} <= over
     small = estimate(replace(A, images=100), C, disk_gb=1e9)
     assert all(x.share < 1 for x in small.limits)
     assert small.dominant.cpu_s == max(s.cpu_s for s in small.stages)
@@ -236,33 +235,30 @@ def test_the_command_measures_once(tmp_path, monkeypatch, capsys):
 
     monkeypatch.setattr(measure, "measure", measured)
     words = ["estimate-cost", "--images", "500", "--disk", "1000"]
-    assert main(words) == main(words) == 0
-    assert "today" in capsys.readouterr().out
+    assert main(words) == 0
+    assert values_of(reported(capsys, *words))["costs.measured"]["date"] == "today"
     assert len(done) == 1
     assert main([*words, "--measure"]) == 0
     assert len(done) == 2
-    assert main([*words, "--no-measure"]) == 0
-    assert C.measured in capsys.readouterr().out
+    assert values_of(reported(capsys, *words, "--no-measure"))["costs.measured"]["date"] == C.measured
 
 
 def test_the_table_and_what_gives_way(capsys):
     words = ["estimate-cost", "--images", "1000000", "--flight-overlap", "0.8", "0.6", "--workers", "256"]
     assert main([*words, "--memory", "4", "--disk", "1000", "--no-measure"]) == 0
-    shown = capsys.readouterr().out
-    rows = [line for line in shown.splitlines() if line.startswith(" ") and "warning" not in line]
+    said = capsys.readouterr().out
+    rows = said.splitlines()[1:]
     assert not [line for line in rows if re.search(r"\d (s|min|h|d|[MGT]B)[\d<]", line)]  # columns stand apart
     for stage in ("features", "matching", "precision", "reduction up", "solution down", "covariances", "statistics"):
-        assert f"\n {stage} " in shown
-    assert "12.5 show a place" in shown
-    assert main([*words, "--memory", "4", "--disk", "1000", "--no-measure", "--json"]) == 0
-    over = [limit["what"] for limit in json.loads(capsys.readouterr().out)["limits"] if limit["share"] > 1]
-    assert {"disk", "driver"} <= {what.rpartition(" ")[2] for what in over}
-    assert all(f"warning: {what}: " in shown for what in over)
-    assert main([*words, "--no-measure", "--json"]) == 0
-    stated = json.loads(capsys.readouterr().out)
-    assert stated["asked"]["images"] == 1_000_000
-    assert stated["core_hours"] == pytest.approx(sum(s["cpu_s"] for s in stated["stages"]) / 3600)
-    assert stated["limits"][0]["share"] > 1
+        assert f"\n{stage} " in said
+    found = reported(capsys, *words, "--memory", 4, "--disk", 1000, "--no-measure")
+    assert values_of(found)["costs.assumed"]["overlap"] == pytest.approx(12.5)
+    exceeded = {m["values"]["what"] for m in found["warnings"] if m["code"] == "costs.exceeded"}
+    assert {"disk", "memory of the driver"} <= exceeded
+    told = reported(capsys, *words, "--no-measure")
+    assert told["asked"]["images"] == 1_000_000
+    assert told["core_hours"] == pytest.approx(sum(s["cpu_s"] for s in told["stages"]) / 3600)
+    assert told["limits"][0]["share"] > 1
 
 
 def test_photographs_are_counted_by_their_headers(tmp_path, capsys):
@@ -274,28 +270,31 @@ def test_photographs_are_counted_by_their_headers(tmp_path, capsys):
     assert found.asked.images == 3
     assert found.asked.megapixels == pytest.approx(400 * 301 / 1e6)
     assert found.unread == ("broken.jpg",)
-    assert main(["estimate-cost", str(tmp_path), "--no-measure"]) == 0
-    assert "(broken.jpg)" in capsys.readouterr().out
-    assert found.asked.overlap == 3  # no more than there are
+    printed = values_of(reported(capsys, "estimate-cost", tmp_path, "--no-measure"))
+    assert printed["costs.estimated"]["n"] == 3
+    assert printed["costs.assumed"]["overlap"] == 3  # no more than there are
+    assert printed["costs.unread"] == {"n": 1, "names": ["broken.jpg"]}
     (tmp_path / "0.png").unlink()
     (tmp_path / "1.png").unlink()
     with pytest.raises(InputError, match=r"1.*broken\.jpg.*photograph\.too_few"):
         rb.estimate_cost(tmp_path, shipped=True)
 
 
-def test_what_cannot_be_is_refused(tmp_path):
-    overlap = {"images": 5, "flight_overlap": (0.2, 0.0)}
-    for code, values, folder, given in (
-        ("costs.no_photographs", {}, (), {}),
-        ("costs.photographs_and_number", {"n": 5}, (tmp_path,), {"images": 5}),
-        ("photograph.too_few", {}, (tmp_path,), {}),
-        ("folder.missing_itself", {}, (tmp_path / "none",), {}),
-        ("costs.measure_and_shipped", {}, (), {"images": 5, "measure": True}),
-        ("costs.overlap_too_small", {"n": 1.25, "needed": 2}, (), overlap),
-        ("setting.too_large", {"name": "flight_overlap"}, (), {**overlap, "flight_overlap": (0.8, 1.0)}),
-    ):
-        with refused(code, **values):
-            rb.estimate_cost(*folder, shipped=True, **given)
+def test_what_cannot_be_is_told(tmp_path):
+    with pytest.raises(InputError, match=r"costs\.no_photographs"):
+        rb.estimate_cost(shipped=True)
+    with pytest.raises(InputError, match=r"images=5.*costs\.photographs_and_number"):
+        rb.estimate_cost(tmp_path, images=5, shipped=True)
+    with pytest.raises(InputError, match=r"photograph\.too_few"):
+        rb.estimate_cost(tmp_path, shipped=True)
+    with pytest.raises(InputError, match=r"folder\.missing_itself"):
+        rb.estimate_cost(tmp_path / "none", shipped=True)
+    with pytest.raises(InputError, match=r"costs\.measure_and_shipped"):
+        rb.estimate_cost(images=5, shipped=True, measure=True)
+    with pytest.raises(InputError, match=r"flight_overlap.*1\.25 photographs; 2 .*costs\.overlap_too_small"):
+        rb.estimate_cost(images=5, shipped=True, flight_overlap=(0.2, 0.0))
+    with pytest.raises(InputError, match="flight_overlap"):
+        rb.estimate_cost(images=5, shipped=True, flight_overlap=(0.8, 1.0))
 
 
 @pytest.mark.long
@@ -316,15 +315,14 @@ def test_this_machine_is_measured():
 def test_memory_is_that_of_this_machine_and_what_helps_is_said(capsys, monkeypatch):
     words = ["estimate-cost", "--images", "10000", "--megapixels", "20", "--disk", "10", "--no-measure"]
     monkeypatch.setattr("raybundle.numerics.machine.available_memory", lambda: 12.5e9)
-    assert main(words) == 0
-    shown = capsys.readouterr().out
-    assert "12.5 GB available" in shown
-    assert re.search(r"machine of [\d.]+ GB", shown)
-    assert all(flag in shown for flag in ("here --points-per-image", " --quick ", "(orient --store)"))
-    assert "not counted: the further adjustments by which orient rejects blunders" in shown
-    assert main([*words, "--json"]) == 0
-    assert f" {grouped(json.loads(capsys.readouterr().out)['largest_front'])} unknowns" in shown
-    assert main([*words, "--workers", "16", "--network", "0", "--memory", "2"]) == 0
-    assert re.search(r"^ ?warning: .* workers together: ", capsys.readouterr().out, re.MULTILINE)
-    assert main([*words, "--workers", "16", "--memory", "2"]) == 0
-    assert "workers together" not in capsys.readouterr().out
+    found = reported(capsys, *words)
+    printed = values_of(found)
+    exceeded = {m["values"]["what"]: m["values"]["given"] for m in found["warnings"]}
+    assert exceeded["memory of precision"] == "12.5 GB"
+    assert exceeded["disk"] == "10.0 GB"
+    assert found["next"]["code"] == "costs.memory_remedy"
+    assert {"costs.precision_remedy", "costs.disk_remedy", "costs.largest_matrix", "costs.not_included"} <= set(printed)
+    together = "memory of driver and workers together"
+    for more, known in ((("--network", 0), True), ((), False)):
+        found = reported(capsys, *words, "--workers", 16, *more, "--memory", 2)
+        assert (together in {m["values"].get("what") for m in found["warnings"]}) == known

@@ -30,12 +30,12 @@ from raybundle.numerics.machine import available_memory
 from raybundle.pipeline.executors import Staying
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.words import headline
 from raybundle.workflows.adjust import adjust
 from raybundle.workflows.left import bytes_in, left_beside
 from raybundle.workflows.within_memory import BASE, IN_MEMORY, within_memory
 from tests.adjustment.test_noise import with_fields
 from tests.blocking.networks import flight
-from tests.messages import refused
 
 OPTIONS = AdjustmentOptions(jobs=1)
 
@@ -213,7 +213,7 @@ def test_a_full_disk_is_told_before_anything_is_written(tmp_path, monkeypatch):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "posix_fallocate", full, raising=False)
-    with large.in_files(tmp_path), refused("memory.no_room", size_mb=8, detail=os.strerror(errno.ENOSPC)):
+    with large.in_files(tmp_path), pytest.raises(InputError, match=r" 8 MB \(No space left.*memory\.no_room"):
         large.zeros(1_000_000)
     assert not list(tmp_path.iterdir())
 
@@ -355,15 +355,16 @@ def test_an_interrupt_says_where_parts_are_and_a_later_run_removes_them(tmp_path
         status = interrupted(monkeypatch, *words, "--memory", "0.01", *(["--store", store] if store else []))
         assert status == 130
         gc.collect()
-        shown = capsys.readouterr().err
-        assert f" {left}" in shown
-        assert store in shown
+        said = capsys.readouterr().err
+        assert headline("interruption.kept", {"folder": str(left)}) in said
+        assert "the same command continues there" in said
+        assert store in said
         assert left_beside(tmp_path / "result")[0].bytes > 0
     assert list((tmp_path / "bucket").rglob("*.npz"))
     assert main(["status", str(tmp_path / "result")]) == 0
-    shown = capsys.readouterr().out
-    assert f" {left}: " in shown
-    assert f" file://{tmp_path}/bucket" in shown
+    said = capsys.readouterr().out
+    assert f"{left}: parts of an adjustment that was cut short" in said
+    assert f"and in file://{tmp_path}/bucket" in said
     gc.collect()
     assert main([str(w) for w in words]) == 0  # all in memory
     assert not left.exists()

@@ -12,6 +12,7 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.adjust import AdjustSettings, accuracy_outcome, run_adjust
 from raybundle.commands.pages import page_files
+from raybundle.errors import phrase
 from raybundle.settings import made
 
 
@@ -49,7 +50,7 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> int:
         if not kept:
             raise
         at = " and ".join(where for left in kept for where in (str(left.folder), *left.stores))
-        click.echo(f"interrupted; what is finished is kept in {at}, the same command continues there", err=True)
+        click.echo(phrase("interruption.kept", folder=str(at)), err=True)
         return 130
     report(of_adjustment(adjustment, [out, *page_files(out, settings)]))
     return print_outcome(accuracy_outcome(settings, adjustment))

@@ -14,7 +14,7 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, not_usable, report
 from raybundle.commands.calibrate import CalibrateSettings, run_calibrate
 from raybundle.commands.pages import page_files
-from raybundle.errors import Message, note
+from raybundle.errors import Message, note, phrase
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
         with reporting(progress) as notify:
             done = run_calibrate(settings, notify)
     except KeyboardInterrupt:
-        click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
+        click.echo(phrase("interruption.kept", folder=str(out)), err=True)
         return 130
     files = [out, out / "calibration.toml", *page_files(out, settings, network="")]
     report(_summary(done, files))

@@ -12,13 +12,16 @@ from typing import Any
 
 import click
 
+from raybundle.cli.frequent import OPTIONS
 from raybundle.cli.outputs import Output
 from raybundle.cli.summary import SUMMARY, data, lines, loud
 from raybundle.cli.trade_words import command_of
 from raybundle.errors import InputError
 
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
-FACTS, JSON, QUIET, VERBOSE = (f"raybundle.{word}" for word in ("facts", "json", "quiet", "verbose"))
+FACTS, HELP_ALL, JSON, QUIET, VERBOSE = (
+    f"raybundle.{word}" for word in ("facts", "help_all", "json", "quiet", "verbose")
+)
 GRAVE = {"fault": "faults", "warning": "warnings", "note": "notes", "left out": "left_out"}
 """Words with which a line begins that states what is wrong, and their names in JSON"""
 NOT_KEPT = 4
@@ -43,6 +46,19 @@ class Command(click.Command):
         files = any(_is_file(p) for p in self.params)
         self.params += [o for o in shared_options(files=files) if own.isdisjoint(o.opts)]
 
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Those of most use, where the command has many; all with --help-all."""
+        shown = OPTIONS.get(_name(ctx))
+        if shown is None or ctx.meta.get(HELP_ALL):
+            super().format_options(ctx, formatter)
+            return
+        options = [p for p in self.get_params(ctx) if isinstance(p, click.Option)]
+        records = [(p.opts, r) for p in options if (r := p.get_help_record(ctx)) is not None]
+        few = [r for opts, r in records if not {*shown, "--help"}.isdisjoint(opts)]
+        with formatter.section("Options"):
+            formatter.write_dl(few)
+        more_line(formatter, len(records) - len(few), "option")
+
     def invoke(self, ctx: click.Context) -> Any:
         """Do what is asked for, aloud, quietly, or as JSON; within --overwrite, what it names may be replaced."""
         _check_apart(ctx)
@@ -50,10 +66,11 @@ class Command(click.Command):
             ctx.params["progress"] = "none"
         as_json, quiet = (bool(ctx.meta.get(name)) for name in (JSON, QUIET))
         if ctx.params.get("as_json") or not (as_json or quiet):
-            status = super().invoke(ctx)
-            if (summary := ctx.meta.get(SUMMARY)) is not None:
-                _echo(lines(summary, verbose=bool(ctx.meta.get(VERBOSE))))
-            return status
+            try:
+                return super().invoke(ctx)
+            finally:
+                if (summary := ctx.meta.get(SUMMARY)) is not None:
+                    _echo(lines(summary, verbose=bool(ctx.meta.get(VERBOSE))))
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
             status = super().invoke(ctx)
@@ -98,6 +115,7 @@ class Group(click.Group):
     def __init__(self, *arguments: Any, **more: Any) -> None:
         more.setdefault("context_settings", COMMAND_SETTINGS)
         super().__init__(*arguments, **more)
+        self.params.append(help_all_option())
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
         """The command of the first word; a usage error that states what may be meant where there is none."""
@@ -126,6 +144,28 @@ class Group(click.Group):
         return [meant[n] for n in difflib.get_close_matches(word, meant, cutoff=NEAR)]
 
 
+def help_all_option() -> click.Option:
+    """--help-all, which shows what --help leaves out."""
+    return click.Option(
+        ["--help-all"], is_flag=True, is_eager=True, expose_value=False, hidden=True, callback=_show_all,
+        help="Show all commands and options and exit.",
+    )  # fmt: skip
+
+
+def _show_all(ctx: click.Context, _: click.Parameter, value: bool) -> None:  # noqa: FBT001  (click's signature)
+    if value and not ctx.resilient_parsing:
+        ctx.meta[HELP_ALL] = True
+        click.echo(ctx.get_help(), color=ctx.color)
+        ctx.exit()
+
+
+def more_line(formatter: click.HelpFormatter, n: int, what: str) -> None:
+    """How much more --help-all shows."""
+    if n:
+        formatter.write_paragraph()
+        formatter.write_text(f"{n} more {what}{'s' * (n > 1)}: --help-all")
+
+
 def shared_options(*, files: bool) -> list[click.Option]:
     """New options for a command; `files`: whether it writes a file that somebody may want to replace."""
     quiet = click.Option(
@@ -152,7 +192,7 @@ def shared_options(*, files: bool) -> list[click.Option]:
     traceback = click.Option(
         ["--traceback"], is_flag=True, expose_value=False, help="After an error, show its place in the program."
     )
-    return [*([overwrite] if files else []), settings, as_json, quiet, verbose, traceback]
+    return [*([overwrite] if files else []), settings, as_json, quiet, verbose, traceback, help_all_option()]
 
 
 def command_words(group: click.Group, arguments: Sequence[str]) -> list[str]:

@@ -9,7 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_PAGE, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.compare import CompareSettings, run_compare
+from raybundle.errors import Message, Severity, note
 from raybundle.settings import made
 
 
@@ -33,14 +35,14 @@ def command(first: Path, second: Path, progress: str, **given: Any) -> None:
     settings = made(CompareSettings, asked)
     with reporting(progress) as notify:
         done = run_compare(settings, notify)
+    lines: list[Message] = []
     for label, result in zip(("first", "second"), done.results, strict=True):
-        sigma0 = result.result["sigma0"]
-        text = "none" if sigma0 is None else f"{sigma0:.6g}"
-        facts(**{label: {"result": result.path, "sigma0": sigma0, "redundancy": result.result["redundancy"]}})
-        click.echo(f" {label}: {result.path}, sigma0 {text}, redundancy {result.result['redundancy']}")
+        found = {name: result.result[name] for name in ("sigma0", "redundancy")}
+        facts(**{label: {"result": result.path, **found}})
+        lines.append(note("comparison.result", name=str(result.path), known=found["sigma0"] is not None, **found))
     if done.same:
         facts(same=done.same)
-        click.echo(f" {done.same}")
-    for caution in done.cautions:
-        click.echo(f" warning: {caution}")
-    click.echo(f" comparison: {settings.out}")
+    report(Summary(
+        done=[*lines, *of_texts([done.same] if done.same else [])], files=[settings.out],
+        notices=of_texts(done.cautions, Severity.WARNING),
+    ))  # fmt: skip

@@ -7,10 +7,11 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FILE_OR_FOLDER, Command, common_options, counted, facts
+from raybundle.cli.common import FOLDER, NEW_FILE_OR_FOLDER, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.convert import ConvertSettings, run_convert
-from raybundle.errors import message
+from raybundle.errors import Severity, message, note
 from raybundle.io.formats import formats
 from raybundle.settings import made
 from raybundle.workflows.convert import WRITABLE
@@ -70,17 +71,17 @@ def command(source: Path, progress: str, **given: Any) -> None:
     b = done.block
     facts(images=int(b.images.oriented.sum()), points=len(b.points), observations=len(b.observations))
     facts(files=dict(done.written), cameras_px=done.deviation_px, not_read=dict(done.unread))
-    click.echo(f" {counted(int(b.images.oriented.sum()), 'oriented image')}, {counted(len(b.points), 'point')}, "
-               f"{counted(len(b.observations), 'image observation')}")  # fmt: skip
-    if done.state:
-        from raybundle.results.state import state_line  # noqa: PLC0415
+    from raybundle.results.state import state_messages  # noqa: PLC0415
 
-        click.echo(f" {state_line(done.state)}")
-    for remark in done.remarks:
-        click.echo(f" note: {remark}")
-    if done.deviation_px > 0:
-        click.echo(f" cameras: largest deviation {done.deviation_px:.3g} px")
+    fitted = [note("block.cameras_fitted", largest_px=done.deviation_px)] if done.deviation_px > 0 else []
     more = done.files - len(done.written)
-    files = ", ".join(f"{to}: {place}" for to, place in done.written)
     beside = more > 0 and all(place.is_file() for _, place in done.written)
-    click.echo(f" {files}" + (f" and {counted(more, 'more file')}" if beside else ""))
+    report(Summary(
+        done=[
+            note("block.converted", images=int(b.images.oriented.sum()), points=len(b.points),
+                 observations=len(b.observations), formats=[to for to, _ in done.written]),
+            *fitted, *([note("block.more_files", n=more)] if beside else []),
+        ],
+        notices=[*state_messages(done.state), *of_texts(done.remarks, Severity.NOTE)],
+        files=[place for _, place in done.written],
+    ))  # fmt: skip

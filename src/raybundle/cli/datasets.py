@@ -6,7 +6,9 @@ from pathlib import Path
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Group, common_options, counted, facts
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Group, common_options, facts
+from raybundle.cli.summary import Summary, report
+from raybundle.errors import note, phrase
 
 listing_option = click.option(
     "--listing", type=FOLDER, metavar="FILE", help="TOML file with other sets instead of the built-in ones."
@@ -33,9 +35,12 @@ def list_command(listing: Path | None) -> None:
 
     sets = known_datasets(listing)
     facts(sets=[{"name": s.name, "bytes": s.size, "about": s.about, "licence": s.licence} for s in sets.values()])
-    for one in sets.values():
-        click.echo(f" {one.name:14s} {one.size / 1e6:6.0f} MB  {one.about}")
-        click.echo(f" {'':14s} {'':6s}     licence: {one.licence}")
+    report(Summary(done=[], table=[
+        row for one in sets.values() for row in (
+            f"{one.name:14s} {one.size / 1e6:6.0f} MB  {one.about}",
+            f"{'':27s}{phrase('dataset.licence', licence=one.licence, cite='none')}",
+        )
+    ]))  # fmt: skip
 
 
 @command.command("get")
@@ -57,11 +62,10 @@ def get_command(name: str, out: Path | None, listing: Path | None, progress: str
 
     wanted = dataset(name, listing)
     folder = Path(name) if out is None else out
-    click.echo(f" {wanted.name}: {wanted.about}")
-    click.echo(f" source: {wanted.source}")
-    click.echo(f" licence: {wanted.licence}" + (f"; cite: {wanted.cite}" if wanted.cite else ""))
+    click.echo(phrase("dataset.origin", name=wanted.name, source=wanted.source))
+    click.echo(phrase("dataset.licence", licence=wanted.licence, cite=wanted.cite or "none"))
     with reporting(progress) as notify:
         done = fetch(wanted, folder, progress=notify)
     facts(folder=folder, fetched=done.fetched, there=done.there, source=wanted.source, licence=wanted.licence)
-    before = f", {done.there} were there already" if done.there else ""
-    click.echo(f" {counted(done.fetched, 'file')} fetched and checked{before}: {folder}")
+    fetched = note("dataset.fetched", n=done.fetched, there=done.there)
+    report(Summary(done=[fetched], details=[wanted.about], files=[folder]))

@@ -9,7 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.marks_settings import DatumSettings
+from raybundle.errors import note
 
 
 @click.command("datum", cls=Command)
@@ -36,4 +38,5 @@ def command(result: Path, out: Path, **given: Any) -> None:
     from raybundle.commands.marks import transform_to_points  # noqa: PLC0415
 
     transform_to_points(result, out, **values_of(DatumSettings, given))
-    click.echo(f" points: {out / 'points.csv'}, transformation: {out / 'transformation.json'}")
+    files = [out / "points.csv", out / "transformation.json"]
+    report(Summary(done=[note("block.transformed", **values_of(DatumSettings, given))], files=files))

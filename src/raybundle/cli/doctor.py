@@ -15,6 +15,7 @@ from typing import Any
 import click
 
 from raybundle.cli.common import Command
+from raybundle.errors import phrase
 
 REQUIRED = ("numpy", "scipy", "click", "rich", "msgspec", "jinja2", "poselib", "cv2", "PIL", "pyproj")
 OPTIONAL = {
@@ -100,13 +101,9 @@ def _usable(name: str) -> str | None:
 
 
 def _native_remark(available: bool) -> str:  # noqa: FBT001
-    if available:
-        return "compiled kernels are used"
-    if os.environ.get("RAYBUNDLE_NATIVE") == "0":
-        return "switched off by RAYBUNDLE_NATIVE=0; orientation and adjustment work, slower; surfaces do not"
-    compiler = next((c for c in ("c++", "g++", "clang++") if which(c)), None)
-    how = f"there is a compiler ({compiler}): install raybundle again" if compiler else "install a C++20 compiler first"
-    return f"not built; orientation and adjustment work, slower; surfaces do not; {how}"
+    compiler = next((c for c in ("c++", "g++", "clang++") if which(c)), "none")
+    state = "used" if available else "off" if os.environ.get("RAYBUNDLE_NATIVE") == "0" else "missing"
+    return phrase("installation.native", state=state, compiler=compiler)
 
 
 def _lines(report: dict[str, Any]) -> list[str]:
@@ -115,13 +112,16 @@ def _lines(report: dict[str, Any]) -> list[str]:
         f"raybundle {report['raybundle'] or '(not installed, run from its source)'}",
         f"Python {report['python']} at {sys.prefix}",
         f"{report['platform']}, {report['processors']} processors",
-        f"native kernels: {'yes, ' + native['instruction_set'] if native['available'] else 'no'} ({native['remark']})",
+        f"native kernels: {'yes, ' + native['instruction_set'] if native['available'] else 'no'}. {native['remark']}",
         "",
         "required",
     ]
-    lines += [f"  {name:13} {v or 'MISSING: pip install ' + name}" for name, v in report["required"].items()]
+    lines += [
+        f"  {name:13} {v or phrase('installation.missing', how=f'pip install {name}')}"
+        for name, v in report["required"].items()
+    ]
     lines += ["", "optional"]
     for name, part in report["optional"].items():
-        state = part["version"] or f"missing ({part['install']})"
+        state = part["version"] or phrase("installation.missing", how=part["install"])
         lines.append(f"  {name:13} {state}: {part['brings']}")
     return lines

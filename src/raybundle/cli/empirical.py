@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, counted, facts, significant
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.empirical import EmpiricalSettings, run_empirical
+from raybundle.errors import Message, Severity, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -43,46 +46,55 @@ def command(points: Path, **given: Any) -> int:
         fitted=done.fit.model.name, adequate=done.fit.adequate, redundancy=done.fit.redundancy, sigma0=done.fit.sigma0
     )
     facts(parameters=done.statistics.parameters, check_rms_px=done.check_rms_px)
-    if done.advice is not None:
-        _print_advice(done.advice)
-    _print_fit(done.fit, done.statistics, done.used)
-    if done.check_rms_px is not None:
-        x, y = done.check_rms_px
-        words = counted(int(done.points.check.sum()), "check point")
-        click.echo(f" {words}: rms {significant(x)}, {significant(y)} px")
-    if settings.out is not None:
-        click.echo(f" model and statistics: {settings.out}")
-    return 0 if done.fit.adequate else 3
+    check = done.check_rms_px
+    of_check = [] if check is None else [
+        note("empirical.check_points", n=int(done.points.check.sum()), x=float(check[0]), y=float(check[1]))
+    ]  # fmt: skip
+    fit = done.fit
+    rows = ([] if done.advice is None else _advice(done.advice)) + _parameters(done.statistics)
+    fitted = note("empirical.fitted", model=fit.model.name, n=len(done.used), redundancy=fit.redundancy,
+                  sigma0=fit.sigma0)  # fmt: skip
+    report(Summary(
+        done=[fitted, *of_check, *([] if done.advice is None else [done.advice.reason])],
+        table=rows, details=_doubtful(fit, done.statistics, done.used),
+        notices=[replace(fit.reason, severity=Severity.NOTE if fit.adequate else Severity.WARNING)],
+        files=[] if settings.out is None else [settings.out],
+    ))  # fmt: skip
+    return 0 if fit.adequate else 3
 
 
-def _print_advice(advice: EmpiricalAdvice) -> None:
-    click.echo(f" {'model':21}{'parameters':>10}{'redundancy':>12}{'sigma0':>9}{'left out [px]':>15}   adequate")
+def _advice(advice: EmpiricalAdvice) -> list[Message | str]:
+    rows: list[Message | str] = [
+        f"{'model':21}{'parameters':>10}{'redundancy':>12}{'sigma0':>9}{'left out [px]':>15}   adequate"
+    ]
     for c in advice.candidates:
         if c.fit is None:
-            click.echo(f" {c.name:21}{'not fitted':>10}   {c.reason.headline()}")
+            rows.append(f"{c.name:21}{'not fitted':>10}   {c.reason.headline()}")
             continue
         f = c.fit
         words = "yes" if f.adequate and f.redundancy else "no" if f.redundancy else "no redundancy"
-        click.echo(f" {c.name:21}{len(f.free):10d}{f.redundancy:12d}{f.sigma0:9.3g}{c.left_out_rms_px:15.3g}   {words}")
-    click.echo(f" advised: {advice.reason.text()}")
+        rows.append(f"{c.name:21}{len(f.free):10d}{f.redundancy:12d}{f.sigma0:9.3g}{c.left_out_rms_px:15.3g}   {words}")
+    return rows
 
 
-def _print_fit(fit: EmpiricalFit, s: EmpiricalStatistics, ids: Sequence[str]) -> None:
-    click.echo(f" {fit.model.name}: {counted(len(ids), 'point')}, redundancy {fit.redundancy}, sigma0 {fit.sigma0:.3f}")
-    click.echo(f" {'symbol':8}{'value':>14}{'sigma':>12}  {'unit':9}{'t':>8}")
+def _parameters(s: EmpiricalStatistics) -> list[Message | str]:
+    rows: list[Message | str] = [f"{'symbol':8}{'value':>14}{'sigma':>12}  {'unit':9}{'t':>8}"]
     for p in s.parameters:
         t = "held" if p.t is None else f"{p.t:.1f}"
-        note = "   not significant" if p.additional and p.t is not None and not p.significant else ""
-        click.echo(f" {p.symbol:8}{p.value:14.6g}{p.std:12.3g}  {p.unit:9}{t:>8}{note}")
-    strong = s.correlated(CORRELATED)
-    if strong:
-        words = ", ".join(f"{a} - {b} {r:+.3f}" for a, b, r in strong[:5])
-        click.echo(
-            f" correlations beyond {CORRELATED}: {words}" + (f" and {len(strong) - 5} more" if len(strong) > 5 else "")
-        )
-    for row, axis in s.blunders[:5]:
-        click.echo(
-            f" w of {ids[row]} in {'xy'[axis]}: {s.w[row, axis]:+.1f} (limit {s.critical_w:.1f}); residual "
-            f"{fit.residuals_px[row, axis]:+.3g} px, look at it again"
-        )
-    click.echo(f" {'' if fit.adequate else 'warning: '}{fit.reason.text()}")
+        words = "   not significant" if p.additional and p.t is not None and not p.significant else ""
+        rows.append(f"{p.symbol:8}{p.value:14.6g}{p.std:12.3g}  {p.unit:9}{t:>8}{words}")
+    return rows
+
+
+def _doubtful(fit: EmpiricalFit, s: EmpiricalStatistics, ids: Sequence[str]) -> list[Message]:
+    """Correlations, and points to be looked at again."""
+    found: list[Message] = []
+    if strong := s.correlated(CORRELATED):
+        pairs = [f"{a} - {b} {r:+.3f}" for a, b, r in strong]
+        found.append(note("empirical.correlations", limit=CORRELATED, pairs=pairs))
+    for row, axis in s.blunders:
+        found.append(note(
+            "empirical.suspect", point=ids[row], axis="xy"[axis], w=float(s.w[row, axis]), limit=float(s.critical_w),
+            residual_px=float(fit.residuals_px[row, axis]),
+        ))  # fmt: skip
+    return found

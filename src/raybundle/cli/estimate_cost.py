@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, Command, common_options, counted, facts, grouped, significant
+from raybundle.cli.common import FOLDER, Command, common_options, facts, significant
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.estimate_cost import EstimateCostSettings, run_estimate_cost
-from raybundle.errors import warning
+from raybundle.errors import Message, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -29,7 +28,7 @@ RESTS_ON = {
 }
 """Of the stage that takes most, what is assumed; all others are of the adjustment"""
 ADJUSTMENT = "image points of a photograph, overlap, iterations"
-MOST_NAMES, LEAST_GB = 5, 1e-4
+LEAST_GB = 1e-4
 
 
 @click.command("estimate-cost", cls=Command)
@@ -57,8 +56,7 @@ def command(photos: Path | None, progress: str, **given: Any) -> None:
         serial_share=found.serial_share, unread=found.unread, largest_front=found.largest_front,
         dominant=found.dominant.name, constants=found.constants,
     )  # fmt: skip
-    for line in lines(found):
-        click.echo(line)
+    report(summary(found))
 
 
 def _as_json(limit: Limit) -> dict[str, Any]:
@@ -67,70 +65,55 @@ def _as_json(limit: Limit) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def lines(found: Estimate) -> Iterator[str]:
-    """The estimate in words."""
+def summary(found: Estimate) -> Summary:
+    """What the command reports."""
     a, c = found.asked, found.constants
-    yield (
-        f" {grouped(a.images)} photographs of {a.megapixels:.3g} MP, {a.overlap:.3g} show a place; "
-        f"{grouped(round(a.points))} image points, {a.iterations} iterations"
-    )
-    if found.unread:
-        names = ", ".join(found.unread[:MOST_NAMES]) + (", ..." if len(found.unread) > MOST_NAMES else "")
-        yield f" not counted: {counted(len(found.unread), 'file')} that cannot be read ({names})"
-    yield f" {'stage':<18}{'CPU':>11}{'wall':>11}{'memory':>11}{'disk':>11}{'moved':>11}"
-    for s in found.stages:
-        yield (
-            f" {s.name:<18}{_time(s.cpu_s):>11}{_time(s.wall_s):>11}{_size(s.memory_mb / 1000):>11}"
-            f"{_size(s.disk_gb):>11}{_size(s.moved_gb):>11}"
-        )
+    rows = [f"{'stage':<18}{'CPU':>11}{'wall':>11}{'memory':>11}{'disk':>11}{'moved':>11}"]
+    rows += [
+        f"{s.name:<18}{_time(s.cpu_s):>11}{_time(s.wall_s):>11}{_size(s.memory_mb / 1000):>11}{_size(s.disk_gb):>11}"
+        f"{_size(s.moved_gb):>11}"
+        for s in found.stages
+    ]
     memory = max(s.memory_mb for s in found.stages) / 1000
-    yield (
-        f" {'all':<18}{_time(3600 * found.core_hours):>11}{_time(3600 * found.wall_hours):>11}{_size(memory):>11}"
+    rows.append(
+        f"{'all':<18}{_time(3600 * found.core_hours):>11}{_time(3600 * found.wall_hours):>11}{_size(memory):>11}"
         f"{_size(found.disk_gb):>11}{_size(found.moved_gb):>11}"
     )
-    of = 100 * found.dominant.cpu_s / max(3600 * found.core_hours, 1e-9)
-    rests = RESTS_ON.get(found.dominant.name, ADJUSTMENT)
-    yield f" most of it: {found.dominant.name}, {of:.0f} % of the CPU time; it rests on {rests}"
+    first, over = found.limits[0], [x for x in found.limits if x.share > 1]
+    share = found.dominant.cpu_s / max(3600 * found.core_hours, 1e-9)
+    more = [
+        note("costs.assumed", points=round(a.points), overlap=a.overlap, iterations=a.iterations),
+        note("costs.dominant", stage=found.dominant.name, share=share,
+             by=RESTS_ON.get(found.dominant.name, ADJUSTMENT)),
+        note("costs.largest_matrix", n=found.largest_front), note("costs.not_included"),
+        note("costs.measured", processor=c.processor, date=c.measured),
+    ]  # fmt: skip
     if a.workers > 1:
-        yield f" {a.workers} workers: in {100 * found.serial_share:.0f} % of the wall time some have nothing to do"
-    yield from _limits(found)
-    yield (
-        f" reduction up: normal equations are eliminated part by part; the largest matrix of a part has "
-        f"{grouped(found.largest_front)} unknowns"
-    )
-    yield (
-        " not counted: the further adjustments by which orient rejects blunders and chooses parameters, together "
-        "several times the one above, and the surface"
-    )
-    yield f" figures of {c.processor}, {c.measured}"
+        more.append(note("costs.idle", workers=a.workers, share=found.serial_share))
+    unread, remedies = list(found.unread), _remedies(over)
+    return Summary(
+        done=[
+            note("costs.estimated", n=a.images, megapixels=a.megapixels, cpu=_time(3600 * found.core_hours),
+                 wall=_time(3600 * found.wall_hours), disk=_size(found.disk_gb)),
+            *([] if over else [
+                note("costs.tightest", what=first.what, needed=_size(first.needed), given=_size(first.given))
+            ]),
+        ],
+        table=rows, details=[*more, *remedies[1:]],
+        notices=[
+            *(warning("costs.exceeded", what=x.what, needed=_size(x.needed), given=_size(x.given)) for x in over),
+            *([warning("costs.unread", n=len(unread), names=unread)] if unread else []),
+        ],
+        next_step=next(iter(remedies), None),
+    )  # fmt: skip
 
 
-def _limits(found: Estimate) -> Iterator[str]:
-    """What gives way first."""
-    first = found.limits[0]
-    over = [x for x in found.limits if x.share > 1]
-    for x in over:
-        yield f" {notice_line(warning('costs.exceeded', what=x.what, needed=_size(x.needed), given=_size(x.given)))}"
-    if over:
-        yield from _remedies(over)
-    else:
-        yield (f" nothing gives way; the tightest is {first.what}: {_size(first.needed)} of {_size(first.given)}")
-
-
-def _remedies(over: list[Limit]) -> Iterator[str]:
-    """What helps where something gives way."""
+def _remedies(over: list[Limit]) -> list[Message]:
+    """What helps where something is exceeded."""
     memory = [x for x in over if x.what != "disk"]
-    if memory:
-        yield (
-            f" what helps: a machine of {_size(max(x.needed for x in memory))}, rented for these hours (more machines "
-            "do not lower what one process holds); or parts that share marked points or control, oriented by "
-            "themselves and joined by raybundle merge"
-        )
-        yield "   or fewer points: orient --feature-count, here --points-per-image: stages behind matching go with it"
-    if any(x.what == "memory of precision" for x in memory):
-        yield "   orient --quick leaves precision out: several times less precise"
-    if any(x.what == "disk" for x in over):
-        yield " what helps: products on another disk, or in an object store (orient --store)"
+    found = [note("costs.memory_remedy", size=_size(max(x.needed for x in memory)))] if memory else []
+    found += [note("costs.precision_remedy")] if any(x.what == "memory of precision" for x in memory) else []
+    return [*found, *([note("costs.disk_remedy")] if len(memory) < len(over) else [])]
 
 
 def _time(seconds: float) -> str:

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.film import FilmSettings, run_film
-from raybundle.errors import note, warning
+from raybundle.errors import Message, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -46,34 +46,38 @@ def command(marks: Path, progress: str, **given: Any) -> None:
         }
         for f in done.films.values()
     ])  # fmt: skip
-    _print(done.films, done.points)
-    click.echo(f" film: {settings.out}")
+    report(_summary(done.films, done.points, settings.out))
 
 
-def _print(films: Mapping[str, Film], points: Marks | None) -> None:
+def _summary(films: Mapping[str, Film], points: Marks | None, out: Path) -> Summary:
+    """What the command reports."""
     import numpy as np  # noqa: PLC0415
 
     from raybundle.io.film.fiducials import suspects  # noqa: PLC0415
 
-    measured = "" if points is None else f", {counted(len(points.image), 'image point')}"
-    click.echo(f" {counted(len(films), 'scan')}{measured}")
-    click.echo('  image         marks  sigma0   rms [um]   shrinkage x, y [ppm]     shear ["]   turn [deg]')
+    rows = ['image         marks  sigma0   rms [um]   shrinkage x, y [ppm]     shear ["]   turn [deg]']
+    notices, largest = list[Message](), 0.0
     for f in films.values():
         s = f.shrinkage
         rms = float(np.sqrt(np.mean(f.residuals_mm**2))) * 1000
+        largest = max(largest, rms)
         x, y = (f"{s.values[k] * 1e6:.0f} +- {s.std[k] * 1e6:.0f}" for k in (0, 1))
         shear, turn = s.values[2] * 206264.806, np.degrees(s.values[3])
         sigma0 = f"{f.sigma0:6.2f}" if f.redundancy else "     -"
-        mirror = "  mirrored" if f.mirrored else ""
-        fit = f"  {f.image:<14}{len(f.marks):>4}  {sigma0}  {rms:8.1f}"
-        click.echo(f"{fit}   {x:>12}, {y:<12} {shear:8.1f}   {turn:9.4f}{mirror}")
+        fit = f"{f.image:<14}{len(f.marks):>4}  {sigma0}  {rms:8.1f}"
+        rows.append(f"{fit}   {x:>12}, {y:<12} {shear:8.1f}   {turn:9.4f}")
         if f.mirrored:
-            click.echo(f"    {notice_line(warning('film.mirrored', image=f.image))}")
+            notices.append(warning("film.mirrored", image=f.image))
         if np.abs(s.values[:2]).max() > LARGE_SHRINKAGE:
-            click.echo(f"    {notice_line(warning('film.shrinkage', image=f.image, limit=LARGE_SHRINKAGE))}")
+            notices.append(warning("film.shrinkage", image=f.image, limit=LARGE_SHRINKAGE))
         if f.misfit > 1:
-            click.echo(f"    {notice_line(warning('film.residuals_enlarged', image=f.image, sigma0=f.sigma0))}")
+            notices.append(warning("film.residuals_enlarged", image=f.image, sigma0=f.sigma0))
         if bad := suspects(f):
-            click.echo(f"    {notice_line(warning('film.suspects', image=f.image, marks=list(bad)))}")
+            notices.append(warning("film.suspects", image=f.image, marks=list(bad)))
     if all(f.redundancy == 0 for f in films.values()):
-        click.echo(f" {notice_line(note('film.as_many_marks'))}")
+        notices.append(note("film.as_many_marks"))
+    n = 0 if points is None else len(points.image)
+    return Summary(
+        done=[note("film.transformed", scans=len(films), points=n, rms_um=largest)], notices=notices, details=rows,
+        files=[out],
+    )  # fmt: skip

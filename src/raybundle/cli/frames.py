@@ -7,9 +7,11 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.photos import FramesSettings, run_frames
+from raybundle.errors import Severity, note
 from raybundle.settings import made
 
 
@@ -33,9 +35,9 @@ def command(video: Path, progress: str, **given: Any) -> None:
     with reporting(progress) as notify:
         frames = run_frames(settings, notify)
     a = frames.analysis
-    seconds = f"{a.time_s[-1]:.1f} s, {a.width_px} x {a.height_px} px"
     facts(frames=len(a.time_s), width_px=a.width_px, height_px=a.height_px, photographs=frames.files)
-    click.echo(f" {counted(len(a.time_s), 'frame')}, {seconds}; {counted(len(frames.files), 'photograph')} chosen")
-    for remark in frames.remarks:
-        click.echo(f" note: {remark}")
-    click.echo(f" photographs: {settings.out}")
+    report(Summary(
+        done=[note("video.frames", n=len(frames.files), of=len(a.time_s), seconds=float(a.time_s[-1]),
+                   width_px=a.width_px, height_px=a.height_px)],
+        notices=of_texts(frames.remarks, Severity.WARNING), files=[settings.out],
+    ))  # fmt: skip

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from importlib import import_module
 from types import MappingProxyType
 
 import click
 
-from raybundle.cli.command import Group
+from raybundle.cli.command import HELP_ALL, Group, more_line
 
 
 class LazyGroup(Group):
@@ -19,6 +19,8 @@ class LazyGroup(Group):
     """What each does, by name, in the order in which they are used"""
     sections: Mapping[str, Mapping[str, str]] = MappingProxyType({})
     """The same by heading; without any, all stand under one"""
+    frequent: Collection[str] = ()
+    """Those that --help shows; without any, all"""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Names in the order in which they are used."""
@@ -33,8 +35,11 @@ class LazyGroup(Group):
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the subcommands without loading them."""
-        del ctx
-        width = max(map(len, self.summaries))
+        shown = self.summaries if ctx.meta.get(HELP_ALL) or not self.frequent else self.frequent
+        width = max(map(len, shown))
         for heading, members in (self.sections or {"Commands": self.summaries}).items():
-            with formatter.section(heading):
-                formatter.write_dl([(name.ljust(width), summary) for name, summary in members.items()])
+            rows = [(name.ljust(width), summary) for name, summary in members.items() if name in shown]
+            if rows:
+                with formatter.section(heading):
+                    formatter.write_dl(rows)
+        more_line(formatter, len(self.summaries) - len(shown), "command")

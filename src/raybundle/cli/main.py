@@ -17,10 +17,11 @@ from typing import Any, TextIO
 
 import click
 
+from raybundle.cli import frequent
 from raybundle.cli.command import command_words
 from raybundle.cli.failures import failure_lines, silence
 from raybundle.cli.lazy import LazyGroup
-from raybundle.errors import RaybundleError
+from raybundle.errors import RaybundleError, message
 from raybundle.words import COMMAND_LINE, reading
 
 TASKS: dict[str, dict[str, str]] = {
@@ -106,8 +107,7 @@ def cli() -> None:
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
 
 
-INTERRUPTED = "interrupted; nothing was written"
-cli.home, cli.summaries, cli.sections = "raybundle.cli", COMMANDS, TASKS
+cli.home, cli.summaries, cli.sections, cli.frequent = "raybundle.cli", COMMANDS, TASKS, frequent.COMMANDS
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -131,8 +131,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     except (KeyboardInterrupt, click.Abort) as error:
         if isinstance(error.__cause__, EOFError):  # click takes the end of any file for that of the keyboard's input
             return _failed(arguments, error.__cause__)
-        _say(INTERRUPTED)
-        _as_json(arguments, INTERRUPTED, 130)
+        words = message("interruption.nothing_written").headline()
+        _say(words)
+        _as_json(arguments, words, 130)
         return 130
     except BrokenPipeError:
         silence(sys.stdout)  # the reader of our output went away: what stands in the buffer has nowhere to go

@@ -16,11 +16,11 @@ from raybundle.cli.marking_areas import control, mask, unmask
 from raybundle.cli.marks_shown import shown
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import of_adjustment, report
+from raybundle.cli.summary import Summary, of_adjustment, of_texts, report
 from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.marks_settings import RejectSettings
 from raybundle.commands.pages import LANGUAGE_HELP
-from raybundle.errors import InputError, note
+from raybundle.errors import InputError, Severity, note
 from raybundle.report.languages import checked_language
 from raybundle.report.paper.needed import check_typesetter
 
@@ -94,7 +94,7 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
             **values_of(BeginSettings, given),
         )
     facts(project=project)
-    click.echo(f" project: {project}")
+    report(Summary(done=[note("project_status.begun")], files=[project]))
 
 
 @subcommand("put")
@@ -415,9 +415,9 @@ def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: 
 
     done = export_masks(folder, out) if as_masks else export_marks(folder, out, crs=crs)
     facts(files=done.files)
-    for remark in done.remarks:
-        click.echo(f" note: {remark}")
-    click.echo(f" {', '.join(str(p) for p in done.files)}")
+    report(Summary(
+        done=[note("project_status.exported")], files=done.files, notices=of_texts(done.remarks, Severity.NOTE)
+    ))  # fmt: skip
 
 
 @command.command("adjust")

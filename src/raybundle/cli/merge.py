@@ -9,9 +9,13 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.merge import MergeSettings, run_merge
+from raybundle.errors import note
 from raybundle.settings import made
+
+JOINTS = 3
+"""Joints of blocks that a terminal shows"""
 
 
 @click.command("merge", cls=Command)
@@ -33,22 +37,20 @@ def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
     """  # noqa: D301
     from raybundle.block.joined import joint_messages  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.numerics.counting import counted  # noqa: PLC0415
 
     settings = made(MergeSettings, {"sources": sources, **values_of(MergeSettings, given)})
     with reporting(progress) as notify:
         done = run_merge(settings, notify)
     block = done.block
     facts(images=len(block.images), points=len(block.points), observations=len(block.observations), frame_of=done.first)
-    counts = (
-        counted(len(block.images), "image"), counted(len(block.points), "point"),
-        counted(len(block.observations), "image observation"),
-    )  # fmt: skip
-    lines = [f"{', '.join(counts)} in the frame of {done.first}"]
-    for joint in done.joints:
-        first, *others = joint_messages(joint, "units" if block.free_scale else block.length_unit)
-        lines += [first.headline(), *map(notice_line, others)]
-    for m in (*done.cautions, *done.remarks):
-        lines += f"{m.severity}: {m.text()}".splitlines()
-    click.echo("\n".join(f" {line}" for line in lines))
-    click.echo(f" {settings.out}; adjust it: raybundle adjust {settings.out} --reject snooping --out RESULT")
+    joints = [joint_messages(joint, "units" if block.free_scale else block.length_unit) for joint in done.joints]
+    first = [found[0] for found in joints]
+    report(Summary(
+        done=[
+            note("block.merged", images=len(block.images), points=len(block.points),
+                 observations=len(block.observations), name=done.first),
+            *first[:JOINTS],
+        ],
+        notices=[*(m for found in joints for m in found[1:]), *done.cautions, *done.remarks], details=first[JOINTS:],
+        next_step=note("block.adjust_merged", block=str(settings.out)), files=[settings.out],
+    ))  # fmt: skip

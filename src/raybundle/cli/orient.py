@@ -12,7 +12,7 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, not_usable, of_adjustment, report
 from raybundle.commands.orient import OrientSettings, accuracy_outcome, run_orient
 from raybundle.commands.pages import page_files
-from raybundle.errors import Message, message, note
+from raybundle.errors import Message, message, note, phrase
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
         with reporting(progress) as notify:
             done = run_orient(settings, notify)
     except KeyboardInterrupt:
-        click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
+        click.echo(phrase("interruption.kept", folder=str(out)), err=True)
         return 130
     report(_summary(done, settings))
     return print_outcome(accuracy_outcome(settings, done))

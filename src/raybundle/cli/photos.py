@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, Command, common_options, counted
+from raybundle.cli.common import FOLDER, Command, common_options
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, not_usable, of_texts
+from raybundle.cli.summary import report as report_summary
 from raybundle.commands.photos import PhotosSettings, run_photos
-from raybundle.errors import text_json
+from raybundle.errors import Message, Severity, note, text_json
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -45,7 +47,10 @@ def command(photos: tuple[Path, ...], as_json: bool, progress: str, **given: Any
     with reporting(progress) as notify:
         known = run_photos(settings, notify)
     found, groups = known.found, known.cameras
-    click.echo(json.dumps(report(found, groups), indent=1) if as_json else "\n".join(lines(found, groups)))
+    if as_json:
+        click.echo(json.dumps(report(found, groups), indent=1))
+    else:
+        report_summary(summary(found, groups))
     return 0 if found.photos else 2
 
 
@@ -86,22 +91,22 @@ def _photo(photo: Photo, camera: str) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def lines(found: Found, groups: Sequence[CameraGroup]) -> list[str]:
+def summary(found: Found, groups: Sequence[CameraGroup]) -> Summary:
     """What is known, for a terminal."""
-    text = [f" {counted(len(found.photos), 'photograph')}, {counted(len(groups), 'camera')}"]
-    for g in groups:
-        text += [
-            f" camera {g.id}: {g.name}, {counted(len(g.photos), 'photograph')} of {g.width_px} x {g.height_px} px",
-            f"   c = {g.c_px:.1f} +- {g.sigma_c_px:.1f} px = {g.c_mm:.4g} mm ({g.source})",
-        ]
-        text += [f"   note: {r}" for r in g.stated]
-    text += _table(found, groups)
-    text += [f" note: {r}" for r in found.remarks]
-    text += [f" left out: {path.name}: {reason}" for path, reason in found.refused]
-    return text
+    cameras = [
+        note("photographs.camera", camera=g.id, name=g.name, n=len(g.photos), width_px=g.width_px,
+             height_px=g.height_px, c_px=g.c_px, sigma_px=g.sigma_c_px, c_mm=g.c_mm, source=str(g.source))
+        for g in groups
+    ]  # fmt: skip
+    return Summary(
+        done=[note("photographs.found", n=len(found.photos), cameras=len(groups))],
+        table=[*cameras, *_table(found, groups)],
+        notices=[*not_usable([(p.name, why) for p, why in found.refused]),
+                 *of_texts([*(r for g in groups for r in g.stated), *found.remarks], Severity.NOTE)],
+    )  # fmt: skip
 
 
-def _table(found: Found, groups: Sequence[CameraGroup]) -> list[str]:
+def _table(found: Found, groups: Sequence[CameraGroup]) -> list[Message | str]:
     of = {k: g.id for g in groups for k in g.photos}
     rows = [("photograph", "camera", "turn", "taken", "position", "sigma")]
     for k, p in enumerate(found.photos[:SHOWN]):
@@ -113,7 +118,7 @@ def _table(found: Found, groups: Sequence[CameraGroup]) -> list[str]:
     widths = {c: max(len(r[c]) for r in rows) for c in used}
     text = ["   " + "  ".join(r[c].ljust(widths[c]) for c in used).rstrip() for r in rows if len(rows) > 1]
     more = len(found.photos) - SHOWN
-    return text + ([f"   and {counted(more, 'photograph')} more; --json lists them all"] if more > 0 else [])
+    return [*text, *([note("photographs.more", n=more)] if more > 0 else [])]
 
 
 def _position(photo: Photo) -> tuple[str, str]:

@@ -9,7 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, Command, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.record import RecordSettings, rows, run_record
+from raybundle.errors import note
 from raybundle.settings import made
 
 
@@ -31,13 +33,10 @@ def command(project: Path, **given: Any) -> None:
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
     reported = run_record(made(RecordSettings, {"project": project, **values_of(RecordSettings, given)}))
     facts(record={name: words for name, words, _ in rows(reported)}, files=reported.files)
+    table = list[str]()
     for name, words, source in rows(reported):
         first, *more = words.split("\n")
-        click.echo(f" {name:<12} {first}" + (f"  [{source}]" if source else ""))
-        for line in more:
-            click.echo(f" {'':<12} {line}")
-    if not reported.record.as_mapping():
-        click.echo(" nothing is written yet; see raybundle record --help")
-    if reported.files:
-        run = "after the next run of orient" if (project / "result").is_dir() else "when orient has run there"
-        click.echo(f" written: {', '.join(map(str, reported.files))}; the report has it {run}")
+        table += [f"{name:<12} {first}" + (f"  [{source}]" if source else ""), *(f"{'':<12} {line}" for line in more)]
+    empty = [] if reported.record.as_mapping() else [note("record.empty")]
+    step = note("record.next", oriented=(project / "result").is_dir()) if reported.files else None
+    report(Summary(done=empty, table=table, next_step=step, files=reported.files))

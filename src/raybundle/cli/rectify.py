@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, counted, facts, significant
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.rectify import RectifySettings, run_rectify
-from raybundle.errors import phrase, warning
+from raybundle.errors import Message, Severity, note, phrase, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -48,75 +48,68 @@ def command(source: Path, progress: str, **given: Any) -> None:
         done = run_rectify(settings, notify)
     facts(width=done.grid.width, height=done.grid.height, pixel=done.grid.pixel, unit=done.unit)
     facts(covered=float(done.picture.seen.mean()), photographs=len(done.picture.shares))
-    click.echo("\n".join(f" {line}" for line in _lines(done, settings)))
+    report(_summary(done, settings))
 
 
-def _lines(done: Rectification, settings: RectifySettings) -> list[str]:
-    """What the command prints."""
-    from raybundle.results.state import state_line  # noqa: PLC0415
+def _summary(done: Rectification, settings: RectifySettings) -> Summary:
+    """What the command reports."""
+    from raybundle.results.state import state_messages  # noqa: PLC0415
     from raybundle.workflows.object_plane import Plane  # noqa: PLC0415
 
     source, grid = done.source, done.grid
-    lines = _of_plane(source, done) if isinstance(source, Plane) else _of_photo(source, settings.mark_sigma)
-    covered = 100 * float(done.picture.seen.mean())
-    return [
-        *lines,
-        f"{settings.out}: {grid.width} x {grid.height} px of {grid.pixel:g} {done.unit}".rstrip()
-        + f", {covered:.0f} % covered from {counted(len(done.picture.shares), 'photograph')}",
-        *([state_line(done.state)] if done.state else []),
-        *(f"note: {r}" for r in done.remarks),
-    ]
+    of = _of_plane(source, done) if isinstance(source, Plane) else _of_photo(source, settings.mark_sigma)
+    picture = note(
+        "picture.rectified", width=grid.width, height=grid.height, pixel=float(grid.pixel), unit=done.unit,
+        share=float(done.picture.seen.mean()), n=len(done.picture.shares),
+    )  # fmt: skip
+    return Summary(
+        done=[picture, *of.done], details=of.details, files=[settings.out],
+        notices=[*state_messages(done.state), *of.notices, *of_texts(done.remarks, Severity.NOTE)],
+    )  # fmt: skip
 
 
-def _of_plane(plane: Plane, done: Rectification) -> list[str]:
+def _of_plane(plane: Plane, done: Rectification) -> Summary:
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
     from raybundle.workflows.rectify import FEW  # noqa: PLC0415
 
-    of = f" of {plane.of}" if plane.of > plane.points else ""
-    off = f"{significant(plane.rms)} {done.unit or 'units'}"
+    unit, (slope, largest) = done.unit, done.picture.slope
     exact = plane.kind == "vertical" and plane.of == 2
-    level = plane.kind == "horizontal"
-    by = f"level plane through the middle height of {plane.points}{of} points" if level else None
-    lines = [
-        (by or f"plane of {plane.points}{of} points") + (", plumb" if exact else f", which lie {off} off it (rms)")
-    ]
+    wrong: list[Message] = []
     if plane.points < FEW * plane.of:
-        lines.append(notice_line(warning("picture.few_points_in_plane", share=plane.points / plane.of)))
-    lines += [f"warning: {words}" for words in plane.cautions]
+        wrong.append(warning("picture.few_points_in_plane", share=plane.points / plane.of))
+    wrong += of_texts(plane.cautions, Severity.WARNING)
+    if not exact and slope * plane.rms > done.grid.pixel:
+        off, pixels = slope * plane.rms, slope * plane.rms / done.grid.pixel
+        wrong.append(warning("picture.points_displaced", off=off, unit=unit, pixels=pixels))
+    more = [note("picture.displacement", slope=float(slope), largest=float(largest))]
     if plane.lean is not None and plane.plumb is not None and not plane.cautions:
-        lean = phrase("plumb.lean", **plane.lean.values)
-        lines.append(f"{lean} (vertical: {plane.plumb.words})")
-    slope, largest = done.picture.slope
-    shown = f"{slope:.2f} of its distance from it (rms; {largest:.1f} at most)"
-    lines.append(f"what lies in front of or behind it is displaced by {shown}")
+        more.append(note("picture.lean", lean=phrase("plumb.lean", **plane.lean.values), vertical=plane.plumb.words))
     if isinstance(plane, MapLevel):
-        lines.append(f"the level is at height {plane.height:.2f}")
-    if exact or not slope * plane.rms > done.grid.pixel:
-        return lines
-    off, pixels = slope * plane.rms, slope * plane.rms / done.grid.pixel
-    lines.append(notice_line(warning("picture.points_displaced", off=off, unit=done.unit, pixels=pixels)))
-    return lines
+        more.append(note("picture.level", height=float(plane.height)))
+    kind = "plumb" if exact else plane.kind
+    first = note("picture.plane", kind=kind, n=plane.points, of=plane.of, rms=float(plane.rms), unit=unit)
+    return Summary(done=[first], notices=wrong, details=more)
 
 
-def _of_photo(single: SinglePhoto, sigma_px: float) -> list[str]:
+def _of_photo(single: SinglePhoto, sigma_px: float) -> Summary:
     import numpy as np  # noqa: PLC0415
 
     fit, names = single.fit, single.names
-    lines = [f"{'point':<12}{'right':>12}{'up':>12}   measured minus given"]
+    rows = [f"{'point':<12}{'right':>12}{'up':>12}"]
     # of four points the transformation leaves nothing but rounding
     nothing = ROUNDING * float(np.ptp(single.plane_xy, axis=0).max())
     differences = np.where(np.abs(single.differences) < nothing, 0.0, single.differences)
-    lines += [f"{n:<12}{d[0]:>12.4g}{d[1]:>12.4g}" for n, d in zip(names, differences, strict=True)]
+    rows += [f"{n:<12}{d[0]:>12.4g}{d[1]:>12.4g}" for n, d in zip(names, differences, strict=True)]
+    done, wrong = list[Message](), list[Message]()
     if fit.redundancy:
-        lines.append(f"sigma0 {fit.sigma0:.2f} (1 = marks as good as {sigma_px:g} px), redundancy {fit.redundancy}")
+        done.append(note("picture.sigma0", sigma0=fit.sigma0, sigma_px=sigma_px, redundancy=fit.redundancy))
         if not fit.adequate:
             worst = names[int(np.linalg.norm(fit.residuals_px, axis=1).argmax())]
             x, y = np.sqrt(np.mean(fit.residuals_px**2, axis=0)).tolist()
-            lines.append(notice_line(warning("picture.residuals", x=x, y=y, sigma0=fit.sigma0, worst=worst)))
+            wrong.append(warning("picture.residuals", x=x, y=y, sigma0=fit.sigma0, worst=worst))
     else:
-        lines.append(notice_line(warning("picture.no_redundancy")))
+        wrong.append(warning("picture.no_redundancy"))
     if single.mirrored:
-        lines.append(notice_line(warning("picture.mirrored")))
-    if single.off_plane > 0:
-        lines.append(f"the control points lie {significant(single.off_plane)} off their plane (rms)")
-    return lines
+        wrong.append(warning("picture.mirrored"))
+    off = [note("picture.points_off_plane", rms=float(single.off_plane))] if single.off_plane > 0 else []
+    return Summary(done=done, notices=wrong, details=[*off, note("picture.differences"), *rows])

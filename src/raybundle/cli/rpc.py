@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FILE, Group, counted, facts, significant
+from raybundle.cli.common import FOLDER, NEW_FILE, Group, facts
 from raybundle.cli.rpc_batch import batch
 from raybundle.cli.rpc_correct import correct
 from raybundle.cli.rpc_ortho import ortho
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.rpc import RpcFitSettings, RpcProjectSettings, run_fit, run_project
-from raybundle.errors import NotSolvable, note, warning
+from raybundle.errors import Message, NotSolvable, Severity, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -55,18 +56,18 @@ def info(scene: Path) -> None:
       raybundle rpc info 13MAY08000330.XML
     """  # noqa: D301
     from raybundle.commands.scenes.inputs import scene_input  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.scenes import check_agreement  # noqa: PLC0415
 
     s = scene_input(scene).scene
     facts(format=s.format, sensor=s.sensor, time=s.time, width_px=s.width_px, height_px=s.height_px, rpc=s.rpc)
-    size = f", {s.width_px} x {s.height_px} px" if s.width_px and s.height_px else ""
-    click.echo(f" {s.format}{f', {s.sensor}' if s.sensor else ''}{f', {s.time}' if s.time else ''}{size}")
-    if s.rpc is not None:
-        _print_rpc(s.rpc)
-    if s.line is not None:
-        _print_line(s, s.line)
-    for remark in s.remarks:
-        click.echo(f" note: {remark.text()}")
-    _print_agreement(s)
+    size = [f"{s.width_px} x {s.height_px} px"] if s.width_px and s.height_px else []
+    report(Summary(
+        done=[note("scene.file", parts=[str(x) for x in (s.format, s.sensor, s.time, *size) if x])],
+        table=[*([] if s.rpc is None else _of_rpc(s.rpc)), *([] if s.line is None else _of_line(s, s.line)),
+               *_agreement(s)],
+        notices=s.remarks,
+    ))  # fmt: skip
+    check_agreement(s)
 
 
 @command.command("project")
@@ -87,15 +88,11 @@ def project(scene: Path, points: Path, **given: Any) -> None:
     settings = made(RpcProjectSettings, asked)
     done = run_project(settings)
     facts(points=len(done.ids), beyond=[done.ids[k] for k in done.beyond], lost=[done.ids[k] for k in done.lost])
-    if done.beyond:
-        click.echo(
-            f" {notice_line(note('rpc.points_beyond', n=len(done.beyond), points=[done.ids[k] for k in done.beyond]))}"
-        )
-    if done.lost:
-        which = "ground" if settings.to_ground else "image"
-        lost = [done.ids[k] for k in done.lost]
-        click.echo(f" {notice_line(warning('rpc.points_lost', n=len(lost), points=lost, which=which))}")
-    click.echo(f" {counted(len(done.ids), 'point')}: {settings.out}")
+    beyond, lost = ([done.ids[k] for k in some] for some in (done.beyond, done.lost))
+    which = "ground" if settings.to_ground else "image"
+    notices = [note("rpc.points_beyond", n=len(beyond), points=beyond)] if beyond else []
+    notices += [warning("rpc.points_lost", n=len(lost), points=lost, which=which)] if lost else []
+    report(Summary(done=[note("scene.points", n=len(done.ids), which=which)], notices=notices, files=[settings.out]))
 
 
 @command.command("fit")
@@ -110,59 +107,54 @@ def fit(scene: Path, **given: Any) -> None:
     """  # noqa: D301
     settings = made(RpcFitSettings, {"scene": scene, **values_of(RpcFitSettings, given)})
     result, remarks = run_fit(settings)
-    for remark in remarks:
-        click.echo(f" note: {remark}")
     facts(heights_m=result.height_range, rms_px=result.rms_px, largest_px=result.largest_px, points=result.points)
     low, high = result.height_range
     x, y = result.rms_px
-    click.echo(f" heights {low:g} to {high:g} m; restraint {result.strength:g}")
-    click.echo(
-        f" RPC minus rigorous model at {counted(result.points, 'point')} that took no part: "
-        f"rms {significant(float(x))}, {significant(float(y))} px, "
-        f"at most {significant(float(result.largest_px.max()))} px"
-    )
-    click.echo(f" RPC: {settings.out}")
+    report(Summary(
+        done=[note("scene.fitted", n=result.points, x=float(x), y=float(y), largest=float(result.largest_px.max()))],
+        details=[note("scene.fit_heights", low=float(low), high=float(high), strength=float(result.strength))],
+        notices=of_texts(remarks, Severity.NOTE), files=[settings.out],
+    ))  # fmt: skip
 
 
-def _print_rpc(rpc: Rpc) -> None:
+def _of_rpc(rpc: Rpc) -> list[Message]:
     import numpy as np  # noqa: PLC0415
 
     lon, lat, h = rpc.ground_offset
     low, high = h - rpc.ground_scale[2], h + rpc.ground_scale[2]
     across, along = np.linalg.norm(rpc.pixel_on_ground(), axis=1)
-    click.echo(f" RPC: centre {lon:.5f} E, {lat:.5f} N, heights {low:.0f} to {high:.0f} m")
-    click.echo(f"      pixel on the ground {across:.3g} m in x, {along:.3g} m in y")
+    found = [
+        note("scene.rpc", longitude=lon, latitude=lat, low=low, high=high),
+        note("scene.pixel", x=across, y=along),
+    ]  # fmt: skip
     prior = rpc.bias_sigma_px()
     if prior is not None and rpc.err_bias_m:
-        click.echo(f"      stated bias {rpc.err_bias_m:g} m (68 %): {prior[0]:.3g}, {prior[1]:.3g} px")
+        found.append(note("scene.stated_bias", bias_m=rpc.err_bias_m, x=prior[0], y=prior[1]))
+    return found
 
 
-def _print_line(s: Scene, line: LineScene) -> None:
+def _of_line(s: Scene, line: LineScene) -> list[Message]:
     import numpy as np  # noqa: PLC0415
 
     size = np.array([line.width_px, line.height_px])
     h = 0.0 if s.rpc is None else float(s.rpc.ground_offset[2])
-    click.echo(f" rigorous model: {abs(2 * line.middle_and_half[1]):.4g} s, corners at height {h:g} m")
+    found = [note("scene.rigorous", seconds=abs(2 * float(line.middle_and_half[1])), height=h)]
     for u, v in CORNERS:
-        try:
+        lon = lat = None
+        with contextlib.suppress(NotSolvable):
             lon, lat, _ = line.localise(np.array([[u, v]]) * size, h)[0]
-            place = f"{lon:.6f} E  {lat:.6f} N"
-        except NotSolvable:
-            place = "looks past the body"
-        click.echo(f"      x {u * size[0]:7.0f}  y {v * size[1]:7.0f}   {place}")
+        found.append(note("scene.corner", x=u * size[0], y=v * size[1], known=lon is not None, longitude=lon,
+                          latitude=lat))  # fmt: skip
+    return found
 
 
-def _print_agreement(s: Scene) -> None:
-    """Print the differences of the two models; raise where they contradict each other."""
-    from raybundle.io.scenes import agreement_of, check_agreement  # noqa: PLC0415
+def _agreement(s: Scene) -> list[Message]:
+    """The differences of the two models."""
+    from raybundle.io.scenes import agreement_of  # noqa: PLC0415
 
     found = agreement_of(s)
     if found is None:
-        return
+        return []
     mean, spread = found.mean_px, found.std_px
     facts(rigorous_minus_rpc={"mean_px": mean, "std_px": spread, "limit_px": found.limit_px})
-    click.echo(
-        f"      rigorous minus RPC over the scene and 80 % of the heights: mean {mean[0]:+.3f}, {mean[1]:+.3f} px, "
-        f"standard deviation {spread[0]:.3f}, {spread[1]:.3f} px"
-    )
-    check_agreement(s)
+    return [note("scene.agreement", x=mean[0], y=mean[1], std_x=spread[0], std_y=spread[1])]

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts, significant
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, facts, significant
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.scenes.batch import RpcBatchSettings, run_batch
-from raybundle.errors import warning
+from raybundle.errors import Message, message_of_text, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -39,21 +39,24 @@ def batch(scenes: tuple[Path, ...], progress: str, **given: Any) -> None:
     with reporting(progress) as notify:
         done = run_batch(settings, notify)
     facts(scenes=[_fact(s) for s in done.scenes], table=done.table)
-    click.echo(f" {'scene':32}{'bias':>8}{'points':>8}{'rms x, y [px]':>18}{'ERR_BIAS [m]':>14}")
+    rows = [f"{'scene':32}{'bias':>8}{'points':>8}{'rms x, y [px]':>18}{'ERR_BIAS [m]':>14}"]
+    notices: list[Message] = []
     for scene in done.corrected:
         c = scene.correction
         if c is None or c.fit is None or c.errors is None:
             continue
         rms = ", ".join(f"{v:.3f}" for v in c.fit.rms)
         used = len(c.ids) - len(c.advice.set_aside)
-        click.echo(f" {scene.name[:31]:32}{c.fit.kind:>8}{used:8d}{rms:>18}{significant(c.errors.err_bias_m):>14}")
-        for remark in scene.remarks:
-            click.echo(f"   note: {remark}")
+        rows.append(f"{scene.name[:31]:32}{c.fit.kind:>8}{used:8d}{rms:>18}{significant(c.errors.err_bias_m):>14}")
+        notices += of_texts(scene.remarks)
         if wrong := [c.ids[k] for k in c.advice.set_aside]:
-            click.echo(f"   {notice_line(warning('rpc.control_set_aside', scene=scene.name, points=wrong))}")
-    for scene in done.failed:
-        click.echo(f" {notice_line(warning('rpc.scene_left_out', scene=scene.name))}\n   {scene.problem_line}")
-    click.echo(f" {len(done.corrected)} of {counted(len(done.scenes), 'scene')} corrected: {done.table}")
+            notices.append(warning("rpc.control_set_aside", scene=scene.name, points=wrong))
+    notices += [
+        warning("rpc.scene_left_out", scene=scene.name, details=[message_of_text(scene.problem_line)])
+        for scene in done.failed
+    ]
+    corrected = note("scene.corrected", n=len(done.corrected), of=len(done.scenes))
+    report(Summary(done=[corrected], table=rows, notices=notices, files=[done.table]))
 
 
 def _fact(scene: BatchScene) -> dict[str, Any]:

@@ -9,7 +9,7 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.scenes.ortho import RpcOrthoSettings, run_ortho
 from raybundle.errors import InputError, note
 from raybundle.settings import made
@@ -40,11 +40,8 @@ def ortho(scene: Path, progress: str, **given: Any) -> None:
         done = run_ortho(settings, progress=notify)
     facts(width=done.width, height=done.height, pixel=done.pixel, left=done.left, top=done.top, crs=done.crs)
     facts(seen_share=done.share, nodata=done.nodata, bands=done.bands)
-    for remark in done.remarks:
-        click.echo(f" note: {remark}")
-    click.echo(
-        f" {done.width} x {done.height} px of {done.pixel:g} in {done.crs}, {done.share:.1%} of them seen; "
-        f"{done.nodata:g} where nothing is"
-    )
-    click.echo(f" {notice_line(note('picture.hidden_places'))}")
-    click.echo(f" map: {done.out}")
+    report(Summary(
+        done=[note("scene.ortho", width=done.width, height=done.height, pixel=float(done.pixel), crs=str(done.crs),
+                   share=float(done.share), nodata=float(done.nodata))],
+        notices=[*of_texts(done.remarks), note("picture.hidden_places")], files=[done.out],
+    ))  # fmt: skip

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, counted, facts
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.sheet import DrawingSheetSettings, run_drawing_sheet
+from raybundle.errors import Severity, note
 from raybundle.settings import made
-
-if TYPE_CHECKING:
-    from raybundle.commands.sheet import DrawingSheet
 
 
 @click.command("sheet", cls=Command)
@@ -34,24 +33,18 @@ def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
       raybundle sheet ground.tif --scale 200 --several --out plan.pdf
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.results.state import state_messages  # noqa: PLC0415
 
     settings = made(DrawingSheetSettings, {"sources": sources, **values_of(DrawingSheetSettings, given)})
     with reporting(progress) as notify:
         done = run_drawing_sheet(settings, notify)
     facts(scale=done.scale, paper=done.paper, sheets=done.sheets, pictures=done.pictures, points=done.points)
     facts(lines=done.lines)
-    click.echo("\n".join(f" {line}" for line in _lines(done)))
-
-
-def _lines(done: DrawingSheet) -> list[str]:
-    """What the command prints."""
-    from raybundle.results.state import state_line  # noqa: PLC0415
-
-    of = f", {done.columns} x {done.rows}" if done.sheets > 1 else ""
-    drawn = [(done.pictures, "picture"), (done.points, "point"), (done.lines, "line")]
-    return [
-        f"{done.file}: 1 : {done.scale} on {done.paper}, {counted(done.sheets, 'sheet')}{of}; "
-        + ", ".join(counted(n, word) for n, word in drawn if n),
-        *([state_line(done.state)] if done.state else []),
-        *(f"note: {r}" for r in done.remarks),
-    ]
+    report(Summary(
+        done=[
+            note("drawing_sheet.sheets", scale=done.scale, paper=done.paper, n=done.sheets, columns=done.columns,
+                 rows=done.rows),
+            note("drawing_sheet.content", pictures=done.pictures, points=done.points, lines=done.lines),
+        ],
+        notices=[*state_messages(done.state), *of_texts(done.remarks, Severity.NOTE)], files=[done.file],
+    ))  # fmt: skip

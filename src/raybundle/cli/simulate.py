@@ -7,9 +7,11 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, facts
+from raybundle.cli.common import NEW_FOLDER, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.simulate import SimulateSettings, run_simulate
+from raybundle.errors import note
 from raybundle.settings import made
 
 
@@ -39,9 +41,8 @@ def command(scene: str, out: Path, progress: str, **given: Any) -> None:
     block = done.observed
     facts(images=len(block.images), points=len(block.points), observations=len(block.observations))
     facts(gross_errors=int(done.gross.sum()), block=out / "block", truth=out / "truth")
-    click.echo(
-        f" {counted(len(block.images), 'image')}, {counted(len(block.points), 'object point')}, "
-        f"{counted(len(block.observations), 'image observation')}, "
-        f"{counted(int(done.gross.sum()), 'blunder')}"
-    )
-    click.echo(f" block: {out / 'block'}, truth: {out / 'truth'}")
+    report(Summary(
+        done=[note("block.simulated", images=len(block.images), points=len(block.points),
+                   observations=len(block.observations), blunders=int(done.gross.sum()))],
+        files=[out / "block", out / "truth"],
+    ))  # fmt: skip

@@ -9,7 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.spreadsheet import SpreadsheetSettings, run_spreadsheet
+from raybundle.errors import Severity, note
 from raybundle.settings import made
 
 
@@ -34,6 +36,7 @@ def command(source: Path, progress: str, **given: Any) -> None:
     with reporting(progress) as notify:
         done = run_spreadsheet(settings, notify)
     facts(sheets=list(done.sheets))
-    click.echo("\n".join(f" {line}" for line in (
-        f"{done.file}: {', '.join(done.sheets)}", *(f"note: {r}" for r in done.left_out)
-    )))  # fmt: skip
+    report(Summary(
+        done=[note("workbook.written", n=len(done.sheets), names=list(done.sheets))], files=[done.file],
+        notices=of_texts(done.left_out, Severity.WARNING),
+    ))  # fmt: skip

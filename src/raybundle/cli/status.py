@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from raybundle.cli.common import FOLDER, Command, counted, facts, significant
+from raybundle.cli.common import FOLDER, Command, facts, significant
+from raybundle.cli.summary import Summary, of_texts, report
+from raybundle.errors import Message, Severity, note
 
 if TYPE_CHECKING:
     from raybundle.commands.status import Status
@@ -33,47 +35,50 @@ def command(project: Path) -> None:
         stages=found.stages, running=found.running, works=found.works, listed=found.listed, store=found.store,
         bytes=found.bytes, left=found.left, outgrown=found.outgrown, surface=found.surface,
     )  # fmt: skip
-    for line in lines(found):
-        click.echo(line)
+    report(Summary(done=[], table=list(rows(found)), notices=of_texts(outgrown(found), Severity.WARNING)))
 
 
-def lines(found: Status) -> Iterator[str]:
-    """The status in words."""
+def outgrown(found: Status) -> list[str]:
+    """That what is shown was made of an earlier adjustment."""
+    own = [found.outgrown] if found.outgrown else []
+    return own if found.surface is None else [*own, *outgrown(found.surface)]
+
+
+def rows(found: Status) -> Iterator[Message | str]:
+    """The stages, and what is known of the run."""
     width = max([12, *map(len, found.stages)])
     if found.stages:
-        yield f" {'stage':{width}s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished"
+        yield f"{'stage':{width}s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished"
     for name, r in found.stages.items():
         if r is None:
-            yield f" {name:{width}s} {'-':>8s} {'-':>8s} {'-':>8s}  not done"
+            yield f"{name:{width}s} {'-':>8s} {'-':>8s} {'-':>8s}  not done"
             continue
         source = "from cache" if r.from_cache else r.finished.replace("T", " ").rstrip("Z")
         figures = f"{r.seconds:8.1f} {r.cpu_seconds:8.1f} {r.peak_memory_mb:6.0f}MB"
-        yield f" {name:{width}s} {figures}  {source}  {r.summary}".rstrip()
+        yield f"{name:{width}s} {figures}  {source}  {r.summary}".rstrip()
     if found.elsewhere:
-        yield " CPU s and memory are those of the machine where the command ran; what workers took is not counted"
+        yield note("project_status.without_workers")
     at = found.running
     if at is not None:
-        how = "in work" if found.works else "cut short" if found.listed is None else "waits for shards"
-        yield f" {how}: {at.stage}, {at.done} of {at.total} done ({at.noted})"
+        state = "working" if found.works else "stopped" if found.listed is None else "waiting"
+        yield note(
+            "project_status.running", state=state, stage=at.stage, done=at.done, total=at.total, at=str(at.noted)
+        )  # fmt: skip
     elif found.works:
-        yield " a run works in it now"
+        yield note("project_status.works")
     if found.listed is not None:
         done, total = found.listed
-        yield f" for shards: {counted(total, 'task')} in the list, {done} of them done"
+        yield note("project_status.listed", n=total, done=done)
     if found.stages:
-        where = f"{found.store}, which the next run takes too; " if found.store else ""
-        yield f" products: {where}in its folder {_size(found.bytes)}"
-    if found.outgrown:
-        yield f" warning: {found.outgrown}"
+        yield note("project_status.products", size=_size(found.bytes), store=found.store or "none")
     if found.folder is not None and found.written and not found.works:
-        yield f" {found.folder} may be deleted: what is measured stays, and the next run measures all of it again"
+        yield note("project_status.deletable", folder=str(found.folder))
     if found.surface is not None:
-        yield " surface:"
-        yield from lines(found.surface)
+        yield note("project_status.surface")
+        yield from rows(found.surface)
     for left in found.left:
-        what = "that works now" if left.in_use else "that was cut short: the same command goes on, or delete the folder"
-        others = f", and in {', '.join(left.stores)}" if left.stores else ""
-        yield f" {left.folder}: parts of an adjustment {what} ({_size(left.bytes)}{others})"
+        yield note("project_status.parts", folder=str(left.folder), in_use=left.in_use, size=_size(left.bytes),
+                   n=len(left.stores), stores=list(left.stores))  # fmt: skip
 
 
 def _size(taken: float) -> str:

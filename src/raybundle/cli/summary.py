@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Protocol
 
 import click
 
-from raybundle.errors import Message, Severity, excluded, note, warning
+from raybundle.errors import Message, Severity, Text, excluded, note, warning
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -38,6 +38,8 @@ class Summary:
     """What to do where nothing is wrong; else that is the remedy of the gravest notice."""
     files: Sequence[object] = ()
     """Files and folders that were written."""
+    table: Sequence[Message | str] = ()
+    """Rows and lines of a command that shows a table: always printed"""
     details: Sequence[Message | str] = ()
     """Further figures, and rows of tables, for --verbose."""
 
@@ -71,13 +73,21 @@ def not_usable(refused: Sequence[tuple[str, str]]) -> list[Message]:
     return [warning("photographs.not_usable", n=len(names), names=names, details=excluded(refused))]
 
 
+def of_texts(texts: Iterable[str], severity: Severity | None = None) -> list[Message]:
+    """The messages of texts, all of one severity, or each of its own; of what has none it is a note."""
+    found = [m for t in texts for m in (t.messages if isinstance(t, Text) else [note("summary.text", text=t)])]
+    return [
+        replace(m, severity=severity or (Severity.NOTE if m.severity is Severity.ERROR else m.severity)) for m in found
+    ]
+
+
 def lines(summary: Summary, *, verbose: bool) -> list[str]:
     """What a terminal shows, at most eight lines without --verbose."""
     from raybundle.words import headline, reader  # noqa: PLC0415  (Fluent is loaded with it)
 
     grave = _grave(summary.notices)
     shown = grave if verbose else grave[:SHOWN]
-    found = [m.headline() for m in summary.done]
+    found = [*(m.headline() for m in summary.done), *table_lines(summary)]
     if verbose:
         found += [f"  {d if isinstance(d, str) else d.text()}" for d in summary.details]
     found += [notice_line(n, whole=verbose) for n in shown]
@@ -93,6 +103,11 @@ def lines(summary: Summary, *, verbose: bool) -> list[str]:
     return found
 
 
+def table_lines(summary: Summary) -> list[str]:
+    """The rows of its table."""
+    return [row if isinstance(row, str) else row.text() for row in summary.table]
+
+
 def loud(summary: Summary) -> list[str]:
     """What a quiet command prints: faults and warnings."""
     return [notice_line(n) for n in _grave(summary.notices)]
@@ -100,7 +115,7 @@ def loud(summary: Summary) -> list[str]:
 
 def data(summary: Summary) -> dict[str, Any]:
     """The same for JSON: messages as code, values and text."""
-    found: dict[str, Any] = {"summary": [_object(m) for m in summary.done]}
+    found: dict[str, Any] = {"summary": [_object(m) for m in summary.done], "lines": table_lines(summary)}
     for name, severity in (("faults", Severity.FAULT), ("warnings", Severity.WARNING), ("notes", Severity.NOTE)):
         found[name] = [_object(n) for n in summary.notices if _message(n).severity is severity]
     found["details"] = [_object(d) for d in summary.details if not isinstance(d, str)]
@@ -132,12 +147,6 @@ def notice_line(notice: Message | Coded, *, whole: bool = False) -> str:
         return "\n".join([f"{message.severity.value}: {first}{also} [{message.code}]", *others])
     others = f" (+{len(also)})" if also else ""
     return f"{message.severity.value}: {message.headline()}{others} [{message.code}]"
-
-
-def remark_lines(text: str) -> list[str]:
-    """The lines of a remark: each of its messages with its severity, a text as a note."""
-    messages = getattr(text, "messages", ())
-    return [notice_line(m) for m in messages] or [f"note: {text}"]
 
 
 def _remedy(grave: Sequence[Message | Coded]) -> str:

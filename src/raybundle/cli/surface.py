@@ -13,7 +13,7 @@ from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, fa
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, report
 from raybundle.commands.surface import WORK, SurfaceSettings, run_surface
-from raybundle.errors import Message, Severity, message_of_text, note
+from raybundle.errors import Message, Severity, message_of_text, note, phrase
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def command(source: Path, progress: str, **given: Any) -> int:
             done = run_surface(settings, notify)
     except KeyboardInterrupt:
         kept = (settings.out or source / "surface") / WORK
-        click.echo(f"interrupted; what is finished is kept in {kept}, the same command continues there", err=True)
+        click.echo(phrase("interruption.kept", folder=str(kept)), err=True)
         return 130
     facts(
         points=len(done.surface), unit=done.unit, median_sigma=done.median_sigma,

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FILE, NEW_FOLDER, Group, common_options, counted, facts
+from raybundle.cli.common import FOLDER, NEW_FILE, NEW_FOLDER, Group, common_options, facts
 from raybundle.cli.numbers import Length
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, not_usable, report
 from raybundle.commands.target_settings import (
     MILLIMETRES,
     ChooseSettings,
@@ -19,6 +20,7 @@ from raybundle.commands.target_settings import (
     run_choose,
     run_sheet,
 )
+from raybundle.errors import Message, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -55,10 +57,12 @@ def sheet(progress: str, **given: Any) -> None:
     designed, files = run_sheet(settings)
     facts(files=files, pages=len(designed.pages), printed_pages=len(designed.printed))
     placed = sum(len(p.targets) for p in designed.pages)
-    what = counted(placed, "point" if designed.spacing_mm > 0 else "target")
-    tail = f", printed as {counted(len(designed.printed), 'page')} {settings.tile}" if settings.tile else ""
-    click.echo(f" {what} of {designed.title} on {counted(len(designed.pages), 'page')} {settings.paper}{tail}")
-    click.echo(f" {', '.join(str(f) for f in files)}")
+    report(Summary(
+        done=[note("target_sheet.printed", n=placed, points=designed.spacing_mm > 0, target=designed.title,
+                   pages=len(designed.pages), paper=settings.paper,
+                   tiles=len(designed.printed) if settings.tile else 0, tile=settings.tile or "")],
+        files=files,
+    ))  # fmt: skip
 
 
 @command.command("choose")
@@ -75,11 +79,11 @@ def choose(progress: str, **given: Any) -> None:
     settings = made(ChooseSettings, values_of(ChooseSettings, given))
     choice, family = run_choose(settings)
     facts(ids=choice.ids, hidden_sectors=choice.hidden, least_distance=choice.distance)
-    click.echo(f" {counted(settings.count, 'target')} of {family.title}: {', '.join(map(str, choice.ids))}")
-    click.echo(
-        f" with any {choice.hidden} neighbouring sectors of {family.bits} hidden no ring passes for another; "
-        f"two rings differ in {choice.distance} sectors at least"
-    )
+    report(Summary(
+        done=[note("target_sheet.chosen", n=settings.count, target=family.title),
+              note("target_sheet.distinct", hidden=choice.hidden, bits=family.bits, distance=choice.distance)],
+        table=[", ".join(map(str, choice.ids))],
+    ))  # fmt: skip
 
 
 @command.command("detect")
@@ -106,27 +110,26 @@ def detect(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
     facts(photographs=[
         {"photograph": name, "points": len(m), "names": [n for n in m.name if n]} for name, m in done.found
     ])  # fmt: skip
-    click.echo("\n".join(report(done.found, done.target)))
-    for path, reason in done.refused:
-        click.echo(f" left out: {path.name}: {reason}")
-    if settings.out is not None:
-        click.echo(f" targets: {settings.out}")
-    if settings.observations is not None:
-        click.echo(f" observations: {settings.observations}")
+    report(_summary(done.found, done.target, not_usable([(p.name, why) for p, why in done.refused]),
+                    [f for f in (settings.out, settings.observations, settings.overlay) if f is not None]))  # fmt: skip
     return 0 if any(len(m) for _, m in done.found) else 2
 
 
-def report(found: Sequence[tuple[str, Marks]], target: Target) -> list[str]:
-    """What was found, for a terminal."""
+def _summary(
+    found: Sequence[tuple[str, Marks]], target: Target, notices: Sequence[Message], files: Sequence[Path]
+) -> Summary:
+    """What the detection reports."""
     names = {n for _, m in found for n in m.name if n}
-    reads = sum(int(m.named.sum()) for _, m in found)
-    bare = sum(int((~m.named).sum()) for _, m in found)
-    lines = [
-        f" {counted(len(found), 'photograph')}, {counted(len(names), 'point')} of {target.title}",
-        f" {counted(reads, 'image observation')} with a name, {counted(bare, 'dot')} without",
-    ]
+    named = sum(int(m.named.sum()) for _, m in found)
+    rows: list[Message | str] = []
     for name, m in found:
-        numbers = ", ".join(n for n in m.name if n) if not target.objects else ""
-        lines.append(f"   {name}: {counted(len(m), 'point')}{': ' if numbers else ''}{numbers}")
-        lines += [f"     {r}" for r in m.remarks]
-    return lines
+        numbers = [] if target.objects else [n for n in m.name if n]
+        rows.append(note("target_seen.photograph", name=name, n=len(m), points=", ".join(numbers)))
+        rows += [f"  {r}" for r in m.remarks]
+    return Summary(
+        done=[
+            note("target_seen.points", photographs=len(found), n=len(names), target=target.title),
+            note("target_seen.observations", named=named, unnamed=sum(len(m) for _, m in found) - named),
+        ],
+        details=rows, notices=notices, files=files,
+    )  # fmt: skip

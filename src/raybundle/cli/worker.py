@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import contextlib
+from dataclasses import replace
 from typing import Any
 
 import click
 
-from raybundle.cli.common import Command, common_options, counted
+from raybundle.cli.common import Command, common_options
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.worker import WorkerSettings
+from raybundle.errors import Severity, note
 from raybundle.settings import made
 
 WAITING = 5
@@ -49,9 +52,12 @@ def command(project: str | None, progress: str, **given: Any) -> int:
         done = run_worker(settings, project, lambda line: click.echo(f" {line}"), notify)
     if done is None:
         return 0
-    click.echo(f" {counted(done.made, 'task')} done")
-    for name, why in done.failed:
-        click.echo(f" left out: {name}: {why.text()}")
-    if done.waiting:
-        click.echo(f" {counted(done.waiting, 'task')} of this share wait for others; run it again then")
+    report(Summary(
+        done=[note("task_share.done", n=done.made, waiting=done.waiting)],
+        notices=[
+            replace(note("task_share.failed", name=name), severity=Severity.WARNING, details=(why,))
+            for name, why in done.failed
+        ],
+        next_step=note("task_share.again") if done.waiting else None,
+    ))  # fmt: skip
     return WAITING if done.waiting else 0

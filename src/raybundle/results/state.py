@@ -22,9 +22,11 @@ def relative_heights(state: str) -> bool:
     return phrase(RELATIVE) in state
 
 
-def state_line(found: str) -> str:
-    """What `state_words` gave as a line of a command's output."""
-    return f"{'warning' if found == phrase(RELATIVE) else 'fault'}: {found}"
+def state_messages(found: str) -> list[Message]:
+    """What `state_words` gave, or a file has of it, as faults or a warning."""
+    texts = found.messages if isinstance(found, Text) else [note("state.fault_text", text=found)] if found else []
+    severity = Severity.WARNING if found == phrase(RELATIVE) else Severity.FAULT
+    return [replace(m, severity=severity) for m in texts]
 
 
 def state_words(result: Mapping[str, Any]) -> str:

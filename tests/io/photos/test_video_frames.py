@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.cli.reported import reported, values_of
 
 from raybundle.cli.main import main
 from raybundle.errors import InputError
@@ -125,8 +126,10 @@ def test_command_line(video, tmp_path, capsys):
     if main(["frames", "--help"]) == 2:
         pytest.skip("the command is not registered")
     capsys.readouterr()
-    assert main(["frames", str(video), "--out", str(tmp_path / "out"), "--count", "4"]) == 0
-    assert "80 frames, 7.9 s, 400 x 240 px; 4 photographs chosen" in capsys.readouterr().out
+    found = reported(capsys, "frames", video, "--out", tmp_path / "out", "--count", 4)
+    frames = values_of(found, ["summary"])["video.frames"]
+    assert frames.pop("seconds") == pytest.approx(7.9)
+    assert frames == {"n": 4, "of": 80, "width_px": 400, "height_px": 240}
     assert main(["frames", str(video), "--out", str(tmp_path / "out")]) == 2
 
 

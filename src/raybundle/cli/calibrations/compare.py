@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, Command, significant
+from raybundle.cli.common import FOLDER, Command
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.calibrations import CalibrationCompareSettings, run_compare
+from raybundle.errors import Severity, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -38,8 +40,7 @@ def compare(first: Path, second: Path, *, as_json: bool, **given: Any) -> None:
     if as_json:
         click.echo(json.dumps(_as_table(found)))
         return
-    for line in _lines(found, settings.object_distance):
-        click.echo(f" {line}")
+    report(_summary(found, settings.object_distance))
 
 
 def _as_table(found: ComparedCalibrations) -> dict[str, object]:
@@ -55,25 +56,20 @@ def _as_table(found: ComparedCalibrations) -> dict[str, object]:
     }  # fmt: skip
 
 
-def _lines(found: ComparedCalibrations, distance: float | None) -> list[str]:
-    """What is printed."""
+def _summary(found: ComparedCalibrations, distance: float | None) -> Summary:
+    """What the command reports."""
     import numpy as np  # noqa: PLC0415
 
     d, expected_px = found.difference, found.expected_px
     turn = float(np.degrees(np.linalg.norm(d.rotation)))
-    where = "at infinity" if distance is None else f"at the distance {distance:g}"
-    lines = [f"note: {note}" for note in found.notes]
-    lines.append(
-        f"difference {where}, after a rotation of {turn:.4f} deg: rms {significant(d.rms)} px, largest "
-        f"{significant(d.largest)} px"
-    )
+    done = [note("calibration.difference", infinity=distance is None, distance=distance, turn_deg=turn, rms_px=d.rms,
+                 largest_px=d.largest)]  # fmt: skip
     if expected_px is not None and expected_px > 0:
-        ratio = d.rms / expected_px
-        verdict = "as far apart as they may be" if ratio < 2 else "they are not of one camera in one state"
-        lines.append(f"their covariances let expect {significant(expected_px)} px: {ratio:.1f} times that, {verdict}")
-    lines.append("largest difference [px] in 3 x 3 parts of the format, as seen in the picture:")
+        ratio = float(d.rms / expected_px)
+        done.append(note("calibration.expected", expected_px=expected_px, ratio=ratio, same=ratio < 2))
     length = np.linalg.norm(d.shift_px, axis=2)
-    for row in np.array_split(length, 3, axis=0):
-        parts = [float(np.nanmax(part)) for part in np.array_split(row, 3, axis=1)]
-        lines.append(" " + " ".join(f"{p:10.3f}" for p in parts))
-    return lines
+    rows = [
+        " ".join(f"{float(np.nanmax(part)):10.3f}" for part in np.array_split(row, 3, axis=1))
+        for row in np.array_split(length, 3, axis=0)
+    ]
+    return Summary(done=[*done, note("calibration.parts")], table=rows, notices=of_texts(found.notes, Severity.NOTE))

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.calibrations import CalibrationConvertSettings, converted, write_converted
-from raybundle.errors import warning
+from raybundle.errors import Message, Severity, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -37,10 +37,6 @@ def convert(source: Path, **given: Any) -> None:
     """  # noqa: D301
     settings = made(CalibrationConvertSettings, {"source": source, **values_of(CalibrationConvertSettings, given)})
     found = converted(settings)
-    for caution in found.cautions:
-        click.echo(f" warning: {caution}")
-    for conversion in found.conversions:
-        _print(conversion)
     files = write_converted(settings, found).files
     facts(files=files, cameras=[
         {
@@ -49,21 +45,22 @@ def convert(source: Path, **given: Any) -> None:
         }
         for c in found.conversions
     ])  # fmt: skip
-    for path in files:
-        click.echo(f" {settings.to}: {path}")
+    report(Summary(
+        done=[
+            note("calibration.converted", camera=c.calibration.id, model=c.variant, exact=c.exact, rms_px=c.rms_px,
+                 largest_px=c.largest_px)
+            for c in found.conversions
+        ],
+        notices=[*of_texts(found.cautions, Severity.WARNING), *(m for c in found.conversions for m in _notices(c))],
+        files=files,
+    ))  # fmt: skip
 
 
-def _print(conversion: Conversion) -> None:
+def _notices(conversion: Conversion) -> list[Message]:
     c = conversion.calibration
-    how = (
-        "exact"
-        if conversion.exact
-        else f"fitted over the format: rms {significant(conversion.rms_px)} px, "
-        f"largest {significant(conversion.largest_px)} px"
-    )
-    click.echo(f" camera {c.id}: {conversion.variant}, {how}")
-    if conversion.covered < 1:
-        click.echo(f" {notice_line(warning('calibration.inverse_in_part', camera=c.id, share=conversion.covered))}")
-    click.echo(f" {'note' if conversion.validity.whole_format else 'warning'}: {conversion.validity}")
-    for remark in c.remarks:
-        click.echo(f" note: {remark}")
+    part = [warning("calibration.inverse_in_part", camera=c.id, share=conversion.covered)]
+    return [
+        *(part if conversion.covered < 1 else []),
+        conversion.validity.message,
+        *of_texts(c.remarks, Severity.NOTE),
+    ]

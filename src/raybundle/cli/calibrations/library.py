@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FILE, Command, counted, facts, significant
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.calibrations import (
     CalibrationAddSettings,
     CalibrationFindSettings,
@@ -20,7 +20,7 @@ from raybundle.commands.calibrations import (
     run_list,
     write_best,
 )
-from raybundle.errors import warning
+from raybundle.errors import Message, Severity, message_of_text, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -39,19 +39,20 @@ def add(source: Path, **given: Any) -> None:
     """  # noqa: D301
     asked = {"source": source, **values_of(CalibrationAddSettings, given)}
     kept = run_add(made(CalibrationAddSettings, asked))
-    for remark in kept.remarks:
-        click.echo(f" note: {remark}")
     facts(key=str(kept.key), kept=kept.place)
-    click.echo(f" {kept.key}: kept as {kept.place}")
+    report(Summary(
+        done=[note("calibration.stored", key=str(kept.key))], files=[kept.place],
+        notices=of_texts(kept.remarks, Severity.NOTE),
+    ))  # fmt: skip
 
 
-def _row(entry: LibraryEntry) -> str:
+def _rows(entry: LibraryEntry) -> list[Message | str]:
     c = entry.camera
-    sigma0 = "" if entry.sigma0 is None else f", sigma0 {significant(entry.sigma0)}"
-    count = "" if entry.photographs is None else f", {counted(entry.photographs, 'photograph')}"
-    size = f"{c.width_px} x {c.height_px} px"
-    verdict = f", called {entry.grade}" if entry.grade else ""
-    return f" {entry.name}\n   {entry.key}; {size}, {c.model}; {entry.date}, {entry.source}{count}{sigma0}{verdict}"
+    return [entry.name, note(
+        "calibration.entry", key=str(entry.key), width_px=c.width_px, height_px=c.height_px, model=c.model,
+        date=str(entry.date), source=entry.source, photographs=entry.photographs or 0, sigma0=entry.sigma0 or 0.0,
+        grade=entry.grade or "none",
+    )]  # fmt: skip
 
 
 @click.command("list", cls=Command)
@@ -70,11 +71,14 @@ def list_(*, as_json: bool, **given: Any) -> None:
     if as_json:
         click.echo(json.dumps([as_table(e) for e in found.entries], indent=1))
         return
-    click.echo(f" {counted(len(found.entries), 'calibration')} in {found.folder}")
-    for entry in found.entries:
-        click.echo(_row(entry))
-    for path, why in found.refused:
-        click.echo(f" {notice_line(warning('calibration.file_unusable', name=path.name))}\n   {why}")
+    report(Summary(
+        done=[note("calibration.library", n=len(found.entries), folder=str(found.folder))],
+        table=[row for entry in found.entries for row in _rows(entry)],
+        notices=[
+            warning("calibration.file_unusable", name=path.name, details=[message_of_text(why)])
+            for path, why in found.refused
+        ],
+    ))  # fmt: skip
 
 
 @click.command("find", cls=Command)
@@ -94,13 +98,14 @@ def find(photo: Path, **given: Any) -> int:
     settings = made(CalibrationFindSettings, {"photo": photo, **values_of(CalibrationFindSettings, given)})
     found = run_find(settings)
     facts(matches=[{"name": m.entry.name, "fits": m.fits, "reasons": m.reasons} for m in found.matches])
-    click.echo(f" {photo.name}: {key_of(found.photo)}; {found.photo.width_px} x {found.photo.height_px} px")
-    for m in found.matches:
-        click.echo(f" {'fits' if m.fits else 'no  '} {m.entry.name}: {'; '.join(m.reasons)}")
+    first = note("calibration.photograph", name=photo.name, key=str(key_of(found.photo)),
+                 width_px=found.photo.width_px, height_px=found.photo.height_px)  # fmt: skip
+    rows = [
+        note("calibration.match", name=m.entry.name, fits=m.fits, reasons="; ".join(m.reasons)) for m in found.matches
+    ]  # fmt: skip
     if found.best is None:
-        click.echo(" the library has no calibration for it; calibrate, then keep it: raybundle calibration add")
+        report(Summary(done=[first], table=rows, notices=[warning("calibration.none_fits", name=photo.name)]))
         return 2
     write_best(settings, found)
-    if settings.out is not None:
-        click.echo(f" written: {settings.out}")
+    report(Summary(done=[first], table=rows, files=[] if settings.out is None else [settings.out]))
     return 0

@@ -9,7 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.calibrations import ZoomSettings, keep_zoom, run_zoom
+from raybundle.errors import note
 from raybundle.settings import made
 
 
@@ -33,12 +35,15 @@ def zoom(results: tuple[Path, ...], **given: Any) -> None:
     lens = done.lens
     low, high = lens.range_mm
     facts(focal_mm=lens.range_mm, symbols=lens.symbols, orders=lens.orders, variance_factor=lens.variance_factor)
-    rounded = f"rounded to {lens.resolution_mm:g} mm" if lens.resolution_mm else "not rounded"
-    click.echo(f" {len(done.settings)} settings from {low:g} to {high:g} mm, focal lengths {rounded}")
     worst = abs(zoom_residuals(lens, done.settings)).max(axis=0)
-    for symbol, variable, order, most in zip(lens.symbols, lens.variables, lens.orders, worst, strict=True):
-        click.echo(f"  {symbol}: order {order} in {variable}, largest residual {most:.2g}")
-    click.echo(f" scatter about the curves: {lens.variance_factor:.2f} times what the calibrations' variances allow")
-    click.echo(f" written: {settings.out}")
-    if settings.keep:
-        click.echo(f" kept in the camera library: {keep_zoom(settings, done)}")
+    report(Summary(
+        done=[
+            note("zoom.settings", n=len(done.settings), low_mm=low, high_mm=high, resolution_mm=lens.resolution_mm),
+            note("zoom.scatter", factor=lens.variance_factor),
+        ],
+        details=[
+            note("zoom.curve", symbol=symbol, order=order, variable=variable, largest=most)
+            for symbol, variable, order, most in zip(lens.symbols, lens.variables, lens.orders, worst, strict=True)
+        ],
+        files=[settings.out, *([keep_zoom(settings, done)] if settings.keep else [])],
+    ))  # fmt: skip

@@ -7,12 +7,12 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FILE, Command, counted, facts
-from raybundle.cli.heights.words import FREE, cautions
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts
+from raybundle.cli.heights.words import free_scale
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.heights.contours import HeightsContoursSettings, run_contours
-from raybundle.errors import warning
+from raybundle.errors import Severity, note, warning
 from raybundle.settings import made
 
 
@@ -33,15 +33,11 @@ def command(source: Path, **given: Any) -> None:
     found = run_contours(made(HeightsContoursSettings, {"source": source, **values_of(HeightsContoursSettings, given)}))
     lines = sum(len(c.lines) for c in found.contours)
     facts(levels=[c.height for c in found.contours], lines=lines, unit=found.unit, files=[str(f) for f in found.files])
-    low, high = found.contours[0].height, found.contours[-1].height
-    unit = f" {found.unit}" if found.unit else ""
-    click.echo(f" {counted(lines, 'line')} of {counted(len(found.contours), 'height')}, {low:.6g} to {high:.6g}{unit}")
-    if found.interval < 2 * found.sigma:
-        close = warning("contours.interval_too_small", interval=found.interval, sigma=found.sigma, unit=found.unit)
-        click.echo(f" {notice_line(close)}")
-    if not unit:
-        click.echo(f" {FREE}")
-    for line in cautions(found.cautions):
-        click.echo(f" {line}")
-    for path in found.files:
-        click.echo(f" {path}")
+    low, high, unit = found.contours[0].height, found.contours[-1].height, found.unit
+    close = found.interval < 2 * found.sigma
+    wrong = [warning("contours.interval_too_small", interval=found.interval, sigma=found.sigma, unit=unit)]
+    report(Summary(
+        done=[note("heights.contours", lines=lines, n=len(found.contours), low=low, high=high, unit=unit),
+              *free_scale(unit)],
+        notices=[*(wrong if close else []), *of_texts(found.cautions, Severity.WARNING)], files=found.files,
+    ))  # fmt: skip

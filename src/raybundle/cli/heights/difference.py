@@ -8,19 +8,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, counted, facts
-from raybundle.cli.heights.words import FREE, cautions, measured, plain, two_digits
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts
+from raybundle.cli.heights.words import free_scale, measured, two_digits
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.heights.difference import HeightsDifferenceSettings, run_difference
-from raybundle.errors import warning
+from raybundle.errors import Message, Severity, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.commands.heights.difference import MeasuredDifference
     from raybundle.surfaces.movements import Region
 
-MOST_SHOWN = 12
 UNSURE = 2.0
 """Standard deviations below which the amount of a region is called unsure"""
 
@@ -65,74 +64,62 @@ def command(before: Path, after: Path, **given: Any) -> None:
         smallest=[{"side": s.side, "amount": _or_none(s.amount), "best": _or_none(s.best)} for s in found.smallest],
         files=[str(f) for f in found.files],
     )  # fmt: skip
-    click.echo("\n".join(f" {line}" for line in _lines(found)))
+    report(_summary(found))
 
 
 def _or_none(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def _lines(found: MeasuredDifference) -> list[str]:
+def _summary(found: MeasuredDifference) -> Summary:
+    """What the command reports."""
     m, w, unit = found.movements, found.movements.whole, found.unit
-    verdict = "more than chance" if w.significant else "within the uncertainty of both orientations"
-    lines = [
-        f"{found.compared:.0%} of the heights before have one after",
-        (
-            f"the whole: shift {measured(w.shift.value, w.shift.sigma, unit)}, tilts "
-            f"{measured(w.tilt[0], w.tilt_sigma[0], '')} and {measured(w.tilt[1], w.tilt_sigma[1], '')}: chi2 "
-            f"{w.chi2:.3g} of 3, limit {w.limit:.3g}: {verdict}"
-        ),
-    ]
+    smallest = [s for s in found.smallest if math.isfinite(s.best)]
+    least = [note("heights.no_movement_detectable")]
+    if smallest:
+        s = smallest[-1]
+        level = two_digits(s.amount if math.isfinite(s.amount) else s.best)
+        least = [note("heights.level_of_detection", amount=level, side=s.side, unit=unit,
+                      all_places=math.isfinite(s.amount))]  # fmt: skip
+    shift, tilts = measured(w.shift.value, w.shift.sigma, unit), [
+        measured(tilt, sigma, "") for tilt, sigma in zip(w.tilt, w.tilt_sigma, strict=True)
+    ]  # fmt: skip
+    more: list[Message] = [note("heights.compared", share=found.compared), note("heights.tilts", tilts=tilts)]
     if found.same:
-        lines.append(f"{found.same:.2%} of these are one measurement in both: they have not moved, and are not tested")
-    if not m.regions:
-        lines.append("nothing has moved against the rest by more than chance (5 % for the whole surface)")
-    else:
-        lines.append(
-            f"{counted(len(m.regions), 'region')} moved against the rest by more than chance (5 % for all: means of "
-            f"windows beyond {m.limit:.3g} sigma):"
-        )
-    for k, r in enumerate(m.regions[:MOST_SHOWN], 1):
-        lines.append(
-            f"  {k}: mean {measured(r.mean, r.mean_sigma, unit)} over {measured(r.area, r.area_sigma, unit, 2)}, "
-            f"volume {measured(r.volume, r.volume_sigma, unit, 3)}; its inner part "
-            f"{measured(r.amount, r.amount_sigma, unit)}; significance: its strongest window {r.peak:.3g} sigma, its "
-            f"inner part {_times(r):.3g}"
-        )
-    if len(m.regions) > MOST_SHOWN:
-        lines.append(f"  and {len(m.regions) - MOST_SHOWN} more")
-    if unsure := sum(_times(r) < UNSURE for r in m.regions):
-        lines.append(notice_line(warning("displacement.unsure", n=unsure, limit=UNSURE)))
-    lines += _smallest(found)
+        more.append(note("heights.same_measurement", share=found.same))
+    for k, r in enumerate(m.regions, 1):
+        more += [
+            note("heights.region", k=k, mean=measured(r.mean, r.mean_sigma, unit),
+                 area=measured(r.area, r.area_sigma, unit, 2), volume=measured(r.volume, r.volume_sigma, unit, 3)),
+            note("heights.region_inner", k=k, amount=measured(r.amount, r.amount_sigma, unit), peak=float(r.peak),
+                 times=_times(r)),
+        ]  # fmt: skip
+    more += [
+        note("heights.smallest", side=s.side, amount=_or_none(s.amount), best=float(s.best), unit=unit,
+             median=math.isfinite(s.amount)) for s in smallest
+    ]  # fmt: skip
+    unsure = sum(_times(r) < UNSURE for r in m.regions)
+    return Summary(
+        done=[
+            note("heights.moved", n=len(m.regions), limit=float(m.limit)), *least,
+            note("heights.whole", shift=shift, chi2=w.chi2, limit=w.limit, significant=bool(w.significant)),
+            *free_scale(unit),
+        ],
+        details=more, files=found.files,
+        notices=[
+            *([warning("displacement.unsure", n=unsure, limit=UNSURE)] if unsure else []),
+            *of_texts(found.cautions, Severity.WARNING), *_frame(found),
+        ],
+    )  # fmt: skip
+
+
+def _frame(found: MeasuredDifference) -> list[Message]:
+    """What is known of both orientations together."""
     if found.orientations:
-        lines.append(found.orientations)
-    elif not found.in_map:
-        lines.append("both have to be in one frame: with the same control, or points in common that have not moved")
-    if not unit:
-        lines.append(FREE)
-    return [*lines, *cautions(found.cautions), *(str(f) for f in found.files)]
+        return [note("heights.one_adjustment", common=found.orientations)]
+    return [] if found.in_map else [note("heights.same_frame")]
 
 
 def _times(r: Region) -> float:
     """How many of its own standard deviations the inner part of a region has moved by."""
     return abs(r.amount) / r.amount_sigma if r.amount_sigma > 0 else math.inf
-
-
-def _smallest(found: MeasuredDifference) -> list[str]:
-    """How small a movement could have been and still be found."""
-    lines = list[str]()
-    for s in found.smallest:
-        of = f"{plain(s.side, 3)} x {plain(s.side, 3)}"
-        half, quarter = (two_digits(v) if math.isfinite(v) else "" for v in (s.amount, s.best))
-        if half and half != quarter:
-            lines.append(f"{half} over {of} ({quarter} where heights are best, in a quarter of it)")
-        elif half:
-            lines.append(f"{half} over {of}")
-        elif quarter:
-            lines.append(f"{quarter} over {of} in the best quarter, none however large in the median")
-    if not lines:
-        return ["no movement of squares of up to half of the surface would be found: too few heights, or all at steps"]
-    unit = f" [{found.unit}]" if found.unit else ""
-    return [f"smallest movement that would be found with a chance of 80 %, in the median over the surface{unit}:"] + [
-        f"  {line}" for line in lines
-    ]

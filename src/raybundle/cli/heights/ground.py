@@ -7,12 +7,12 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts, significant
-from raybundle.cli.heights.words import FREE, cautions
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts
+from raybundle.cli.heights.words import free_scale
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.heights.ground import HeightsGroundSettings, run_ground
-from raybundle.errors import warning
+from raybundle.errors import Severity, note, warning
 from raybundle.settings import made
 
 SPANNED = 0.2
@@ -40,17 +40,11 @@ def command(source: Path, **given: Any) -> None:
         folder=str(found.folder), unit=found.unit, standing=found.standing, filled=found.filled, sigma=found.sigma,
         filled_sigma=found.filled_sigma,
     )  # fmt: skip
-    unit = f" {found.unit}" if found.unit else ""
-    click.echo(f" {found.standing:.1%} of the heights stand on the ground")
-    if found.filled:
-        click.echo(
-            f" ground: sigma {significant(found.sigma)}{unit} in the median where it was measured; {found.filled:.1%} "
-            f"of it spans gaps, sigma {significant(found.filled_sigma)}{unit}"
-        )
-    if found.filled > SPANNED:
-        click.echo(f" {notice_line(warning('terrain.spans_gaps', share=found.filled))}")
-    if not unit:
-        click.echo(f" {FREE}")
-    for line in cautions(found.cautions):
-        click.echo(f" {line}")
-    click.echo(f" {found.folder}")
+    gaps = note(
+        "heights.gaps", share=found.filled, sigma=found.sigma, sigma_gaps=found.filled_sigma, unit=found.unit
+    )  # fmt: skip
+    wrong = [warning("terrain.spans_gaps", share=found.filled)] if found.filled > SPANNED else []
+    report(Summary(
+        done=[note("heights.ground", share=found.standing), *([gaps] if found.filled else []), *free_scale(found.unit)],
+        notices=[*wrong, *of_texts(found.cautions, Severity.WARNING)], files=[found.folder],
+    ))  # fmt: skip

@@ -8,16 +8,19 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
-from raybundle.cli.heights.words import FREE, LEAST_SHARE, cautions, measured, plain
+from raybundle.cli.heights.words import LEAST_SHARE, free_scale, measured, plain
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.heights.section import HeightsSectionSettings, run_section
-from raybundle.errors import warning
+from raybundle.errors import Message, Severity, note, warning
 from raybundle.numerics.length_units import precision_unit
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.commands.heights.section import MeasuredSections
+
+SHOWN = 5
+"""Lines of sections that a terminal shows"""
 
 
 @click.command("section", cls=Command)
@@ -45,42 +48,38 @@ def command(source: Path, **given: Any) -> None:
         }
         for m in found.sections
     ])  # fmt: skip
-    click.echo("\n".join(f" {line}" for line in _lines(found)))
+    report(_summary(found))
 
 
-def _lines(found: MeasuredSections) -> list[str]:
+def _summary(found: MeasuredSections) -> Summary:
+    """What the command reports."""
     import numpy as np  # noqa: PLC0415
 
-    lines = list[str]()
+    done, more, wrong = list[Message](), list[Message](), list[Message]()
     for m in found.sections:
-        known = np.isfinite(m.section.height)
-        far = f"{plain(float(m.section.distance[-1]))} {found.unit}".rstrip()
+        s, known = m.section, np.isfinite(m.section.height)
+        length = f"{plain(float(s.distance[-1]))} {found.unit}".rstrip()
         if m.mean is None:
-            lines.append(f"{m.name}: {far}, nowhere a height")
+            done.append(note("heights.section_without_heights", name=m.name, length=length))
             continue
-        share = m.section.with_height
-        lines.append(
-            f"{m.name}: {far}, {_share(share)} of it with a height; mean height "
-            f"{measured(m.mean.value, m.mean.sigma, found.unit)}; sigma of a place "
-            f"{_with_unit(float(np.median(m.section.sigma[known])), found.unit)} in the median"
-        )
-        if share < 1:
-            lines.append(notice_line(warning("section.partly_measured", name=m.name, share=share)))
-        if m.section.filled_share >= LEAST_SHARE:
-            lines.append(f"{m.section.filled_share:.2%} of what has a height was filled: no photograph measured it")
+        mean = measured(m.mean.value, m.mean.sigma, found.unit)
+        sigma = _with_unit(float(np.median(s.sigma[known])), found.unit)
+        done.append(note("heights.section", name=m.name, length=length, mean=mean))
+        more.append(note("heights.section_precision", name=m.name, share=s.with_height, sigma=sigma))
+        if s.with_height < 1:
+            wrong.append(warning("section.partly_measured", name=m.name, share=s.with_height))
+        if s.filled_share >= LEAST_SHARE:
+            more.append(note("heights.section_filled", name=m.name, share=s.filled_share))
         if m.difference is not None:
-            lines.append(f"difference of height: {measured(m.difference.value, m.difference.sigma, found.unit)}")
-    if not found.unit:
-        lines.append(FREE)
-    return [*lines, *cautions(found.cautions), *(str(f) for f in found.files)]
+            value = measured(m.difference.value, m.difference.sigma, found.unit)
+            done.append(note("heights.section_difference", name=m.name, difference=value))
+    return Summary(
+        done=[*done[:SHOWN], *free_scale(found.unit)], details=[*done[SHOWN:], *more],
+        notices=[*wrong, *of_texts(found.cautions, Severity.WARNING)], files=found.files,
+    )  # fmt: skip
 
 
 def _with_unit(sigma: float, unit: str) -> str:
     """A standard deviation as it is read."""
     factor, of = precision_unit(sigma, unit)
     return f"{significant(factor * sigma, 2)} {of}".rstrip()
-
-
-def _share(share: float) -> str:
-    """In percent, and less than all where it is not all."""
-    return "100%" if share == 1 else f"{min(share, 0.999):.1%}"

@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, Command, facts
-from raybundle.cli.heights.words import FREE, LEAST_SHARE, cautions, measured, plain, two_digits
+from raybundle.cli.heights.words import LEAST_SHARE, free_scale, measured, plain, two_digits
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.heights.volume import HeightsVolumeSettings, run_volume
+from raybundle.errors import Severity, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -42,26 +44,25 @@ def command(source: Path, **given: Any) -> None:
             for name, q in (("above", v.above), ("below", v.below), ("net", v.net))
         },
     )  # fmt: skip
-    click.echo("\n".join(f" {line}" for line in _lines(found)))
+    report(_summary(found))
 
 
-def _lines(found: MeasuredVolume) -> list[str]:
+def _summary(found: MeasuredVolume) -> Summary:
+    """What the command reports."""
     v, unit = found.volume, found.unit
-    square = f" {unit}2" if unit else ""
-    lines = [
-        f"above {found.base}: {measured(v.above.value, v.above.sigma, unit, 3)}",
-        f"below: {measured(v.below.value, v.below.sigma, unit, 3)}",
-        (
-            f"net: {measured(v.net.value, v.net.sigma, unit, 3)}; of its sigma "
-            f"{two_digits(v.net.local)} is local, {two_digits(v.net.orientation)} orientation"
-        ),
-        f"mean height above the base: {measured(v.net.value / v.plan_area, v.mean_sigma, unit)}",
-        f"area in plan {plain(v.plan_area)}{square}, true area {measured(v.true_area, v.true_area_sigma, unit, 2)}",
+    above, below, net = (measured(q.value, q.sigma, unit, 3) for q in (v.above, v.below, v.net))
+    area = f"{plain(v.plan_area)} {unit}2" if unit else plain(v.plan_area)
+    more = [
+        note("heights.volume_sigma", local=two_digits(v.net.local), orientation=two_digits(v.net.orientation)),
+        note("heights.mean_height", mean=measured(v.net.value / v.plan_area, v.mean_sigma, unit)),
     ]
     if v.filled >= LEAST_SHARE:
-        lines.append(
-            f"{v.filled:.2%} of the area was filled; sigma of the net volume by that {two_digits(v.filled_sigma)}"
-        )
-    if not unit:
-        lines.append(FREE)
-    return [*lines, *cautions(found.cautions)]
+        more.append(note("heights.volume_filled", share=v.filled, sigma=two_digits(v.filled_sigma)))
+    return Summary(
+        done=[
+            note("heights.volume", base=found.base, above=above, below=below), note("heights.net_volume", net=net),
+            note("heights.area", area=area, true_area=measured(v.true_area, v.true_area_sigma, unit, 2)),
+            *free_scale(unit),
+        ],
+        details=more, notices=of_texts(found.cautions, Severity.WARNING),
+    )  # fmt: skip

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 from raybundle.cli.common import grouped, significant
+from raybundle.errors import Message, note
 
 MOST_PLACES = 9
 GROUPED = 1e4
 LEAST_SHARE = 5e-5
 """Share that is reported: less is 0.00 %."""
-FREE = "the scale is free: lengths have no unit"
+
+
+def free_scale(unit: str) -> list[Message]:
+    """That lengths have no unit, where the scale is free."""
+    return [] if unit else [note("heights.scale_free")]
 
 
 def measured(value: float, sigma: float, unit: str, power: int = 1) -> str:
@@ -25,11 +29,6 @@ def measured(value: float, sigma: float, unit: str, power: int = 1) -> str:
     return (
         f"{_whole(round(value, places), max(places, 0))}{name} (sigma {_whole(round(sigma, places), max(places, 0))})"
     )
-
-
-def cautions(lines: Sequence[str]) -> list[str]:
-    """What is to be reported of a surface itself, as lines."""
-    return [f"warning: {one}" for one in lines]
 
 
 def two_digits(sigma: float) -> str:

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, facts
-from raybundle.cli.plan.precision import cell, control_lines, figure, length, positions
+from raybundle.cli.common import NEW_FOLDER, Command, common_options, facts
+from raybundle.cli.plan.precision import cell, control_lines, figure, length
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.planning.flight import FlightSettings, run_plan_flight
-from raybundle.errors import Severity, warning
+from raybundle.errors import Message, Severity, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -47,18 +47,18 @@ def command(progress: str, **given: Any) -> None:
         plan, done, table = run_plan_flight(settings, notify)
     shown = {"planned": done.planned, "without_rtk": done.without_rtk}
     facts(**{n: None if f is None else _fact(f) for n, f in shown.items()}, remedies=[_fact(f) for f in done.remedies])
-    click.echo("\n".join(_head(plan)))
-    click.echo(
-        f" {'sigma [mm], rms; of c [px]':50}{'photos':>7}{'X':>8}{'Y':>8}{'Z':>8}{'c':>7}{'brings':>20}"
-        "   not determinable (level)"
-    )
-    for f in (done.planned, *(() if done.without_rtk is None else (done.without_rtk,)), *done.remedies):
-        click.echo(_row(f, done))
-    click.echo(_verdict(done))
-    if table is not None:
-        click.echo("\n".join(control_lines(table)))
-    if settings.out is not None:
-        click.echo(f" simulated block: {settings.out}")
+    rows = [
+        f"{'sigma [mm], c [px]':50}{'photos':>7}{'X':>8}{'Y':>8}{'Z':>8}{'c':>7}{'gain':>20}   not determinable (level)"
+    ]
+    shown = (done.planned, *(() if done.without_rtk is None else (done.without_rtk,)), *done.remedies)
+    rows += [_row(f, done) for f in shown]
+    first, more = _head(plan)
+    report(Summary(
+        done=[*first, _precision(done.planned), *([note("flight.determined")] if done.planned.sure else [])],
+        notices=[*_overlap(plan), *verdict(done)],
+        table=[] if table is None else control_lines(table), details=[*more, *rows],
+        files=[] if settings.out is None else [settings.out],
+    ))  # fmt: skip
 
 
 def _fact(f: Forecast) -> dict[str, Any]:
@@ -69,35 +69,40 @@ def _fact(f: Forecast) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _head(plan: Flight) -> list[str]:
+def _head(plan: Flight) -> tuple[list[Message], list[Message]]:
+    """Lines, photographs and overlaps; what else there is of them."""
     from raybundle.planning.aerial import is_rtk  # noqa: PLC0415
 
     along, across = plan.overlap
-    flown = (
-        f"{counted(plan.lines, 'line')} of {counted(plan.photographs, 'photograph')}, {plan.height:.4g} m above ground"
-    )
-    apart = f"base {plan.base:.3g} m, lines {plan.spacing:.3g} m apart"
-    kind = "RTK" if is_rtk(plan.station_sigma) else "no RTK"
-    ground = " x ".join(f"{side:.3g} m" for side in plan.sides)
-    lines = [
-        f" {flown}; {apart}; a pixel is {1000 * plan.pixel_on_ground:.3g} mm",
-        f" overlap {100 * along:.0f} % along, {100 * across:.0f} % across; tie points over {ground}",
-        f" positions of {positions(plan.station_sigma)} ({kind})",
-    ]
-    if along < 0.5:
-        lines.append(f" {notice_line(warning('plan.little_overlap', overlap=along))}")
+    return [
+        note("flight.lines", lines=plan.lines, n=plan.photographs, height_m=plan.height,
+             pixel_mm=1000 * plan.pixel_on_ground),
+        note("flight.overlap", along=along, across=across, width_m=plan.sides[0], length_m=plan.sides[1]),
+    ], [
+        note("flight.spacing", base_m=plan.base, spacing_m=plan.spacing),
+        note("flight.positions", sigma_m=list(plan.station_sigma), rtk=is_rtk(plan.station_sigma)),
+    ]  # fmt: skip
+
+
+def _overlap(plan: Flight) -> list[Message]:
+    """What is wrong with the overlap."""
+    along, across = plan.overlap
+    found = [warning("plan.little_overlap", overlap=along)] if along < 0.5 else []
     if across < 0:
-        lines.append(
-            f" {notice_line(replace(warning('plan.gaps_between_lines', overlap=across), severity=Severity.FAULT))}"
-        )
-    return lines
+        found.append(replace(warning("plan.gaps_between_lines", overlap=across), severity=Severity.FAULT))
+    return found
+
+
+def _precision(f: Forecast) -> Message:
+    x, y, z = map(length, f.sigma_m.tolist())
+    return note("flight.precision", x=x, y=y, z=z, known=math.isfinite(f.sigma_c_px), c_px=f.sigma_c_px)
 
 
 def _row(f: Forecast, done: FlightPlan) -> str:
     sigma = "".join(f"{cell(v, 0):>8}" for v in f.sigma_m.tolist())
     lost, level = ", ".join(f.lost) or "none", ", ".join(f.lost_level) or "none"
     brings = _brings(f, done) if f in done.remedies else "-"
-    return f" {f.name:50}{f.photographs:7d}{sigma}{figure(f.sigma_c_px, 1):>7}{brings:>20}   {lost} ({level})"
+    return f"{f.name:50}{f.photographs:7d}{sigma}{figure(f.sigma_c_px, 1):>7}{brings:>20}   {lost} ({level})"
 
 
 def _brings(f: Forecast, done: FlightPlan) -> str:
@@ -114,29 +119,22 @@ def _times(what: str, gain: float) -> str:
     return f"{what} x{gain:.3g}" if math.isfinite(gain) else what
 
 
-def _verdict(done: FlightPlan) -> str:
+def verdict(done: FlightPlan) -> Sequence[Message]:
+    """What the flight does not determine by its design, with the change that determines it."""
     planned, advised = done.planned, done.advised
     if planned.sure:
-        return " everything is determined by design"
-    what = ", ".join(planned.lost_level or planned.lost)
-    lead = f" warning: {what} hang{'s' if ',' not in what else ''} on the unevenness of the flight alone"
-    if planned.lost:
-        lead = f" fault: {', '.join(planned.lost)} cannot be determined by this flight"
-    if planned.lost and planned.lost_level and planned.lost != planned.lost_level:
-        lead += f", nor {', '.join(planned.lost_level)} where it is exactly level at one height"
-    if advised is None:
-        return f"{lead}; none of the changes above mends it: {_held(planned)}"
-    figures = [f"Z {_change(length, float(planned.sigma_m[2]), float(advised.sigma_m[2]))}"]
-    figures += [_parameter(p, done, advised) for p in planned.hanging]
-    return f"{lead}; what mends it: {advised.name}; sigma {', '.join(figures)}"
-
-
-def _held(planned: Forecast) -> str:
-    """What is left where no change of the flight mends what hangs: to know it from elsewhere."""
+        return []
+    figures = list[str]()
+    if advised is not None:
+        figures = [f"Z {_change(length, float(planned.sigma_m[2]), float(advised.sigma_m[2]))}"]
+        figures += [_parameter(p, done, advised) for p in planned.hanging]
     arm = {"ax", "ay", "az"} & set(planned.hanging)
-    known = ["hold the camera as calibrated (--hold-camera)"] if set(planned.hanging) - arm or not arm else []
-    known += ["measure the lever arm and hold it (without --free-lever-arm)"] if arm else []
-    return ", and ".join(known)
+    found = warning(
+        "plan.flight_undetermined", parameters=list(planned.lost or planned.lost_level), lost=bool(planned.lost),
+        level=list(planned.lost_level), remedy="none" if advised is None else advised.name, figures=figures,
+        hold="camera" if not arm else "both" if set(planned.hanging) - arm else "lever_arm",
+    )  # fmt: skip
+    return [replace(found, severity=Severity.FAULT if planned.lost else Severity.WARNING)]
 
 
 def _change(words: Callable[[float], str], before: float, after: float) -> str:

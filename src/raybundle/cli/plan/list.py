@@ -6,11 +6,12 @@ from typing import Any, get_args
 
 import click
 
-from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted
+from raybundle.cli.common import NEW_FOLDER, Command, common_options
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
-from raybundle.commands.planning.network_files import free_camera_warning
+from raybundle.cli.summary import Summary, of_texts, report
+from raybundle.commands.planning.network_files import free_camera
 from raybundle.commands.planning.photograph_list import ListKind, ListSettings, facts_of, run_plan_list
+from raybundle.errors import note
 from raybundle.settings import made
 
 
@@ -40,7 +41,9 @@ def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noq
     settings = made(ListSettings, {"kind": kind, "object": object, **values_of(ListSettings, given)})
     with reporting(progress) as notify:
         plan = run_plan_list(settings, notify)
-    lines = [f"{counted(len(plan.design.stations), 'photograph')} listed", *facts_of(settings, plan)]
-    if found := free_camera_warning(plan):
-        lines.append(notice_line(found))
-    click.echo("\n".join(f" {line}" for line in [*lines, f"{settings.out}: list.pdf, list.csv, network.html, block"]))
+    camera, precision, *more = facts_of(settings, plan)
+    report(Summary(
+        done=[note("network.listed", n=len(plan.design.stations)), *of_texts([precision])],
+        notices=free_camera(plan), details=[camera, *more],
+        next_step=note("network.next_list", folder=str(settings.out)), files=[settings.out],
+    ))  # fmt: skip

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import NEW_FOLDER, Command, counted, facts
-from raybundle.cli.plan.precision import forecast_lines
+from raybundle.cli.common import NEW_FOLDER, Command, facts
+from raybundle.cli.plan.precision import forecast_lines, left_open
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line, remark_lines
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.planning.mission import MissionSettings, run_plan_mission
+from raybundle.errors import Message, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -38,48 +39,43 @@ def command(area: str, **given: Any) -> None:
     """  # noqa: D301
     done = run_plan_mission(made(MissionSettings, {"area": area, **values_of(MissionSettings, given)}))
     facts(figures=done.facts, files=done.files, forecast=done.forecast)
-    click.echo("\n".join(lines(done)))
+    report(_summary(done))
 
 
-def lines(done: PlannedMission) -> list[str]:
-    """What is reported of a plan."""
+def _summary(done: PlannedMission) -> Summary:
+    """What the command reports."""
     m, f = done.mission, done.facts
-    flown = (
-        f"{counted(f.photographs, 'photograph')} on {counted(f.lines, 'line')}, {counted(f.way_points, 'way point')}"
-    )
-    camera = f"{m.camera.name} ({m.camera.width_px} x {m.camera.height_px} px, c = {m.camera.c_px:.0f} px)"
-    along, across = _share(f.along, m.overlap[0]), _share(f.across, m.overlap[1])
-    text = [
-        f" {m.pattern}: {flown}; {m.vehicle.name}, {camera}",
-        f" a pixel is {_mm(f.gsd)} mm ({_in_mm(m.gsd)} asked for); {_metres(f.above)} m above the ground",
-        f" base {m.base:.2f} m, lines {m.spacing:.2f} m apart; overlap {along} along, {across} across",
-    ]
-    on_lines = m.way_points.speed[m.way_points.base == m.way_points.base]
-    motion = "photographs are taken standing"
-    if f.interval_s is not None:
-        speed = float(on_lines.max())
-        motion = (
-            f"{speed:.1f} m/s, a photograph every {f.interval_s:.2f} s or more; motion blur {f.blur_px:.2f} px at "
-            f"1/{1 / m.camera.exposure_s:.0f} s"
-        )
-    text.append(f" {motion}")
-    minutes = ", ".join(f"{v:.1f}" for v in f.minutes)
-    count = len(f.minutes)
-    flights = f"one battery, {minutes} min" if count == 1 else f"{count} batteries, {minutes} min"
-    text.append(
-        f" {f.length_m / 1000:.2f} km of way, {flights} ({m.vehicle.usable_s / 60:.1f} of {m.vehicle.minutes:g} may be "
-        f"used); farthest {f.farthest_m:.0f} m from the take-off"
-    )
+    forecast = [] if done.forecast is None else forecast_lines(done.forecast)
+    more: list[Message] = [
+        note("flight.camera", camera=m.camera.name, width_px=m.camera.width_px, height_px=m.camera.height_px,
+             c_px=m.camera.c_px),
+        note("flight.spacing", base_m=m.base, spacing_m=m.spacing),
+    ]  # fmt: skip
+    if f.interval_s is None:
+        more.append(note("flight.standing"))
+    else:
+        speed = float(m.way_points.speed[m.way_points.base == m.way_points.base].max())
+        exposure = round(1 / m.camera.exposure_s)
+        more.append(note("flight.motion", speed=speed, interval_s=f.interval_s, blur_px=f.blur_px, exposure=exposure))
     if f.coverage is not None:
         count = sorted(f.coverage.count.tolist())
-        least = counted(count[0], "photograph")
-        text.append(f" a place of the area is seen by {least} or more, in the middle by {count[len(count) // 2]}")
-    if done.forecast is not None:
-        text += forecast_lines(done.forecast)
-    text += [f" {one}" for r in done.remarks for one in remark_lines(r)]
-    text += [f" {notice_line(w)}" for w in done.warnings]
-    text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")
-    return text
+        more.append(note("flight.coverage", least=int(count[0]), middle=int(count[len(count) // 2])))
+    return Summary(
+        done=[
+            note("flight.mission", photographs=f.photographs, lines=f.lines, way_points=f.way_points,
+                 pattern=m.pattern, vehicle=m.vehicle.name),
+            note("flight.ground", pixel=_mm(f.gsd), asked=_in_mm(m.gsd), above=_metres(f.above),
+                 along=_share(f.along, m.overlap[0]), across=_share(f.across, m.overlap[1])),
+            note("flight.batteries", way_km=f.length_m / 1000, n=len(f.minutes), minutes=list(f.minutes),
+                 usable=m.vehicle.usable_s / 60, farthest_m=f.farthest_m),
+            *forecast[:1],
+        ],
+        details=[*more, *forecast[1:]], files=done.files,
+        notices=[
+            *done.warnings,
+            *([] if done.forecast is None else left_open(done.forecast)), *of_texts(done.remarks),
+        ],
+    )  # fmt: skip
 
 
 def _mm(s: Spread) -> str:

@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import notice_line
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.planning.next import NextSettings, run_plan_next
-from raybundle.errors import note
+from raybundle.errors import Message, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.planning.next_plan import NextPlan
 
-SHOWN = 12
-"""Proposals that are reported one by one; the others stand in next.csv"""
+SHOWN = 3
+"""Proposals that a terminal shows; --verbose and next.csv have all"""
 HARDLY = 0.99
 """Share of what is to be lowered, of which a remark is made where it stays"""
 
@@ -45,29 +45,32 @@ def command(result: Path, progress: str, **given: Any) -> None:
     settings = made(NextSettings, {"result": result, **values_of(NextSettings, given)})
     with reporting(progress) as notify:
         plan = run_plan_next(settings, notify)
-    click.echo("\n".join(f" {line}" for line in lines(plan, settings)))
+    report(summary(plan, settings))
 
 
-def lines(plan: NextPlan, settings: NextSettings) -> list[str]:
-    """What is reported of the proposals."""
+def summary(plan: NextPlan, settings: NextSettings) -> Summary:
+    """What the command reports."""
     import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
 
     from raybundle.planning.next_words import figure_words, goal_words, instruction  # noqa: PLC0415
 
     first, last = plan.proposals[0].before, plan.proposals[-1].after
     n = len(plan.proposals)
-    falls = f"{figure_words(plan, first.value)} now, {figure_words(plan, last.value)} with {counted(n, 'photograph')}"
-    judged = f"{counted(plan.judged, 'candidate')} of {plan.reached} within reach show enough"
-    text = [f"{judged}; {goal_words(plan)} {falls}"]
-    for k in range(min(n, SHOWN)):
-        reported = instruction(plan, k)
-        text += [f"{plan.names[k]}  {reported}", f"        {reported.brings}"]
-        if reported.frees:
-            text.append(f"        with it {', '.join(reported.frees)} can be determined")
+    shown, more = list[Message](), list[Message]()
+    for k in range(n):
+        found = instruction(plan, k)
+        (shown if k < SHOWN else more).append(note("network.proposal", name=plan.names[k], text=str(found)))
+        more.append(note("network.proposal", name=plan.names[k], text=found.brings))
+        if found.frees:
+            more.append(note("network.freed", parameters=list(found.frees)))
     if n > SHOWN:
-        text.append(f"... {n - SHOWN} more in next.csv")
+        shown.append(note("network.more_proposals", n=n - SHOWN, file_name="next.csv"))
+    notices: list[Message] = []
     if n < plan.wanted:
-        text.append(notice_line(note("plan.nothing_lowers", n=n, wanted=plan.wanted)))
+        notices.append(note("plan.nothing_lowers", n=n, wanted=plan.wanted))
     elif np.isfinite(first.value) and last.value > HARDLY * first.value:
-        text.append(notice_line(note("plan.hardly_lowers", share=1 - last.value / first.value)))
-    return [*text, f"{settings.out}: network.html, next.csv, next.json, block"]
+        notices.append(note("plan.hardly_lowers", share=1 - last.value / first.value))
+    before, after = figure_words(plan, first.value), figure_words(plan, last.value)
+    lowered = note("network.lowered", goal=goal_words(plan), before=before, after=after, n=n)
+    judged = note("network.judged", judged=plan.judged, reached=plan.reached)
+    return Summary(done=[lowered, *shown], notices=notices, details=[judged, *more], files=[settings.out])

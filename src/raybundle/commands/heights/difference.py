@@ -14,13 +14,6 @@ if TYPE_CHECKING:
     from raybundle.surfaces.smallest_movements import SmallestMovement
 
 
-COMMON = "both are of one adjustment: what its orientation moves alike in both is not in the difference"
-APART = (
-    "both are of one adjustment, by other photographs of many: what their orientations have in common is not known "
-    "here, and standard deviations take them as independent"
-)
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeightsDifferenceSettings:
     """Two surfaces."""
@@ -45,7 +38,7 @@ class MeasuredDifference:
     """movements of squares that would have been found"""
     in_map: bool
     orientations: str
-    """what is known of both together, in words; empty: they are independent"""
+    """of one adjustment: "known", what both have in common; "unknown"; empty: they are independent"""
     cautions: tuple[str, ...]
     """what is to be reported of the surfaces themselves, a sentence each"""
     files: tuple[Path, ...]
@@ -71,7 +64,7 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     a, b = before.model, after.model
     orientations = ""
     if a.adjustment and a.adjustment == b.adjustment:
-        orientations = COMMON if model.errors else APART
+        orientations = "known" if model.errors else "unknown"
     found = movements(model)
     smallest = found.smallest(model)
     files = write_movements(before, model, found, smallest, s.out) if s.out is not None else ()

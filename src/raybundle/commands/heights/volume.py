@@ -49,7 +49,7 @@ class MeasuredVolume:
     unit: str
     """of lengths; empty: the scale is free"""
     base: str
-    """from where it counts, in words"""
+    """a height, the folder of a surface, or "rim": the plane by the heights along the outline"""
     cautions: tuple[str, ...]
     """what is to be reported of the surface itself, a sentence each"""
 
@@ -73,14 +73,11 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     if level is None and s.above == RIM and everything:
         raise InputError("volume.rim_needs_outline")
     cautions = o.cautions
-    model, base, words = o.model, level, "the plane by the heights along the outline"
-    if level is not None:
-        words = f"the height {level:g}"
-    elif s.above != RIM:
+    model, base = o.model, level
+    if level is None and s.above != RIM:
         below = opened(Path(s.above))
         model, base = difference(on_same_grid(o, below), o.model), 0.0
         cautions = (*cautions, *below.cautions)
-        words = f"the surface {s.above}"
     areas = outlined(o, s.outline, s.extent)
     covered = None if everything else covered_by(o, areas)
     widest = CELLS_FILLED * o.file.cell if s.fill is None else s.fill
@@ -103,7 +100,7 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
             limit_percent=float(s.most_filled),
             file=s.source,
         )
-    return MeasuredVolume(volume=found, unit=o.unit, base=words, cautions=cautions)
+    return MeasuredVolume(volume=found, unit=o.unit, base=s.above if level is None else f"{level:g}", cautions=cautions)
 
 
 def _no_height(o: Opened, before: HeightModel, model: HeightModel, covered: Array) -> Message:

@@ -204,13 +204,14 @@ def known_words(h: Held, points: int) -> list[str]:
     ]  # fmt: skip
 
 
-def free_camera_warning(plan: NetworkPlan) -> Message | None:
-    """What a plan of natural points does not know where the camera is calibrated with the object."""
+def free_camera(plan: NetworkPlan) -> list[Message]:
+    """What a plan of natural points does not know where the camera is calibrated with the object; [] for others."""
     from raybundle.planning.measured import FREE_CAMERA  # noqa: PLC0415
 
     if plan.site.found is None or not plan.site.free:
-        return None
-    return warning("plan.free_camera", low=FREE_CAMERA[0], high=FREE_CAMERA[1])
+        return []
+    low, high = FREE_CAMERA
+    return [warning("plan.free_camera", low=float(low), high=float(high))]
 
 
 def purpose_words(plan: NetworkPlan, k: int) -> Text:

@@ -17,6 +17,7 @@ import numpy as np
 from raybundle.block import Camera
 from raybundle.cameras.conversions import parameter_vector
 from raybundle.cameras.forward_camera import STEP, ForwardCamera, distorted
+from raybundle.errors import Message, note, warning
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import SensorModel, sensor_models
 
@@ -54,15 +55,15 @@ class Validity:
         """Whether the whole format lies within the valid radius."""
         return self.radius_px >= self.corner_px
 
-    def __str__(self) -> str:
-        """One sentence for people."""
-        if not self.reason:
-            return "its distortion is invertible over the whole format"
-        words = {"fold": "its distortion folds over", "pole": "its distortion has a pole"}[self.reason]
-        where = f" ({self.radius_px:.0f} px)" if np.isfinite(self.radius_px) else ""
-        inside = "beyond the format" if self.whole_format else "WITHIN the format"
-        corner = f"its corners are at {self.corner_px:.0f} px"
-        return f"{words} at {self.angle_deg:.1f} deg off the axis{where}, {inside}; {corner}"
+    @property
+    def message(self) -> Message:
+        """The radius in words: a note, or a warning where it lies within the format."""
+        made = note if self.whole_format else warning
+        return made(
+            "calibration.validity", reason=self.reason or "none", angle_deg=self.angle_deg,
+            finite=bool(np.isfinite(self.radius_px)), radius_px=self.radius_px, corner_px=self.corner_px,
+            inside=not self.whole_format,
+        )  # fmt: skip
 
 
 def validity(camera: Camera | ForwardCamera) -> Validity:

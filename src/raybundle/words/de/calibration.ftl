@@ -143,3 +143,22 @@ calibration-inverse_in_part = Kamera { $camera }: die Verzeichnung hat nur für 
     .do = Verwenden Sie keine Bildpunkte außerhalb davon.
 
 calibration-file_unusable = { $name } ist nicht verwendbar.
+
+calibration-none_fits = Die Kamerabibliothek hat keine Kalibrierung für { $name }.
+    .do = Die Kamera kalibrieren und mit raybundle calibration add ablegen.
+
+calibration-validity = { $reason ->
+        [none] Die Verzeichnung ist über das ganze Format umkehrbar.
+        [pole] Die Verzeichnung hat { NUM($angle_deg, decimals: 1) } Grad neben der Achse einen Pol
+        *[fold] Die Verzeichnung faltet sich { NUM($angle_deg, decimals: 1) } Grad neben der Achse
+    }{ $reason ->
+        [none] {""}
+        *[other] { $inside ->
+            [yes] , innerhalb des Formats.
+            *[no] , außerhalb des Formats.
+        }
+    }
+    .why = { $finite ->
+            [yes] Radius { NUM($radius_px, decimals: 0) } px; die Ecken liegen bei { NUM($corner_px, decimals: 0) } px.
+            *[no] {""}
+        }

@@ -11,3 +11,8 @@ costs-overlap_too_small = { OPTION("flight_overlap", $along, $across) }: Eine St
     .do = Mindestens 0,6 längs und 0,3 quer angeben.
 
 costs-exceeded = { $what }: { $needed } nötig, { $given } vorhanden.
+
+costs-unread = { $n } unlesbare { $n ->
+        [one] Datei zählt
+        *[other] Dateien zählen
+    } nicht mit: { $names }.

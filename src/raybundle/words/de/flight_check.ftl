@@ -1,3 +1,5 @@
+
+
 flight_check-no_positions = Keine der Aufnahmen hat eine Position.
     .do = Eine Datei mit Positionen angeben.
 
@@ -16,3 +18,13 @@ flight_check-not_decoded = { $n } { $n ->
         [one] Aufnahme ist
         *[other] Aufnahmen sind
     } nicht lesbar ({ $example }, ...).
+
+flight_check-blurred = { $n } unscharfe { $n ->
+        [one] Aufnahme zählt
+        *[other] Aufnahmen zählen
+    } nicht: { $names }.
+
+flight_check-tilted = { $n } zu stark geneigte { $n ->
+        [one] Aufnahme zählt
+        *[other] Aufnahmen zählen
+    } nicht: { $names }.

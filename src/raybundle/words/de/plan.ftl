@@ -1,3 +1,5 @@
+
+
 plan-not_sharp = { $kind ->
         [sheet] Das formatfüllende Blatt
         [facade] Die Fassade für Stereopaare
@@ -241,3 +243,20 @@ plan-free_camera = Gemessene Sigmas natürlicher Punkte waren { $low }- bis { $h
 plan-other_camera = Der Bildwinkel beträgt { NUM($seen_deg, decimals: 0) } Grad; geplant waren { NUM($planned_deg, decimals: 0) } Grad.
     .why = Objektiv, Zoom oder Ausschnitt des Formats weichen vom Plan ab.
     .do = Nehmen Sie mit der geplanten Kamera auf, oder planen Sie mit dieser.
+
+plan-flight_undetermined = { $lost ->
+        [yes] Dieser Flug bestimmt nicht: { $parameters }.
+        *[no] Nur die Unregelmäßigkeit des Fluges bestimmt { $parameters }.
+    }
+    .why = { $lost ->
+            [yes] Bei genau ebenem Flug in einer Höhe nicht bestimmt: { $level }.
+            *[no] Ein genau ebener Flug in einer Höhe bestimmt sie nicht.
+        }
+    .do = { $remedy ->
+            [none] { $hold ->
+                [camera] Keine Änderung des Fluges hilft: die Kamera wie kalibriert festhalten ({ OPTION("hold_camera", "True") }).
+                [lever_arm] Keine Änderung des Fluges hilft: den Hebelarm messen und festhalten.
+                *[both] Keine Änderung hilft: Kamera ({ OPTION("hold_camera", "True") }) und gemessenen Hebelarm festhalten.
+            }
+            *[other] Den Plan ändern: { $remedy }. Sigma: { $figures }.
+        }

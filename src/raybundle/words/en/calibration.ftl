@@ -231,3 +231,29 @@ calibration-inverse_in_part = Camera { $camera }: the distortion has an inverse 
 
 # $name = "cam.toml"
 calibration-file_unusable = { $name } is not usable.
+
+# $name = "DSC_0001.JPG"
+calibration-none_fits = The camera library has no calibration for { $name }.
+    .do = Calibrate the camera, then store it with raybundle calibration add.
+
+# $reason = "fold"
+# $angle_deg = 42.1
+# $finite = true
+# $radius_px = 3100.0
+# $corner_px = 3600.0
+# $inside = true
+calibration-validity = { $reason ->
+        [none] The distortion is invertible over the whole format.
+        [pole] The distortion has a pole { NUM($angle_deg, decimals: 1) } deg off the axis
+        *[fold] The distortion folds over { NUM($angle_deg, decimals: 1) } deg off the axis
+    }{ $reason ->
+        [none] {""}
+        *[other] { $inside ->
+            [yes] , within the format.
+            *[no] , beyond the format.
+        }
+    }
+    .why = { $finite ->
+            [yes] Radius { NUM($radius_px, decimals: 0) } px; the corners are at { NUM($corner_px, decimals: 0) } px.
+            *[no] {""}
+        }

@@ -19,3 +19,10 @@ costs-overlap_too_small = { OPTION("flight_overlap", $along, $across) }: a place
 # $needed = "24 GB"
 # $given = "16 GB"
 costs-exceeded = { $what }: { $needed } needed, { $given } available.
+
+# $n = 1
+# $names = ["a.jpg"]
+costs-unread = { $n } unreadable { $n ->
+        [one] file is
+        *[other] files are
+    } not counted: { $names }.

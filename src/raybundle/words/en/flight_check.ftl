@@ -1,3 +1,5 @@
+
+
 flight_check-no_positions = None of the photographs has a position.
     .do = Give a file of positions.
 
@@ -24,3 +26,17 @@ flight_check-not_decoded = { $n } { $n ->
         [one] photograph is
         *[other] photographs are
     } not readable ({ $example }, ...).
+
+# $n = 1
+# $names = ["DJI_0031.jpg (3.2 px)"]
+flight_check-blurred = { $n } blurred { $n ->
+        [one] photograph does
+        *[other] photographs do
+    } not count: { $names }.
+
+# $n = 1
+# $names = ["DJI_0151.jpg"]
+flight_check-tilted = { $n } { $n ->
+        [one] photograph, tilted too far, does
+        *[other] photographs, tilted too far, do
+    } not count: { $names }.

@@ -1,3 +1,5 @@
+
+
 # $kind = "building"
 # $distance_m = 2.0
 # $near_m = 3.5
@@ -370,3 +372,29 @@ plan-free_camera = Measured sigma of natural points was { $low } to { $high } ti
 plan-other_camera = The field of view is { NUM($seen_deg, decimals: 0) } degrees; { NUM($planned_deg, decimals: 0) } degrees were planned.
     .why = The lens, its zoom or the part of the format differs from the plan.
     .do = Take the photographs with the planned camera, or plan with this one.
+
+# $parameters = ["c", "x0"]
+# $lost = false
+# $level = ["c", "x0"]
+# $remedy = "headings alternate"
+# $figures = ["Z 1.5 m to 20 mm"]
+# $hold = "camera"
+plan-flight_undetermined = { $lost ->
+        [yes] This flight does not determine { $parameters }.
+        *[no] Only the unevenness of the flight determines { $parameters }.
+    }
+    .why = { $lost ->
+            [yes] Not determined if exactly level at one height: { $level }.
+            *[no] A flight exactly level at one height does not determine them.
+        }
+    .do = { $remedy ->
+            [none] { $hold ->
+                [camera] No change of the flight helps: hold the camera as calibrated ({ OPTION("hold_camera", "True") }).
+                [lever_arm] No change of the flight helps: measure the lever arm and hold it.
+                *[both] No change helps: hold the camera ({ OPTION("hold_camera", "True") }) and the measured lever arm.
+            }
+            *[other] Change the plan: { $remedy }. Sigma: { $figures }.
+        }
+
+# $low = 1.5
+# $high = 3.0

@@ -91,3 +91,10 @@ calibration-spline_worse = Caméra { $camera } : le modèle spline finit moins b
 calibration-inverse_in_part = Caméra { $camera } : distorsion inversible sur { PERCENT($share) } % du format seulement.
 
 calibration-file_unusable = { $name } n'est pas utilisable.
+
+calibration-none_fits = Aucun étalonnage de la bibliothèque ne convient à { $name }.
+
+calibration-validity = { $reason ->
+        [none] La distorsion est inversible sur tout le format.
+        *[other] La distorsion n'est inversible que jusqu'à { NUM($angle_deg, decimals: 1) }° de l'axe.
+    }

@@ -7,3 +7,5 @@ costs-photographs_and_number = Des photographies et { OPTION("images", $n) } s'e
 costs-overlap_too_small = { OPTION("flight_overlap", $along, $across) } : un lieu figure sur { $n } photographies ; il en faut { $needed }.
 
 costs-exceeded = { $what } : { $needed } nécessaires, { $given } disponibles.
+
+costs-unread = Fichiers illisibles, non comptés : { $names }.

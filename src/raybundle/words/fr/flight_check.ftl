@@ -1,3 +1,5 @@
+
+
 flight_check-no_positions = Aucune des photos n'a de position.
 
 flight_check-other_place = Aucune photo n'est à un endroit prévu par la mission { $mission } ; l'écart moyen est de { NUM($away_m, decimals: 0) } m.
@@ -12,3 +14,7 @@ flight_check-not_decoded = { $n } { $n ->
         [one] photo illisible
         *[other] photos illisibles
     } ({ $example }, ...).
+
+flight_check-blurred = Photos floues, non comptées : { $names }.
+
+flight_check-tilted = Photos trop inclinées, non comptées : { $names }.

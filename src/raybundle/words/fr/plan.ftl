@@ -1,3 +1,5 @@
+
+
 plan-not_sharp = { $kind ->
         [sheet] La feuille qui remplit le format
         [facade] La façade pour couples stéréo
@@ -144,3 +146,8 @@ plan-flown_calibrated = Aucune modification du vol essayée ne les détermine.
 plan-free_camera = Les écarts-types mesurés de points naturels étaient de { $low } à { $high } fois ceux du plan.
 
 plan-other_camera = L'angle de champ est de { NUM($seen_deg, decimals: 0) } degrés ; { NUM($planned_deg, decimals: 0) } degrés étaient prévus.
+
+plan-flight_undetermined = { $lost ->
+        [yes] Ce vol ne détermine pas { $parameters }.
+        *[no] Seule l'irrégularité du vol détermine { $parameters }.
+    }

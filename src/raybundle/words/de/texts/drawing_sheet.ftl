@@ -112,3 +112,10 @@ drawing_sheet-precision = Standardabweichung { $n ->
     } { NUM($z_mm, digits: 2) } mm.
 
 drawing_sheet-vertical = Lotrichtung:
+
+drawing_sheet-sheets = Gezeichnet: 1 : { $scale } auf { $paper }, { $n } { $n ->
+        [one] Blatt
+        *[other] Blätter ({ $columns } x { $rows })
+    }.
+
+drawing_sheet-content = Inhalt: Bilder { $pictures }, Punkte { $points }, Linien { $lines }.

@@ -68,11 +68,4 @@ network_plan-larger = { $what ->
         *[per_cent] { NUM($per_cent, decimals: 0) } % größer
     }.
 
-network_plan-aim = { $name ->
-        [worst] schlechtester Punkt
-        [mean] Mittel
-        [calibration] größte Unsicherheit der Abbildung durch die Kalibrierung
-        *[reliability] kleinster Redundanzanteil
-    }
-
 network_plan-about = geplant: { $photographs } Aufnahmen von { $points } Punkten, Bildpunkte von { $sigma_px } px

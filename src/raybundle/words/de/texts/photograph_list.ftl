@@ -1,3 +1,5 @@
+
+
 photograph_list-rules = Regeln
 
 photograph_list-taken = aufgenommen: { $name }
@@ -199,3 +201,14 @@ photograph_list-pair = Paar { $number } von { $of }, { $left ->
 photograph_list-distances = Ring: { NUM($ring_m, decimals: 1) } m vor den Wänden, { NUM($eye_m, decimals: 1) } m hoch; Paare aus { NUM($pairs_m, decimals: 1) } m, Basis { NUM($base_m, decimals: 2) } m.
 
 photograph_list-clearance = Keine Aufnahme näher als { NUM($distance_m) } m.
+
+photograph_list-ticked = Liste von { $n } Aufnahmen: { $oriented } orientiert; { $missing } fehlen, { $beside } neben der Liste.
+
+photograph_list-named = { $kind ->
+        [doubled] Mehrfach aufgenommen
+        [rolled] Kamera anders gehalten als gelistet
+        [beside] Neben der Liste
+        *[not_oriented] Nicht orientiert
+    }: { $names }.
+
+photograph_list-not_taken = Es fehlt { $number }: { $text }

@@ -111,3 +111,5 @@ summary-part = { $n } { $n ->
 summary-try_xfeat = { OPTION("features", "xfeat") } verknüpft Aufnahmen mit größeren Basen (pip install 'raybundle[learned]').
 
 summary-marks_left_out = Nicht verwendete gemessene Punkte ({ $n }): { $names }.
+
+summary-text = { $text }

@@ -25,3 +25,18 @@ target_seen-tag_in_places = Marke { $tag } ist an { $n } Stellen zu sehen: ihre 
 
 target_seen-two_boards = { $target } ist an zwei Stellen zu sehen, ununterscheidbar.
     .do = Eine davon abdecken oder eine zweite mit anderen Punktzahlen nehmen.
+
+target_seen-points = { $photographs } { $photographs ->
+        [one] Aufnahme
+        *[other] Aufnahmen
+    }, { $n } { $n ->
+        [one] Punkt
+        *[other] Punkte
+    } von { $target }.
+
+target_seen-observations = Bildbeobachtungen: { $named } mit Namen, { $unnamed } ohne.
+
+target_seen-photograph = { $name }: { $n } { $n ->
+        [one] Punkt
+        *[other] Punkte
+    }: { $points }

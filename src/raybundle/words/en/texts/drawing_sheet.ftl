@@ -135,3 +135,18 @@ drawing_sheet-precision = Standard deviation of { $n } named { $n ->
     } { NUM($z_mm, digits: 2) } mm.
 
 drawing_sheet-vertical = Vertical:
+
+# $scale = 50
+# $paper = "A2 landscape"
+# $n = 2
+# $columns = 2
+# $rows = 1
+drawing_sheet-sheets = Drawn: 1 : { $scale } on { $paper }, { $n } { $n ->
+        [one] sheet
+        *[other] sheets ({ $columns } x { $rows })
+    }.
+
+# $pictures = 1
+# $points = 12
+# $lines = 3
+drawing_sheet-content = Content: pictures { $pictures }, points { $points }, lines { $lines }.

@@ -77,14 +77,6 @@ network_plan-larger = { $what ->
         *[per_cent] { NUM($per_cent, decimals: 0) } % larger
     }.
 
-# $name = "worst"
-network_plan-aim = { $name ->
-        [worst] worst point
-        [mean] mean
-        [calibration] largest uncertainty of projection by the calibration
-        *[reliability] smallest redundancy number
-    }
-
 # $photographs = 10
 # $points = 120
 # $sigma_px = 0.05

@@ -1,3 +1,5 @@
+
+
 photograph_list-rules = Rules
 
 # $name = "IMG_1.jpg"
@@ -288,3 +290,22 @@ photograph_list-distances = Ring: { NUM($ring_m, decimals: 1) } m before the wal
 
 # $distance_m = 5.0
 photograph_list-clearance = No photograph from nearer than { NUM($distance_m) } m.
+
+# $n = 6
+# $oriented = 5
+# $missing = 1
+# $beside = 0
+photograph_list-ticked = List of { $n } photographs: { $oriented } oriented; { $missing } missing, { $beside } beside the list.
+
+# $kind = "doubled"
+# $names = ["03"]
+photograph_list-named = { $kind ->
+        [doubled] Taken more than once
+        [rolled] Camera not held as listed
+        [beside] Beside the list
+        *[not_oriented] Not oriented
+    }: { $names }.
+
+# $number = "05"
+# $text = "front, left"
+photograph_list-not_taken = Missing { $number }: { $text }

@@ -186,3 +186,6 @@ summary-marks_left_out = { $n } marked { $n ->
         [one] point is
         *[other] points are
     } not used: { $names }.
+
+# $text = "P1 lies 3 m away."
+summary-text = { $text }

@@ -48,3 +48,26 @@ target_seen-tag_in_places = Tag { $tag } is seen in { $n } places: its corners h
 # $target = "chessboard-9x6"
 target_seen-two_boards = { $target } is seen in two places, which cannot be distinguished.
     .do = Cover one of them, or take a second one with other numbers of points.
+
+# $photographs = 2
+# $n = 12
+# $target = "AICON (Schneider), 12 bits"
+target_seen-points = { $photographs } { $photographs ->
+        [one] photograph
+        *[other] photographs
+    }, { $n } { $n ->
+        [one] point
+        *[other] points
+    } of { $target }.
+
+# $named = 24
+# $unnamed = 3
+target_seen-observations = Image observations: { $named } with a name, { $unnamed } without.
+
+# $name = "a.png"
+# $n = 3
+# $points = "1, 2, 3"
+target_seen-photograph = { $name }: { $n } { $n ->
+        [one] point
+        *[other] points
+    }: { $points }

@@ -1,0 +1,78 @@
+heights-scale_free = Der Maßstab ist frei: Längen haben keine Einheit.
+
+heights-contours = Höhenlinien: { $lines } { $lines ->
+        [one] Linie
+        *[other] Linien
+    } in { $n } { $n ->
+        [one] Höhe
+        *[other] Höhen
+    }, { NUM($low, digits: 6) } bis { NUM($high, digits: 6) } { $unit }.
+
+heights-ground = Gelände: { PERCENT($share) } % der Höhen liegen auf Objekten und wurden entfernt.
+
+heights-gaps = Sigma im Median: gemessen { NUM($sigma, digits: 2) } { $unit }, über Lücken ({ PERCENT($share) } %) { NUM($sigma_gaps, digits: 2) } { $unit }.
+
+heights-section_without_heights = { $name }: Länge { $length }, keine Höhen.
+
+heights-section = { $name }: Länge { $length }, mittlere Höhe { $mean }.
+
+heights-section_precision = { $name }: Höhen auf { PERCENT($share, digits: 3) } %, Sigma einer Stelle { $sigma } (Median).
+
+heights-section_filled = { $name }: { PERCENT($share, digits: 3) } % der Höhen sind ergänzt, nicht gemessen.
+
+heights-section_difference = { $name }: Höhenunterschied { $difference }.
+
+heights-volume = Volumen über der Bezugsfläche ({ $base ->
+        [rim] Ebene entlang des Umrisses
+        *[other] { $base }
+    }): { $above }; darunter: { $below }.
+
+heights-net_volume = Nettovolumen: { $net }.
+
+heights-volume_sigma = Sigma des Nettovolumens: lokale Fehler { $local }, Orientierung { $orientation }.
+
+heights-mean_height = Mittlere Höhe über der Bezugsfläche: { $mean }.
+
+heights-area = Fläche im Grundriss: { $area }; wahre Fläche: { $true_area }.
+
+heights-volume_filled = { PERCENT($share, digits: 3) } % der Fläche wurden ergänzt (Sigma des Nettovolumens dadurch { $sigma }).
+
+heights-moved = { $n ->
+        [0] Kein Bereich hat sich gegen den Rest bewegt
+        [one] 1 Bereich hat sich gegen den Rest bewegt
+        *[other] { $n } Bereiche haben sich gegen den Rest bewegt
+    } (Grenze { $limit } Sigma, Irrtumswahrscheinlichkeit 5 %).
+
+heights-level_of_detection = Nachweisgrenze (Macht 80 %): { $amount } { $unit } auf { $side } x { $side } { $unit }{ $all_places ->
+        [yes] {" "}(Median)
+        *[no] , nur im besten Viertel
+    }.
+
+heights-no_movement_detectable = Keine Bewegung wäre nachweisbar: zu wenige Höhen, oder alle an Stufen.
+
+heights-whole = Bewegung des Ganzen: Verschiebung { $shift }, { $significant ->
+        [yes] signifikant
+        *[no] nicht signifikant
+    } (Chi² { $chi2 }, Grenze { $limit }).
+
+heights-tilts = Neigungen des Ganzen: { $tilts }.
+
+heights-compared = { PERCENT($share, digits: 3) } % der Höhen davor haben eine danach.
+
+heights-same_measurement = { PERCENT($share, digits: 4) } % der Höhen sind in beiden dieselbe Messung: unbewegt, nicht getestet.
+
+heights-region = Bereich { $k }: im Mittel { $mean }, Fläche { $area }, Volumen { $volume }.
+
+heights-region_inner = Bereich { $k }: innerer Teil { $amount }, { $times } Sigma; stärkstes Fenster { $peak } Sigma.
+
+heights-smallest = Kleinste nachweisbare Bewegung auf { $side } x { $side }: { $median ->
+        [yes] { NUM($amount, digits: 2) } (Median)
+        *[no] keine (Median)
+    }, { NUM($best, digits: 2) } { $unit } (bestes Viertel).
+
+heights-one_adjustment = Beide Oberflächen stammen aus einer Ausgleichung. { $common ->
+        [known] Gemeinsame Fehler der Orientierung heben sich auf.
+        *[unknown] Ihre Orientierungen gelten als unabhängig.
+    }
+
+heights-same_frame = Beide Oberflächen brauchen einen Rahmen: dieselben Passpunkte oder gemeinsame stabile Punkte.

@@ -1,0 +1,39 @@
+scene-file = Szene: { $parts }.
+
+scene-points = { $n } { $which ->
+        [ground] { $n ->
+            [one] Objektpunkt
+            *[other] Objektpunkte
+        }
+        *[image] { $n ->
+            [one] Bildpunkt
+            *[other] Bildpunkte
+        }
+    } berechnet.
+
+scene-fitted = RPC angepasst: RMS { $x }, { $y } px an { $n } unabhängigen Punkten, größte Abweichung { $largest } px.
+
+scene-fit_heights = Höhen { $low } bis { $high } m, Regularisierung { $strength }.
+
+scene-rpc = RPC: Mitte { NUM($longitude, decimals: 5) } O, { NUM($latitude, decimals: 5) } N, Höhen { NUM($low, decimals: 0) } bis { NUM($high, decimals: 0) } m.
+
+scene-pixel = Pixel am Boden: { $x } m in x, { $y } m in y.
+
+scene-stated_bias = Angegebener Versatz: { $bias_m } m (68 %), { $x }, { $y } px.
+
+scene-rigorous = Strenges Modell: { NUM($seconds, digits: 4) } s, Ecken in der Höhe { $height } m.
+
+scene-corner = Ecke { NUM($x, decimals: 0) }, { NUM($y, decimals: 0) }: { $known ->
+        [yes] { NUM($longitude, decimals: 6) } O, { NUM($latitude, decimals: 6) } N
+        *[no] blickt am Körper vorbei
+    }
+
+scene-agreement = Strenges Modell minus RPC: Mittel { $x }, { $y } px, Standardabweichung { $std_x }, { $std_y } px.
+    .why = Über die Szene und 80 % der Höhen.
+
+scene-ortho = Orthophoto: { $width } x { $height } px zu { $pixel } in { $crs }, { PERCENT($share, digits: 3) } % gesehen (keine Daten: { $nodata }).
+
+scene-corrected = Korrigiert: { $n } von { $of } { $of ->
+        [one] Szene
+        *[other] Szenen
+    }.

@@ -1,0 +1,4 @@
+workbook-written = Arbeitsmappe: { $n } { $n ->
+        [one] Tabellenblatt
+        *[other] Tabellenblätter
+    } ({ $names }).

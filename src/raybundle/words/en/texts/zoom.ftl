@@ -1,0 +1,17 @@
+# $n = 4
+# $low_mm = 24.2
+# $high_mm = 68.3
+# $resolution_mm = 0.1
+zoom-settings = Zoom lens: { $n } settings from { $low_mm } to { $high_mm } mm, focal lengths { $resolution_mm ->
+        [0] not rounded
+        *[other] rounded to { $resolution_mm } mm
+    }.
+
+# $factor = 1.2
+zoom-scatter = Scatter about the curves: { NUM($factor, decimals: 2) } times the variances of the calibrations.
+
+# $symbol = "c"
+# $order = 2
+# $variable = "f"
+# $largest = 0.01
+zoom-curve = { $symbol }: order { $order } in { $variable }, largest residual { NUM($largest, digits: 2) }.
