@@ -115,7 +115,7 @@ def test_a_ridge_is_followed_and_batteries_are_told(tmp_path, capsys):
     assert values_of(found)["flight.batteries"]["n"] >= 3
     assert "EPSG:32616" in texts_of(found, ["notes"])
     assert "Litchi takes 99" in texts_of(found)
-    assert "the flight" in texts_of(found, ["warnings"])
+    assert "mission.out_of_sight" in values_of(found, ["warnings"])
     m = read_mission(tmp_path / "plan")
     assert m.flights >= 3
     assert m.terrain == "jacksboro.tif"

@@ -143,7 +143,7 @@ def test_cameras_of_a_calibration(tmp_path, capsys, text, said):
 def test_what_cannot_be_seen_is_told(tmp_path, capsys):
     found = planned(capsys, tmp_path, "box:4,3,2.5", "--photographs", 10, "--rays", 2, "--incidence", 60)
     unseen = found["plan.points_out_of_sight"]
-    assert (unseen["sides"], unseen["rays"]) == (["on top"], 2)
+    assert (unseen["sides"], unseen["rays"]) == (["+Z"], 2)
 
 
 @pytest.mark.long
@@ -165,8 +165,8 @@ def test_outlines_and_axes_are_objects(tmp_path, capsys):
     assert "6 m wide" in planned(capsys, tmp_path, *words, name="road")["network.stations"]["object"]
     for text, said in (
         ("1,2\n3\n", "line 2"),
-        ("a,b\n", "no pairs of numbers"),
-        ("0,0\n2,2\n2,0\n0,2\n", "crosses itself"),
+        ("a,b\n", "[outline.empty]"),
+        ("0,0\n2,2\n2,0\n0,2\n", "[outline.crosses_itself]"),
     ):
         (tmp_path / "bad.csv").write_text(text)
         assert plan(tmp_path, f"facade:{tmp_path / 'bad.csv'}", "--photographs", "9", name="x") == 2
