@@ -19,7 +19,7 @@ from runs import peak_mb
 from raybundle.block import Block, Images, Observations, Points, Role
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.block.pieces import read_in_pieces
-from raybundle.planning.scenes import brown_camera
+from raybundle.planning.synthetic_networks import brown_camera
 
 RESULTS = Path(__file__).parent / "results/block_tables.json"
 SEEN, OF_IMAGE = 6, 1000

@@ -21,9 +21,9 @@ import numpy as np
 from scipy.stats import beta
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import InputError, NotSolvable
-from raybundle.planning import scenes
+from raybundle.planning import synthetic_networks
 from raybundle.planning.simulate import Survey, simulate
 
 SNOOPING = AdjustmentOptions(jobs=1, estimate="auto", reject="snooping")
@@ -34,10 +34,10 @@ GROUND = {"control": 8, "control_sigma": (0.02, 0.02, 0.03)}
 def scene_of(kind: str, **plan):
     """A scene and what is known of it."""
     if kind == "testfield":
-        return scenes.field_scene(scenes.TargetField(**plan)), FIELD
+        return synthetic_networks.field_scene(synthetic_networks.TargetField(**plan)), FIELD
     if kind == "ring":
-        return scenes.ring_scene(scenes.Ring(**plan)), FIELD
-    return scenes.aerial_scene(scenes.AerialStrips(**plan)), GROUND
+        return synthetic_networks.ring_scene(synthetic_networks.Ring(**plan)), FIELD
+    return synthetic_networks.aerial_scene(synthetic_networks.AerialStrips(**plan)), GROUND
 
 
 KINDS = ("testfield", "ring", "aerial")

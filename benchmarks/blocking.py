@@ -31,21 +31,21 @@ from runs import peak_mb
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import connected_components
 
-from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.datum import analyse, hold_minimal
 from raybundle.adjustment.engine import adjust_block, adjusted_block, carry_out
-from raybundle.adjustment.factoring import made_by
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import cofactors
-from raybundle.adjustment.work import Work
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.precision import cofactors
+from raybundle.adjustment.statistics.system_state import Work
+from raybundle.adjustment.system.assemble import assemble
+from raybundle.adjustment.system.datum import analyse, hold_minimal
+from raybundle.adjustment.system.factoring import made_by
+from raybundle.adjustment.system.normals import Normals
 from raybundle.block import Block, Distances, Role, Stations
 from raybundle.block.select import selected
-from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.columns import InFiles
 from raybundle.blocking.cutting import PIECE
 from raybundle.blocking.graph import meeting
 from raybundle.blocking.memory import Serial
+from raybundle.blocking.normals_in_parts import in_parts
 from raybundle.blocking.stored import adjust_columns
 from raybundle.blocking.tree import WORTH, dissect
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays

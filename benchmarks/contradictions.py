@@ -18,7 +18,7 @@ from pathlib import Path
 from raybundle.matching.tracks import tracks_of
 from raybundle.ties import repeated
 from raybundle.workflows.orient import orient
-from raybundle.workflows.orienting import start
+from raybundle.workflows.orienting.stages import start
 
 RESULTS = Path(__file__).resolve().parent / "results/contradictions.json"
 

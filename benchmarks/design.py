@@ -19,8 +19,8 @@ from raybundle.objects.surface import Surface, SurfacePoints
 from raybundle.planning.candidates import Stations
 from raybundle.planning.configuration import Designer, improved
 from raybundle.planning.expected import Networks
-from raybundle.planning.scenes import brown_camera
 from raybundle.planning.site import Access, Site
+from raybundle.planning.synthetic_networks import brown_camera
 
 RESULTS = Path(__file__).with_name("results")
 NONE = ("x0", "y0", "K1", "K2", "K3", "P1", "P2")

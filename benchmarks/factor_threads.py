@@ -15,11 +15,11 @@ from dataclasses import replace
 import numpy as np
 from scipy.linalg.lapack import dpotrf
 
-from raybundle.adjustment import dense
-from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.engine import free_parameters
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system import dense
+from raybundle.adjustment.system.assemble import assemble
+from raybundle.adjustment.system.normals import Normals
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.uav_networks import Flight, flight_scene
 

@@ -11,8 +11,8 @@ from importlib import metadata
 from io import BytesIO
 
 import raybundle as rb
-from raybundle.planning.scenes import AerialStrips, aerial_scene, brown_camera
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene, brown_camera
 
 NAMES = ("network", "residuals", "interior", "reliability", "control")
 BLOCKS = ((1, 2, 60), (3, 8, 1500), (16, 20, 1100))

@@ -19,9 +19,9 @@ import time
 import numpy as np
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import NotSolvable
-from raybundle.planning import scenes
+from raybundle.planning import synthetic_networks
 from raybundle.planning.simulate import Survey, simulate
 
 SHARES = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4)
@@ -29,9 +29,9 @@ SIZES_PX = (2.0, 20.0, 200.0)
 BARS = {"scale_bars": 1}
 CONTROL = {"control": 8, "control_sigma": (0.01, 0.01, 0.01)}
 NETWORKS = {
-    "testfield": (lambda: scenes.field_scene(scenes.TargetField()), BARS),
-    "ring": (lambda: scenes.ring_scene(scenes.Ring()), BARS),
-    "aerial": (lambda: scenes.aerial_scene(scenes.AerialStrips()), CONTROL),
+    "testfield": (lambda: synthetic_networks.field_scene(synthetic_networks.TargetField()), BARS),
+    "ring": (lambda: synthetic_networks.ring_scene(synthetic_networks.Ring()), BARS),
+    "aerial": (lambda: synthetic_networks.aerial_scene(synthetic_networks.AerialStrips()), CONTROL),
 }
 ENDS = ("found", "named", "hidden", "silent")
 SAID = {"snooping_masked", "snooping_unfinished"}

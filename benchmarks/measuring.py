@@ -18,13 +18,13 @@ from tests.measuring.test_journal import check_kept, killed_while_writing  # noq
 
 from raybundle.measuring.actions import Put  # noqa: E402
 from raybundle.measuring.journal import Journal, entries_of  # noqa: E402
-from raybundle.measuring.known import Known  # noqa: E402
-from raybundle.measuring.place import locate  # noqa: E402
+from raybundle.measuring.names import Known  # noqa: E402
+from raybundle.measuring.position import locate  # noqa: E402
 from raybundle.measuring.predict import predict, visible  # noqa: E402
 from raybundle.measuring.session import Session  # noqa: E402
 from raybundle.measuring.state import EMPTY, folded  # noqa: E402
-from raybundle.planning.scenes import Ring, ring_scene  # noqa: E402
 from raybundle.planning.simulate import Survey, simulate  # noqa: E402
+from raybundle.planning.synthetic_networks import Ring, ring_scene  # noqa: E402
 from raybundle.workflows.adjust import adjust  # noqa: E402
 
 

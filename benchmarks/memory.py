@@ -25,8 +25,8 @@ from threading import Event, Thread
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from blocking import FREE, OPTIONS, generated, read
-from raybundle.adjustment.factoring import in_one_piece, made_by
-from raybundle.blocking.adjusted import in_parts
+from raybundle.adjustment.system.factoring import in_one_piece, made_by
+from raybundle.blocking.normals_in_parts import in_parts
 from raybundle.numerics import large
 from raybundle.pipeline.store import Folder
 from raybundle.workflows.adjust import adjust

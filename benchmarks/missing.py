@@ -17,7 +17,7 @@ import numpy as np
 
 from raybundle.block import Block
 from raybundle.ties import missing
-from raybundle.workflows.kept import tie_of_arrays, unpacked
+from raybundle.workflows.stage_arrays import tie_of_arrays, unpacked
 
 RESULTS = Path(__file__).resolve().parent / "results/missing.json"
 

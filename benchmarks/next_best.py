@@ -16,25 +16,25 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.additions import Photographs, with_photographs
-from raybundle.adjustment.again import block_again
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.dense import one_thread
+from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.joint_cofactors import Factored
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.evaluation.additions import Photographs, with_photographs
+from raybundle.adjustment.evaluation.joint_cofactors import Factored
+from raybundle.adjustment.readjust import block_again
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.dense import one_thread
 from raybundle.block import Block
 from raybundle.block.points import automatic_name
 from raybundle.calibration.maps import projection_shifts
 from raybundle.planning.goals import Goal, measure_of
 from raybundle.planning.next_best import ranking
 from raybundle.planning.outlook import Outlook
-from raybundle.planning.scenes import TargetField, field_scene
-from raybundle.planning.sight import PointSight
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.stations import Reach, reachable
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.planning.uav_networks import Flight, flight_block
+from raybundle.planning.visibility import PointSight
 
 CANDIDATES, MANY = 50, 1000
 KINDS = ("worst", "mean", "calibration")

@@ -25,12 +25,13 @@ sys.path[:0] = [str(ROOT)]
 from tests.adjustment.mixed_cameras import adjusted, mixed  # noqa: E402
 from tests.truth.real_noise import per_parameter, with_smooth_errors  # noqa: E402
 
-from raybundle.adjustment.decide import decide  # noqa: E402
-from raybundle.adjustment.options import AdjustmentOptions  # noqa: E402
-from raybundle.adjustment.own_interiors import own_interiors  # noqa: E402
+from raybundle.adjustment.decision.decide import decide  # noqa: E402
+from raybundle.adjustment.evaluation.image_interiors import own_interiors  # noqa: E402
+from raybundle.adjustment.records.options import AdjustmentOptions  # noqa: E402
 from raybundle.calibration.several_cameras import several_cameras  # noqa: E402
 from raybundle.numerics.statistics import chi_square_tails  # noqa: E402
-from raybundle.planning.scenes import (  # noqa: E402
+from raybundle.planning.simulate import Survey, simulate  # noqa: E402
+from raybundle.planning.synthetic_networks import (  # noqa: E402
     AerialStrips,
     Ring,
     TargetField,
@@ -39,7 +40,6 @@ from raybundle.planning.scenes import (  # noqa: E402
     field_scene,
     ring_scene,
 )  # fmt: skip
-from raybundle.planning.simulate import Survey, simulate  # noqa: E402
 from raybundle.planning.uav_networks import Flight, flight_scene, uav_camera  # noqa: E402
 
 SMOOTH_PX = 0.3

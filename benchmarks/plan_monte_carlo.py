@@ -20,15 +20,15 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import NotSolvable
 from raybundle.objects.kinds import object_kinds
 from raybundle.objects.surface import spread
 from raybundle.planning.candidates import Stations
 from raybundle.planning.expected import Expected, Networks
 from raybundle.planning.planned_block import planned_block
-from raybundle.planning.scenes import brown_camera
 from raybundle.planning.site import Access, Site
+from raybundle.planning.synthetic_networks import brown_camera
 
 RESULT = Path(__file__).with_name("results") / "plan_monte_carlo.json"
 NETWORKS, POINTS = 20, 40

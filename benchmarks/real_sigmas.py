@@ -24,14 +24,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.truth.real_noise import adjusted, halves, interior_error, with_smooth_errors
 
 from raybundle import adjust
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.under_noise import under_noise
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.evaluation.noise_covariance import under_noise
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.select import with_rows
 from raybundle.errors import RaybundleError
 from raybundle.io.block.folder import read_block
-from raybundle.planning.scenes import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
 from raybundle.planning.uav_networks import Flight, flight_scene
 
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")

@@ -18,8 +18,8 @@ from pypdf import PdfReader
 from runs import peak_mb
 
 from raybundle import adjust
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.report.paper import copy
 from raybundle.report.writing import write_report
 

@@ -15,8 +15,8 @@ from pathlib import Path
 from runs import peak_mb
 
 from raybundle import adjust
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.report.network_page import write_network_page
 from raybundle.report.writing import write_report
 

@@ -32,8 +32,8 @@ from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means
 from raybundle.ties.points import find_features, match_pairs
-from raybundle.workflows.orient_options import OrientOptions
-from raybundle.workflows.orienting.matching import Inputs, match
+from raybundle.workflows.orienting.options import OrientOptions
+from raybundle.workflows.orienting.stages.matching import Inputs, match
 
 HERE = Path(__file__).resolve().parent
 WORK = HERE / "work" / "retrieval"

@@ -28,7 +28,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.orientation.rig_blocks import MOUNTING, RIGS, ROOM, rig_block, rough
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.rotation import rotation_from_angles
 

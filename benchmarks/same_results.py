@@ -30,8 +30,8 @@ from tests.truth.platform_blocks import platform_block
 
 from raybundle.block import Block
 from raybundle.io.block.folder import write_block
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[2] / "shared/data")) / "blocks"
 PUBLISHED = ("roma", "sxb", "camcal21", "prague-s1", "riva-net1", "rc30-pair", "resection-mikhail")

@@ -16,11 +16,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import NotSolvable
-from raybundle.planning.scenes import AerialStrips, aerial_scene, brown_camera
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene, brown_camera
 
 SHARE, SIZE_PX, SIGMA_PX = 0.03, (3.0, 40.0), 0.3
 PLAIN = {"c": 24.0, **dict.fromkeys(("x0", "y0", "K1", "K2", "K3", "P1", "P2"), 0.0)}

@@ -36,11 +36,11 @@ import json, resource, sys, time
 sys.path.insert(0, {here!r})
 from blocks import block_from_npz
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 import scipy.linalg, scipy.stats, scipy.sparse.csgraph
-from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.solve import solve
+from raybundle.adjustment.system.assemble import assemble
+from raybundle.adjustment.system.normals import Normals
+from raybundle.adjustment.system.solve import solve
 import numpy as np
 block = block_from_npz({problem!r})
 options = AdjustmentOptions(jobs=2, tolerance={tolerance})
@@ -84,11 +84,11 @@ COVARIANCE = """
 import json, resource, sys, time
 sys.path.insert(0, {here!r})
 from blocks import block_from_npz
-from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.datum import analyse, hold_minimal
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import cofactors
+from raybundle.adjustment.system.assemble import assemble
+from raybundle.adjustment.system.datum import analyse, hold_minimal
+from raybundle.adjustment.system.normals import Normals
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.precision import cofactors
 import numpy as np, scipy.linalg
 block = block_from_npz({problem!r}, truth=True)
 options = AdjustmentOptions(jobs=2, datum={datum!r})

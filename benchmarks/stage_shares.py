@@ -30,7 +30,7 @@ from run import machine
 import raybundle as rb
 from raybundle.pipeline import executors
 from raybundle.pipeline.tasks import Done, Task, do
-from raybundle.workflows.orienting import ORIENT
+from raybundle.workflows.orienting.stages import ORIENT
 
 HERE = Path(__file__).resolve().parent
 WORK = HERE / "work" / "shares"

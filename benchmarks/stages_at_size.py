@@ -45,9 +45,9 @@ from raybundle.pipeline.stage import Run, Stage
 from raybundle.placing.marks import Given
 from raybundle.ties.points import VERIFICATION, FeatureStore, arrays_of_features, arrays_of_pair
 from raybundle.workflows.orient import _orientation
-from raybundle.workflows.orient_options import OrientOptions
-from raybundle.workflows.orient_state import Asked, OrientState
-from raybundle.workflows.orienting import ORIENT
+from raybundle.workflows.orienting.options import OrientOptions
+from raybundle.workflows.orienting.stages import ORIENT
+from raybundle.workflows.orienting.state import Asked, OrientState
 
 HERE = Path(__file__).resolve().parent
 WORK = HERE / "work" / "stages"

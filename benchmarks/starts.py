@@ -17,12 +17,12 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.system.predict import residuals_px
 from raybundle.errors import NoOrientation
 from raybundle.numerics.progress import silent
 from raybundle.ties import start as tie_start
 from raybundle.workflows.orient import OrientOptions, orient
-from raybundle.workflows.orienting import start as stage
+from raybundle.workflows.orienting.stages import start as stage
 
 RESULTS = Path(__file__).resolve().parent / "results" / "starts.json"
 FACTORS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.65)

@@ -28,8 +28,8 @@ from benchmarks.run import machine  # noqa: E402
 from tests.studio.browser import ARGUMENTS, chromium  # noqa: E402
 
 from raybundle.block import Block, Images, Observations, Points  # noqa: E402
-from raybundle.planning.scenes import Scene, brown_camera  # noqa: E402
 from raybundle.planning.simulate import project  # noqa: E402
+from raybundle.planning.synthetic_networks import Scene, brown_camera  # noqa: E402
 from raybundle.studio.desk import Desk  # noqa: E402
 from raybundle.studio.scene import scene as scene_of  # noqa: E402
 

@@ -26,10 +26,10 @@ sys.path.insert(0, str(ROOT))
 
 from tests.surface.truth import Portal  # noqa: E402
 
-from raybundle.adjustment.predict import predicted_px  # noqa: E402
-from raybundle.surfaces.gaps import closed, height_at  # noqa: E402
-from raybundle.surfaces.rays import ReferenceRays  # noqa: E402
-from raybundle.workflows.height_files import read_heights  # noqa: E402
+from raybundle.adjustment.system.predict import predicted_px  # noqa: E402
+from raybundle.surface.depths.rays import ReferenceRays  # noqa: E402
+from raybundle.surface.files.heights import read_heights  # noqa: E402
+from raybundle.surface.heights.interpolation import closed, height_at  # noqa: E402
 from raybundle.workflows.sources import read_source, result_within  # noqa: E402
 
 EVERY = 3

@@ -31,9 +31,9 @@ from tests.targets.covered_dots import measured  # noqa: E402
 from tests.targets.render import shot  # noqa: E402
 
 from raybundle.targets.centre import DotOptions, blurred_ellipse, fit_dots, triangle_from_ellipse  # noqa: E402
-from raybundle.targets.covered import measure_dots  # noqa: E402
 from raybundle.targets.detect import DetectionOptions, detect_targets, find_targets  # noqa: E402
 from raybundle.targets.families import families  # noqa: E402
+from raybundle.targets.partial_dots import measure_dots  # noqa: E402
 
 NOISE, CONTRAST, LOW = 2.0, 160.0, 40.0
 RADII = (5, 8, 15)
@@ -236,7 +236,7 @@ def photographs():
 
 
 CONSTANTS = {"NO_OUTLINE": (0.0, 0.4, 0.8, 0.95), "LOST": (1.5, 2.0, 4.5, 6.0, 1e9)}
-"""Values tried of each constant of `targets.covered`, one at a time, beside its own."""
+"""Values tried of each constant of `targets.partial_dots`, one at a time, beside its own."""
 
 
 def constants(count=400):
@@ -244,7 +244,7 @@ def constants(count=400):
 
     chi2_per_degree  of those measured; far beyond 4 standard deviations; spots  dots left in photographs of no targets
     """
-    from raybundle.targets import covered as module
+    from raybundle.targets import partial_dots as module
 
     rng = np.random.default_rng(90)
     drawn = list(covered_dots.dots(count, 91))

@@ -52,7 +52,7 @@ def first_order(work: Callable[[], Calibration]) -> Calibration:
     """A calibration with the closed form of first order."""
     with (
         mock.patch("raybundle.calibration.eccentricity.circle_images", first_order_images),
-        mock.patch("raybundle.workflows.target_block.circle_images", first_order_images),
+        mock.patch("raybundle.workflows.calibrating.target_block.circle_images", first_order_images),
     ):
         return work()
 

@@ -36,7 +36,7 @@ def oriented(project: Path) -> Path:
 def main() -> None:
     """Print the figures as JSON."""
     from raybundle.adjustment.engine import adjust_block
-    from raybundle.adjustment.options import AdjustmentOptions
+    from raybundle.adjustment.records.options import AdjustmentOptions
     from raybundle.block.select import with_rows
     from raybundle.io.block.folder import read_block
 

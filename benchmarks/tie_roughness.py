@@ -3,7 +3,8 @@
     python benchmarks/tie_roughness.py FOLDER=PROJECT [FOLDER=PROJECT ...] [--judged FOLDER=PROJECT ...]
 
 FOLDER is what tools/render.py wrote, PROJECT that of `raybundle orient FOLDER/photos --control FOLDER/control.csv
---mark-sigma 0.05 --no-library --out PROJECT`.  Those of `raybundle.adjustment.roughness` are of 18 sets, terrain with
+--mark-sigma 0.05 --no-library --out PROJECT`.  Those of `raybundle.adjustment.evaluation.tie_roughness` are of 18
+sets, terrain with
 --seed 1 --photographs 12 --width 1600 --quality 93 --full-well 12000;
 --seed 12 --photographs 9 --width 1600 --gsd 0.004 --quality 80 --camera B --full-well 12000;
 --seed 13 --photographs 9 --width 1600 --gsd 0.001 --quality 95 --subsampling 4:4:4 --blur 0.8 --full-well 12000;
@@ -34,8 +35,7 @@ from scipy.optimize import minimize
 from scipy.stats import t
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.roughness import (
+from raybundle.adjustment.evaluation.tie_roughness import (
     BY_MISFIT,
     BY_NOISE,
     BY_RELIEF,
@@ -46,6 +46,7 @@ from raybundle.adjustment.roughness import (
     mean_rays,
     witnesses,
 )
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.io.block.folder import read_block
 

@@ -3,8 +3,8 @@
     python benchmarks/truth_read_out.py [--runs 20]
 
 Simulated flights (four strips there and back, 28 photographs, 0.2 px, positions of 2 cm, a read-out of 30 ms, exposures
-every 2 s) are adjusted without and with what `workflows.read_out` finds.  Prints JSON: rms error of the object points,
-its mean square in units of the stated covariance, and the read-out times.
+every 2 s) are adjusted without and with what `workflows.orienting.read_out` finds.  Prints JSON: rms error of the
+object points, its mean square in units of the stated covariance, and the read-out times.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.workflows.test_read_out import SECONDS, adjusted, flight, photographs, placed
 
-from raybundle.workflows.read_out import rolling_shutters
+from raybundle.workflows.orienting.read_out import rolling_shutters
 
 
 def points(result, truth):

@@ -11,7 +11,7 @@ import sys
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.numerics.arrays import Array
 from raybundle.planning.uav_networks import Flight, flight_block

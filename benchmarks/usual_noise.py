@@ -1,4 +1,4 @@
-"""Residuals and smooth errors of sets of photographs, and the limits in `adjustment/unusual_noise.py`.
+"""Residuals and smooth errors of sets of photographs, and the limits in `adjustment/evaluation/unusual_noise.py`.
 
     python benchmarks/usual_noise.py RESULT ...
 
@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import multivariate_normal, norm
 
-from raybundle.adjustment.fields import smooth_px
+from raybundle.adjustment.statistics.fields import smooth_px
 
 RESULTS = Path(__file__).resolve().parent / "results/usual_noise.json"
 LEAST_PX = 0.01

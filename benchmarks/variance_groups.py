@@ -20,8 +20,8 @@ from threadpoolctl import threadpool_limits
 import raybundle as rb
 from raybundle.block import Block
 from raybundle.measuring.joint import Joint
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 OUT = Path(__file__).with_name("results") / "variance_groups.json"
 ENDS = "1", "30"

@@ -31,10 +31,10 @@ import cv2
 import numpy as np
 from scipy.stats import beta
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.targets.codes import sectors
 from raybundle.targets.detect import DetectionOptions, detect_targets
 from raybundle.targets.families import families

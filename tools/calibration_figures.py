@@ -11,12 +11,12 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.calibration.maps import projection_uncertainty
 from raybundle.numerics.arrays import Array
 from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
-from raybundle.planning.scenes import Scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Scene
 
 PICTURE = Path(__file__).resolve().parents[1] / "docs/images/calibration-networks.svg"
 SURVEY = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=0.05)

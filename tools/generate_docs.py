@@ -75,9 +75,9 @@ def python() -> str:
     from raybundle import orientation  # noqa: PLC0415
 
     parts += [f"| `{n}` | {first_line(getattr(orientation, n))} |" for n in orientation_names]
-    from raybundle.adjustment import queries  # noqa: PLC0415
+    from raybundle.adjustment.evaluation import queries  # noqa: PLC0415
 
-    parts.append("\n## raybundle.adjustment.queries\n\n| name | what it is |\n|---|---|")
+    parts.append("\n## raybundle.adjustment.evaluation.queries\n\n| name | what it is |\n|---|---|")
     parts += [f"| `{n}` | {first_line(getattr(queries, n))} |" for n in ("covariance_between", "precision_in_datum")]
     return "\n".join(parts) + "\n"
 

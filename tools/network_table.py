@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 

@@ -23,16 +23,15 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.matrices import Matrices, matrices
-    from raybundle.adjustment.options import AdjustmentOptions
-    from raybundle.adjustment.queries import NamedCovariance, covariance
+    from raybundle.adjustment.evaluation.matrices import Matrices, matrices
+    from raybundle.adjustment.evaluation.queries import NamedCovariance, covariance
+    from raybundle.adjustment.records.options import AdjustmentOptions
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
     from raybundle.block.merge import merge_blocks
     from raybundle.block.transform import transform_block
     from raybundle.calibration.at_pixels import projection_uncertainty
     from raybundle.cameras.opencv import OpenCVCamera
-    from raybundle.commands.begin import begin
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
     from raybundle.commands.calibrations import (
         CalibrationAddSettings,
@@ -72,6 +71,7 @@ if TYPE_CHECKING:
     from raybundle.commands.measure import MeasureSettings, measure
     from raybundle.commands.merge import MergeSettings, merge_projects
     from raybundle.commands.moved import MovedSettings, moved_points
+    from raybundle.commands.new_project import begin
     from raybundle.commands.orient import OrientSettings, orient
     from raybundle.commands.photos import (
         FramesSettings,
@@ -123,26 +123,26 @@ if TYPE_CHECKING:
     from raybundle.results.folder import read_result
     from raybundle.results.matrices_file import write_matrices
     from raybundle.workflows.adjust import adjust
-    from raybundle.workflows.calibrate_state import Calibration
+    from raybundle.workflows.calibrating.state import Calibration
     from raybundle.workflows.costs.estimate import Estimate
     from raybundle.workflows.orient import Orientation
 
     __version__: str
 
 _HOME = {
-    "Matrices": "adjustment.matrices",
-    "matrices": "adjustment.matrices",
-    "NamedCovariance": "adjustment.queries",
-    "covariance": "adjustment.queries",
+    "Matrices": "adjustment.evaluation.matrices",
+    "matrices": "adjustment.evaluation.matrices",
+    "NamedCovariance": "adjustment.evaluation.queries",
+    "covariance": "adjustment.evaluation.queries",
     "projection_uncertainty": "calibration.at_pixels",
     "OpenCVCamera": "cameras.opencv",
     "write_matrices": "results.matrices_file",
     "Adjustment": "adjustment.result",
-    "AdjustmentOptions": "adjustment.options",
+    "AdjustmentOptions": "adjustment.records.options",
     "Batch": "commands.scenes.batch",
     "Block": "block",
     "CalibrateSettings": "commands.calibrate",
-    "Calibration": "workflows.calibrate_state",
+    "Calibration": "workflows.calibrating.state",
     "CalibrationAddSettings": "commands.calibrations",
     "CalibrationCompareSettings": "commands.calibrations",
     "CalibrationConvertSettings": "commands.calibrations",
@@ -204,7 +204,7 @@ _HOME = {
     "ZoomSettings": "commands.calibrations",
     "adjust": "workflows.adjust",
     "adjust_marks": "commands.marks",
-    "begin": "commands.begin",
+    "begin": "commands.new_project",
     "calibrate": "commands.calibrate",
     "calibrate_zoom": "commands.calibrations",
     "check_flight": "commands.planning.check",

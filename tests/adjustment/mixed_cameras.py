@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from tests.truth.real_noise import with_smooth_errors
 
 

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from scipy.special import chdtrc
 
-from raybundle.adjustment.accuracy import Accuracy, required_check_points
-from raybundle.adjustment.accuracy_class import AccuracyClass, accuracy_class, all_kept, judged
+from raybundle.adjustment.blunders.accuracy import Accuracy, required_check_points
+from raybundle.adjustment.blunders.accuracy_class import AccuracyClass, accuracy_class, all_kept, judged
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import InputError
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from tests.docs.figures import in_a_row
 
 OPTIONS = AdjustmentOptions(jobs=1, noise="white")

@@ -7,15 +7,15 @@ import pytest
 from scipy.stats import chi2
 
 from raybundle import AdjustmentOptions, adjust
-from raybundle.adjustment.again import block_again
 from raybundle.adjustment.engine import adjust_block, open_datum
-from raybundle.adjustment.interior import plausible_std
+from raybundle.adjustment.readjust import block_again
+from raybundle.adjustment.statistics.interior import plausible_std
 from raybundle.block import Instrument, Stations
 from raybundle.errors import DatumDefect, InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.session import adjusted_as_free
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.platforms import instrument_models
 from raybundle.report.write import write_result
 from tests.truth.mixed_blocks import MonteCarlo

@@ -2,7 +2,7 @@
 
 import pytest
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.calibration_networks import ROLLS
 from raybundle.settings import made
 from tests.adjustment.test_decide import GIVEN, decided

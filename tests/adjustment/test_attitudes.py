@@ -13,8 +13,8 @@ from raybundle.block.block import Attitudes
 from raybundle.errors import DatumDefect, InputError, RankDefect
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics.rotation import angles_from_rotation, left_jacobian, rotation_from_vector
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, measured, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.platforms.imu import reported
 from tests.truth.mixed_blocks import MonteCarlo
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Ring, TargetField, field_scene, ring_scene
 
 PLAIN = AdjustmentOptions(jobs=1)
 SNOOPING = replace(PLAIN, reject="snooping")

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from raybundle.adjustment.bar_tests import wrong_bar
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.blunders.bar_tests import wrong_bar
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Distances
 from tests.adjustment.test_wrong_control import CORNERS, network
 

@@ -7,11 +7,11 @@ import pytest
 from scipy.special import chdtri
 
 from raybundle import adjust
-from raybundle.adjustment.check_points import check_differences
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.evaluation.check_points import check_differences
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
 OPTIONS = AdjustmentOptions(jobs=1)
 CAMERA = brown_camera(estimate=("c",))

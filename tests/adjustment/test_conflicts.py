@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.errors import NotSolvable
 from raybundle.placing.mirror_mends import MENDS, USUAL
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from tests.messages import with_details
 
 OPTIONS = AdjustmentOptions(jobs=1)

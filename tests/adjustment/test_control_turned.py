@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Observations, Role
 from raybundle.block.rejection import RejectionKind
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 
 
 def test_a_wrong_control_point_with_a_single_ray_ends_nothing():

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from raybundle import AdjustmentOptions, InputError, adjust
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 PLAN = TargetField(stations=3, frontal=2, rows=3, columns=4)
 BLOCK = simulate(field_scene(PLAN), Survey(control=4, control_sigma=(1e-3,) * 3)).observed

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.records.severity import Severity
 from raybundle.block.points import automatic_name
-from raybundle.planning.scenes import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
 
 SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
 SCENES = {

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.far_points import FAR, FARTHEST, diverging, retracted, turned_about
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import predicted_px
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.far_points import FAR, FARTHEST, diverging, retracted, turned_about
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import Role
 from raybundle.block.rejection import RejectionKind
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Simulation, Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 
 RAYS = np.array([[0.0, 0.0, 10.0], [3.0, -4.0, 0.0], [1.0, 1.0, 1.0]])
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.identical_control import identical_control, identical_notices
+from raybundle.adjustment.blunders.identical_control import identical_control, identical_notices
 from raybundle.errors import NotSolvable
 from tests.adjustment.test_held_control import OPTIONS, control_names, observed
 from tests.messages import with_details

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import NotSolvable, message
 from raybundle.orientation.approximate import approximate_values
-from raybundle.placing.image_doubts import origin_message
-from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
+from raybundle.placing.image_blunders import origin_message
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Ring, TargetField, field_scene, ring_scene
 
 OPTIONS = AdjustmentOptions(jobs=1)
 SCENES = {"testfield": lambda: field_scene(TargetField(stations=4)), "ring": lambda: ring_scene(Ring())}

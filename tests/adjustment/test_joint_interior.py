@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.decide import decide
+from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.joint_interior import joint_interior, smooth_errors
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.unusual_noise import USUAL_RMS_PX, USUAL_SMOOTH_PX, unusual_noise_notices
-from raybundle.planning.scenes import Ring, TargetField, brown_camera, field_scene, ring_scene
+from raybundle.adjustment.evaluation.joint_interior import joint_interior, smooth_errors
+from raybundle.adjustment.evaluation.unusual_noise import USUAL_RMS_PX, USUAL_SMOOTH_PX, unusual_noise_notices
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Ring, TargetField, brown_camera, field_scene, ring_scene
 from tests.truth.real_noise import with_smooth_errors
 
 EVERY = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
@@ -69,7 +69,7 @@ def test_smooth_errors_are_taken_for_no_affinity():
 
 def test_all_cameras_are_decided_in_few_adjustments(monkeypatch):
     """The shears of four cameras, which the images know worse than sensors have them, leave together."""
-    from raybundle.adjustment import parameter_choice
+    from raybundle.adjustment.decision import parameter_choice
 
     count = []
     plain = parameter_choice.quiet

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.records.severity import Severity
 from raybundle.block.known import known_before, observed_as_known
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block

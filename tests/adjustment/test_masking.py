@@ -6,13 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import raybundle.adjustment.decide as decide_module
+import raybundle.adjustment.decision.decide as decide_module
 from raybundle import adjust
-from raybundle.adjustment.masking import MASKED, ratio_of
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.snooping import tau_values
-from raybundle.planning.scenes import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
+from raybundle.adjustment.decision.masking import MASKED, ratio_of
+from raybundle.adjustment.decision.snooping import tau_values
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
 from raybundle.results.contents import result_json
 from tests.truth.real_noise import with_smooth_errors
 
@@ -72,7 +72,7 @@ def test_tau_values_without_statistics_are_those_with_them():
 
 def test_without_a_robust_estimate_none_of_them_is_found(monkeypatch):
     done = simulated("testfield", seed=7, gross_share=0.15, gross_px=20.0)
-    monkeypatch.setattr("raybundle.adjustment.decide.unmasked", lambda *_: None)
+    monkeypatch.setattr("raybundle.adjustment.decision.decide.unmasked", lambda *_: None)
     result = adjust(done.observed, SNOOPING)
     assert (done.gross & result.image_observations.used).sum() > 0.9 * done.gross.sum()
     (notice,) = [n for n in result.notices if n.code == "snooping_masked"]

@@ -8,7 +8,7 @@ from scipy.io import mmread
 
 import raybundle as rb
 from raybundle import AdjustmentOptions, adjust
-from raybundle.adjustment.queries import covariance_between
+from raybundle.adjustment.evaluation.queries import covariance_between
 from raybundle.block import Distances
 from raybundle.errors import InputError
 from tests.adjustment.test_antennas import SHIFT, flight

@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.decide import decide
+from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Camera
 from raybundle.errors import InputError, RankDefect
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics import native
-from raybundle.planning.scenes import look_at
 from raybundle.planning.simulate import measured
+from raybundle.planning.synthetic_networks import look_at
 from raybundle.platforms.rig import mounting_of, orientation_of
 from raybundle.sensors import sensor_models
 from tests.truth.bands import assert_true_to_ten_percent

@@ -7,21 +7,21 @@ import numpy as np
 import pytest
 from numpy.polynomial import legendre
 
-from raybundle.adjustment import field_system as field_system_module
-from raybundle.adjustment import noise
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.field_system import field_system, reason_against
-from raybundle.adjustment.fields import Components, Scores, variance_components
-from raybundle.adjustment.handle import Handle
-from raybundle.adjustment.noise import spread_in_datum, spread_of
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs
-from raybundle.adjustment.precision import angle_form, image_unknowns, interior_unknowns, precision
-from raybundle.adjustment.queries import covariance_between, design_row, precision_in_datum
+from raybundle.adjustment.evaluation.queries import covariance_between, design_row, precision_in_datum
+from raybundle.adjustment.records.options import AdjustmentOptions, noise_of_photographs
+from raybundle.adjustment.result import Handle
+from raybundle.adjustment.statistics import field_system as field_system_module
+from raybundle.adjustment.statistics import noise
+from raybundle.adjustment.statistics.field_system import field_system, reason_against
+from raybundle.adjustment.statistics.fields import Components, Scores, variance_components
+from raybundle.adjustment.statistics.noise import spread_in_datum, spread_of
+from raybundle.adjustment.statistics.precision import angle_form, image_unknowns, interior_unknowns, precision
+from raybundle.adjustment.system.normals import Normals
 from raybundle.block.select import with_rows
 from raybundle.numerics import native
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
 from raybundle.workflows.adjust import adjust

@@ -3,9 +3,9 @@
 from dataclasses import replace
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.planning.scenes import Ring, ring_scene
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Ring, ring_scene
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 

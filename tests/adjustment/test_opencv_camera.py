@@ -12,8 +12,8 @@ from raybundle.cameras.conversions import EXACT, camera_rays, exact_forward, exa
 from raybundle.cameras.forward_camera import forward_pixels
 from raybundle.cameras.opencv import opencv_camera
 from raybundle.errors import InputError
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.sensors import sensor_models
 
 OPTIONS = AdjustmentOptions(jobs=1)

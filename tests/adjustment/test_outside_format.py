@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from tests.adjustment.test_wrong_control import CORNERS, network
 
 OPTIONS = AdjustmentOptions(jobs=1)

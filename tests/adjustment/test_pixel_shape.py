@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import pytest
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.pixel_shape import UNLIKELY, shape_limit, under_its_noise
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.blunders.pixel_shape import UNLIKELY, shape_limit, under_its_noise
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.records.severity import Severity
 from raybundle.calibration.quality import calibration_qualities
-from raybundle.planning.scenes import Ring, TargetField, brown_camera, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Ring, TargetField, brown_camera, field_scene, ring_scene
 from tests.adjustment.test_joint_interior import chosen, simulated
 
 EVERY = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.queries import covariance_between, design_row, own_values, precision_in_datum
+from raybundle.adjustment.evaluation.queries import covariance_between, design_row, own_values, precision_in_datum
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError
 from raybundle.observations.alignment import Levels, Planes
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.sensors.model import ProjectionDiverged, SensorModel
 from raybundle.workflows.adjust import adjust
 

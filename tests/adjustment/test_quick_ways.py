@@ -5,21 +5,22 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment import dense, engine
-from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.defects import components, held_by_points
+from raybundle.adjustment import engine
 from raybundle.adjustment.engine import adjust_block, free_parameters
-from raybundle.adjustment.joint_cofactors import Factored, joint_cofactors
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import cofactors, interior_unknowns, precision
-from raybundle.adjustment.structure import _neighbours
+from raybundle.adjustment.evaluation.joint_cofactors import Factored, joint_cofactors
+from raybundle.adjustment.evaluation.residual_structure import _neighbours
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.precision import cofactors, interior_unknowns, precision
+from raybundle.adjustment.system import dense
+from raybundle.adjustment.system.assemble import assemble
+from raybundle.adjustment.system.defects import components, held_by_points
+from raybundle.adjustment.system.normals import Normals
 from raybundle.block import Role
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.calibration.maps import projection_shifts, projection_uncertainty
 from raybundle.numerics import native
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 OPTIONS = AdjustmentOptions(jobs=1, tolerance=1e-9)
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from raybundle.adjustment.network import rolls_of
+from raybundle.adjustment.statistics.network import rolls_of
 
 
 def image(view, up, roll_deg=0.0):

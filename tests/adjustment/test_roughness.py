@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.queries import covariance_between, precision_in_datum
-from raybundle.adjustment.roughness import doubled
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.evaluation.queries import covariance_between, precision_in_datum
+from raybundle.adjustment.evaluation.tie_roughness import doubled
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.records.severity import Severity
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 BLOCK = simulate(
     field_scene(TargetField(rows=5, columns=8, stations=5, frontal=1)),

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.defects import SCATTERED
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.defects import SCATTERED
 from raybundle.errors import NoConvergence
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
 
 def field(share, gross=0.0):

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Role
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block

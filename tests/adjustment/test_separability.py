@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.rejection import RejectionKind
-from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 
 SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
 EXACT = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=0.3)

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from raybundle.adjustment.network import _without_few
-from raybundle.adjustment.spread import few_hold
+from raybundle.adjustment.statistics.far_points_share import few_hold
+from raybundle.adjustment.statistics.network import _without_few
 
 
 def test_three_far_points_of_thousands_are_told_with_their_share():

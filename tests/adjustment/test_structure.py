@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.decide import decide
+from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.structure import repeated_residuals, residual_structure, structure_notice
+from raybundle.adjustment.evaluation.residual_structure import repeated_residuals, residual_structure, structure_notice
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.select import with_rows
 from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.sensors import sensor_models
-from raybundle.workflows.model_choice import choose_models
+from raybundle.workflows.calibrating.model_choice import choose_models
 
 
 @pytest.fixture(scope="module")

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment import variance_groups
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.suspects import leverages
-from raybundle.adjustment.variance_groups import by_groups
+from raybundle.adjustment.blunders.suspects import leverages
+from raybundle.adjustment.decision import variance_groups
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.decision.variance_groups import by_groups
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.numerics.counting import decimals_for
 from tests.adjustment.test_bar_tests import with_bars
 

@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle import adjust
-from raybundle.adjustment import decide
+from raybundle.adjustment.decision import decide
 from raybundle.adjustment.notices import _behind
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.select import with_rows
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
 OPTIONS = AdjustmentOptions(jobs=1)
 

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from raybundle import AdjustmentOptions, adjust
-from raybundle.adjustment.variance_groups import chance_to_see
+from raybundle.adjustment.decision.variance_groups import chance_to_see
 from raybundle.block import Distances
 from raybundle.errors import InputError
-from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, field_scene
 from tests.truth.real_noise import with_smooth_errors
 
 GROUPS = AdjustmentOptions(variance_groups=True, jobs=1)

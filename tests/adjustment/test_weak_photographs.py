@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 
 from raybundle import adjust
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
 FIELD = TargetField(camera=brown_camera(size_px=(3000, 2000), pixel_mm=0.008), stations=4, rows=5, columns=5)
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.datum import LEVER, open_directions, point_generators
 from raybundle.adjustment.notices import notices_of
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.reliability import redundancy_sum
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.reliability import redundancy_sum
+from raybundle.adjustment.system.datum import LEVER, open_directions, point_generators
 from raybundle.block import Stations
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from tests.verdicts.cases import CASES
 
 SIGMA = 0.02

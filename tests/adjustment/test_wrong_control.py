@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import ObservationGroup
-from raybundle.adjustment.wrong_control import WrongControl, kept_notice, suspected
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.decision.wrong_control import WrongControl, kept_notice, suspected
+from raybundle.adjustment.records.figures import ObservationGroup
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 
 OPTIONS = AdjustmentOptions(jobs=1, reject="snooping")
 CORNERS = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))

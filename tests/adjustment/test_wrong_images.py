@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.own_fields import own_field_notices, own_fields
+from raybundle.adjustment.blunders.image_fields import own_field_notices
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.field_test import own_fields
 from raybundle.block.select import with_rows
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from tests.truth.real_noise import with_smooth_errors
 
 FIELD = TargetField(camera=brown_camera(size_px=(3000, 2000), pixel_mm=0.008), stations=8, rows=6, columns=8)

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import PixelFrame, Role
 from raybundle.block.frames import TURNS, camera_from_file, file_from_camera, in_file_frames, joined, size_ratio
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.block.folder import read_block, write_block
-from raybundle.planning.scenes import Ring, brown_camera, ring_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Ring, brown_camera, ring_scene
 from raybundle.report.fingerprint import fingerprints
 
 

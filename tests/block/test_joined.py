@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import raybundle as rb
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.joined import join_blocks, joint_messages
 from raybundle.block.select import selected, with_rows
 from raybundle.block.transform import transform_block
@@ -14,8 +14,8 @@ from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.transform import SimilarityTransform
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from tests.messages import refused
 
 INNER = AdjustmentOptions(datum="inner", jobs=1)

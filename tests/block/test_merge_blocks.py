@@ -7,7 +7,7 @@ import pytest
 
 import raybundle as rb
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import PixelFrame, Relation
 from raybundle.block.merge import SUBJECTS, merge_blocks
 from raybundle.block.select import selected, with_rows
@@ -17,8 +17,8 @@ from raybundle.numerics.places import Local
 from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations.alignment import Planes
 from raybundle.observations.total_station import Directions
-from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, field_scene
 from tests.observations.test_kinds import EXAMPLES
 
 SURVEY = Survey(

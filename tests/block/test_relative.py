@@ -7,7 +7,7 @@ import pytest
 from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Instrument, Stations
 from raybundle.block.block import Attitudes, Role
 from raybundle.block.relative import relative_control

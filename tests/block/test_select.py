@@ -12,7 +12,7 @@ from raybundle.block import Role
 from raybundle.block.select import selected, with_rows, without_images
 from raybundle.observations import tables
 from raybundle.placing.positions import without_idle
-from raybundle.workflows.connected_components import merged
+from raybundle.workflows.orienting.connected_components import merged
 from tests.block.any_blocks import blocks
 
 CHECKED = settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))

@@ -8,7 +8,8 @@ from scipy import stats
 
 from raybundle.block import Role
 from raybundle.errors import InputError
-from raybundle.planning.scenes import (
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import (
     AerialStrips,
     Ring,
     SinglePhoto,
@@ -20,7 +21,6 @@ from raybundle.planning.scenes import (
     ring_scene,
     single_scene,
 )
-from raybundle.planning.simulate import Survey, simulate
 from raybundle.sensors import sensor_models
 
 SCENES = {

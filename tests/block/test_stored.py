@@ -7,7 +7,7 @@ import pytest
 from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Relation
 from raybundle.block.stored import joint_covariance, observed_jointly
 from raybundle.commands.photograph_facts import _camera
@@ -16,8 +16,8 @@ from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.photos.cameras import CameraGroup, with_calibration
 from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 FREE = ("c", "x0", "y0", "K1", "K2", "P1", "P2")
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Attitudes, Relation, Role
 from raybundle.block.transform import transform_block
 from raybundle.errors import InputError

@@ -6,8 +6,8 @@ import numpy as np
 
 from raybundle.block import Attitudes, Distances, Instrument, Stations
 from raybundle.numerics.rotation import angles_from_rotation, rotation_from_vector
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.platforms import instrument_models
 
 

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.decide import decide
-from raybundle.blocking.deciding import decide_in_store
+from raybundle.adjustment.decision.decide import decide
+from raybundle.blocking.decision import decide_in_store
 from raybundle.blocking.memory import Serial
 from tests.blocking.networks import flight
 from tests.blocking.test_elsewhere import OPTIONS, doubtful

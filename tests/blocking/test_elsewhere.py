@@ -11,12 +11,12 @@ from weakref import WeakValueDictionary
 import numpy as np
 import pytest
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.factoring import made_by
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.factoring import made_by
 from raybundle.blocking import tasks as blocking_tasks
-from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.memory import Serial
+from raybundle.blocking.normals_in_parts import in_parts
 from raybundle.errors import message
 from raybundle.io.block.folder import write_block
 from raybundle.numerics import native
@@ -136,7 +136,7 @@ import sys
 from functools import partial
 from pathlib import Path
 
-from raybundle.blocking.adjusted import in_parts
+from raybundle.blocking.normals_in_parts import in_parts
 from raybundle.commands.adjust import AdjustSettings, run_adjust
 from raybundle.workflows import within_memory
 from tests.barriers import hold

@@ -5,16 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.decide import decide
+from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block, free_parameters
-from raybundle.adjustment.factoring import in_one_piece, made_by
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import cofactors
-from raybundle.adjustment.queries import covariance
+from raybundle.adjustment.evaluation.queries import covariance
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.precision import cofactors
+from raybundle.adjustment.system.factoring import in_one_piece, made_by
 from raybundle.block.select import with_rows
 from raybundle.blocking import sweeps
-from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.front import packed, unpacked
+from raybundle.blocking.normals_in_parts import in_parts
 from raybundle.errors import NotSolvable
 from tests.blocking.networks import flight
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.datum import Datum
 from raybundle.adjustment.engine import adjust_block, free_parameters
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.datum import Datum
 from raybundle.blocking.columns import InFiles, InMemory
 from raybundle.blocking.memory import Memory, Serial
 from raybundle.blocking.similarity import onto

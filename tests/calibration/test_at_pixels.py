@@ -7,8 +7,8 @@ import raybundle as rb
 from raybundle import AdjustmentOptions
 from raybundle.calibration.maps import uncertainty_of
 from raybundle.errors import InputError
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 
 @pytest.fixture(scope="module")

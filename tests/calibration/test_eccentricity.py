@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import predicted_px
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.calibration.eccentricity import eccentricity_px, radius_scale
 from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate

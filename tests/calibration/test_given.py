@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.stored import observed_jointly
-from raybundle.calibration.given import calibration_notices, held_notices
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.calibration.previous_calibration import calibration_notices, held_notices
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from tests.adjustment.test_noise import with_fields
 
 FREE = ("c", "x0", "y0")

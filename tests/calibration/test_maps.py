@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Camera
 from raybundle.calibration.maps import calibration_difference, projection_uncertainty, scaled, uncertainty_of
 from raybundle.errors import InputError
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
 RUNS = 300
 

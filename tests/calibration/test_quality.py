@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Observations
 from raybundle.block.select import with_rows
 from raybundle.calibration.cross_validation import cross_validation
@@ -14,8 +14,8 @@ from raybundle.calibration.maps import calibration_difference
 from raybundle.calibration.one_camera import find_splits, own_interiors
 from raybundle.calibration.quality import calibration_qualities
 from raybundle.planning.next_photographs import advised, next_photographs
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 ROLLS = (0.0, 90.0, 180.0, 270.0)
 

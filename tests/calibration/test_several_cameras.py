@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from raybundle.adjustment.own_interiors import groups_of, own_interiors
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.evaluation.image_interiors import groups_of, own_interiors
+from raybundle.adjustment.records.severity import Severity
 from raybundle.calibration.several_cameras import several_cameras
 from tests.adjustment.mixed_cameras import adjusted, mixed
 

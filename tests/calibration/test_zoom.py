@@ -13,8 +13,8 @@ from raybundle.calibration.zoom import calibrate_zoom, setting_of, zoom_residual
 from raybundle.errors import InputError
 from raybundle.io.cameras.zoom_files import read_zoom, write_zoom
 from raybundle.numerics.statistics import mahalanobis2
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
 FREE = ("c", "x0", "y0", "K1", "K2", "P1", "P2")
 SETTINGS = np.array([24.0, 30.0, 38.0, 48.0, 62.0, 85.0])

@@ -14,8 +14,8 @@ from raybundle.cli.calibration import command
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.cameras.library import read_library
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.report.write import write_result
 from raybundle.words import headline
 

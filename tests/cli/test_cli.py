@@ -12,8 +12,8 @@ import pytest
 from raybundle.cli.main import COMMANDS, main
 from raybundle.errors import NoConvergence
 from raybundle.io.block.folder import read_block, write_block
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.words import headline
 
 BLOCKS = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).parents[3] / "shared" / "data")) / "blocks"

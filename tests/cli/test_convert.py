@@ -19,8 +19,8 @@ from raybundle.cli.convert import command
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.block.scenes import local_in
-from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.report.write import write_result
 
 LENS = {"K1": 3e-5, "K2": -4e-8, "K3": 0.0, "P1": 2e-6, "P2": -1e-6}

@@ -7,7 +7,7 @@ from tests.cli.reported import reported, values_of
 from raybundle.cli.demo import rigid_difference, together
 from raybundle.cli.main import main
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.scenes import brown_camera
+from raybundle.planning.synthetic_networks import brown_camera
 
 
 def demo(out, *more):

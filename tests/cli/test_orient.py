@@ -16,7 +16,7 @@ from raybundle.errors import code_of
 from raybundle.io.photos.photo import find_photos
 from raybundle.readable import readable
 from raybundle.words import headline
-from raybundle.workflows.orienting.photographs import _beside
+from raybundle.workflows.orienting.stages.photographs import _beside
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 needs_portal = pytest.mark.skipif(

@@ -14,7 +14,7 @@ from raybundle.io.trajectories import Trajectory, write_trajectory
 from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector
 from raybundle.placing.marks import Given
 from raybundle.words import headline
-from raybundle.workflows.asked import check_asked
+from raybundle.workflows.orienting.unused_options import check_asked
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 needs_portal = pytest.mark.skipif(

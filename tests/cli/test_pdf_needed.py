@@ -4,8 +4,8 @@ import pytest
 
 import raybundle as rb
 from raybundle.errors import InputError
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.paper import needed
 
 ASKED = {

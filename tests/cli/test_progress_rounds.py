@@ -4,7 +4,7 @@ import json
 
 from tests.blocking.networks import flight
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.cli.progress import reporting
 from raybundle.numerics.progress import Counted, Remark, in_rounds
 from raybundle.pipeline.stage import Counting

@@ -14,8 +14,8 @@ from raybundle.cli.main import main
 from raybundle.commands.orient import OrientSettings, keep_settings, settings_asked
 from raybundle.errors import InputError
 from raybundle.io.pictures.rectified import Rectified
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.facts import PhotoFact, PhotographFacts
 from raybundle.report.write import write_result
 from raybundle.results.folder import check_target

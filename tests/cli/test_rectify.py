@@ -17,8 +17,8 @@ from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.pictures.undistort import camera_plane
 from raybundle.numerics.planes import plane_of_most
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.report.write import write_result
 from raybundle.workflows.object_plane import plane_of
 

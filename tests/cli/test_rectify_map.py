@@ -16,8 +16,8 @@ from raybundle.errors import InputError
 from raybundle.io.geo.coordinate_systems import in_other_projection, local_frame
 from raybundle.io.pictures.geotiff import overview_levels
 from raybundle.io.pictures.undistort import camera_plane
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.report.write import write_result
 
 FRAME = local_frame("EPSG:32632", (700_000.0, 5_400_000.0, 400.0))

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 from tests.cli.reported import refuses
 
 import raybundle as rb
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.cli.adjust import command as adjust_command
 from raybundle.cli.calibrate import command as calibrate_command
 from raybundle.cli.calibration import command as calibration_command
@@ -59,8 +59,8 @@ from raybundle.commands.scenes.ortho import RpcOrthoSettings
 from raybundle.commands.simulate import SimulateSettings
 from raybundle.commands.target_settings import ChooseSettings, DetectSettings, SheetSettings
 from raybundle.errors import InputError
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.settings import made, other_than_usual, setting, settings_of, toml_lines
 from raybundle.words import COMMAND_LINE, reading
 

@@ -26,8 +26,8 @@ from raybundle.errors import InputError
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.pictures.undistort import camera_plane
 from raybundle.numerics.transform import SimilarityTransform
-from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.report.write import write_result
 from raybundle.words import headline
 from raybundle.workflows.object_plane import plane_of

@@ -10,8 +10,8 @@ from raybundle import spreadsheet
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io import workbook
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
 
 

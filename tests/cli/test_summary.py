@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.cli.main import main
 from raybundle.cli.summary import SHOWN, Summary, data, lines, loud
 from raybundle.errors import Message, Severity, note

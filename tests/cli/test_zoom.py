@@ -13,8 +13,8 @@ from raybundle.io.cameras.library import find_calibrations, read_library, with_l
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.report.write import write_result
 
 EXIF = {"make": "Nikon", "model": "D850", "serial": "7", "lens": "24-70", "focus_m": None}

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Images, Observations, Points, Role
 from raybundle.errors import DatumDefect, InputError, NotSolvable, RankDefect
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.workflows.adjust import adjust
 
 SCENE = field_scene(TargetField(rows=6, columns=8, stations=6, frontal=2))

@@ -281,7 +281,7 @@ def test_a_file_damaged_in_its_middle_costs_that_file(orient, photos):
 
 
 def test_a_photograph_that_goes_away_during_the_work_is_named(orient, photos, monkeypatch):
-    from raybundle.workflows.orienting import photographs as stage
+    from raybundle.workflows.orienting.stages import photographs as stage
 
     original = stage.find_photos
 

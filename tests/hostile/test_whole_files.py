@@ -12,8 +12,8 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import write_whole
 from raybundle.io.scenes.writing import write_rpc
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.network_page import write_network_page
 from raybundle.report.writing import write_report
 from raybundle.scenes.rpc import Rpc

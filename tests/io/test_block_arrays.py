@@ -14,8 +14,8 @@ from raybundle.block.select import with_rows
 from raybundle.block.transform import transform_block
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.numerics.transform import SimilarityTransform
-from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, field_scene
 
 DRAWN = []
 

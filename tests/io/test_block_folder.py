@@ -17,8 +17,8 @@ from raybundle.errors import InputError, UnknownSensorModel
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.observations import tables
 from raybundle.observations.parameter import Calibrated
-from raybundle.planning.scenes import SinglePhoto, TargetField, field_scene, single_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import SinglePhoto, TargetField, field_scene, single_scene
 
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).parents[3] / "shared" / "data")) / "blocks"
 BLOCKS = sorted(p.name for p in DATA.iterdir() if p.is_dir()) if DATA.is_dir() else []

@@ -15,8 +15,8 @@ from raybundle.io.geo.control_files import ControlDefaults, named_apart, read_co
 from raybundle.io.geo.control_systems import in_one_system, sigma_in_metres
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.placing.marks import Given, ScaleBar
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.workflows import orient as workflow
 
 COPR = DATA / "photos" / "copr-uav" / "gcp_list.txt"
@@ -281,7 +281,7 @@ def test_an_error_of_a_control_file_comes_before_anything_is_computed(tmp_path, 
     def computed(*_args):
         pytest.fail("features were looked for before the files of control were judged")
 
-    monkeypatch.setattr("raybundle.workflows.orienting.features.find_features", computed)
+    monkeypatch.setattr("raybundle.workflows.orienting.stages.features.find_features", computed)
     told = {
         "mark": r"900, 6 .*a\.jpg.*mark\.outside_photograph", "bar": r"point two .*scale_bar\.end_not_measured",
         "set": r"IMG_1\.JPG.*a\.jpg.*b\.jpg.*control\.other_photographs",

@@ -21,7 +21,7 @@ from raybundle.io.film.fiducials import (
     straight_points,
     suspects,
 )
-from raybundle.planning.scenes import brown_camera
+from raybundle.planning.synthetic_networks import brown_camera
 
 PIXEL = 0.0125
 EIGHT = np.array([[-106, 0], [106, 0], [0, 106], [0, -106], [-106, -106], [106, 106], [-106, 106], [106, -106]], float)

@@ -8,8 +8,8 @@ import pytest
 from raybundle.block import PixelFrame
 from raybundle.block.frames import file_from_camera
 from raybundle.io.photos.framed import in_camera_frame
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 
 def block_with(frame, width, height):

@@ -7,8 +7,8 @@ import pytest
 from tests.truth.mixed_blocks import mixed, two_camera_rig
 from tests.truth.platform_blocks import platform_block
 
-from raybundle.adjustment.predict import predicted_px, residuals_px
-from raybundle.io.cameras.one_instant import at_one_instant
+from raybundle.adjustment.system.predict import predicted_px, residuals_px
+from raybundle.io.cameras.single_exposure import at_one_instant
 from raybundle.planning.simulate import measured
 
 

@@ -19,8 +19,8 @@ from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.block.pieces import read_in_pieces
 from raybundle.io.reading.parquet_pages import row_groups
 from raybundle.io.tables import Column, read_table, write_table
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 
 pa = pytest.importorskip("pyarrow", reason="Parquet tables need pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")

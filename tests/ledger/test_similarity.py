@@ -14,10 +14,10 @@ from renderer.judging import similarity  # noqa: E402
 
 import ledger  # noqa: E402, F401  (adds the folders that judges import from)
 from raybundle import adjust  # noqa: E402
-from raybundle.adjustment.options import AdjustmentOptions  # noqa: E402
+from raybundle.adjustment.records.options import AdjustmentOptions  # noqa: E402
 from raybundle.numerics.rotation import rotation_from_vector  # noqa: E402
-from raybundle.planning.scenes import Ring, ring_scene  # noqa: E402
 from raybundle.planning.simulate import Survey, simulate  # noqa: E402
+from raybundle.planning.synthetic_networks import Ring, ring_scene  # noqa: E402
 from tests.truth.bands import whitener  # noqa: E402
 
 TURN = rotation_from_vector(np.array([[0.4, -1.1, 2.0]]))[0]

@@ -6,9 +6,9 @@ import numpy as np
 from PIL import Image
 
 import raybundle as rb
-from raybundle.adjustment.predict import image_points
+from raybundle.adjustment.system.predict import image_points
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.scenes import brown_camera
+from raybundle.planning.synthetic_networks import brown_camera
 
 SIZE = (3000, 2000)
 C_MM, PIXEL_MM = 24.0, 0.012

@@ -3,8 +3,8 @@
 from dataclasses import replace
 from functools import cache
 
-from raybundle.planning.scenes import Ring, brown_camera, ring_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Ring, brown_camera, ring_scene
 
 
 @cache

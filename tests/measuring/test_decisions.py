@@ -8,12 +8,12 @@ import pytest
 from click.testing import CliRunner
 
 import raybundle as rb
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.cli.main import cli
 from raybundle.errors import InputError
 from raybundle.measuring.decisions import with_decisions
 from raybundle.measuring.journal import entries_of, journal_path, measured_result
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.measuring.selection import figures_of, figures_of_result, latest_figures, latest_result, selected
 from raybundle.measuring.state import EMPTY, State
 from raybundle.pipeline.project import photographs_of

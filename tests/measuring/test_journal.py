@@ -16,14 +16,14 @@ import raybundle as rb
 from raybundle.errors import InputError
 from raybundle.measuring.actions import VERBS, Move, Put, Redo, SetBar, Undo, action_of
 from raybundle.measuring.journal import Journal, entries_of, journal_path, measured_result, state_of
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 
 KNOWN = Known.of_photos({"a.jpg": (400, 300), "b.jpg": (400, 300)})
 WRITER = """
 import sys
 from raybundle.measuring.actions import Put
 from raybundle.measuring.journal import Journal
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 
 path, first = sys.argv[1], int(sys.argv[2])
 journal = Journal.open(path, Known.of_photos({"a.jpg": (400, 300)}))

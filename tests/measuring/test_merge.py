@@ -16,8 +16,8 @@ from raybundle.io.geo.control_files import read_control
 from raybundle.measuring.actions import Point, Put, Reject, Rename, SetBar, SetDatum, SetLine
 from raybundle.measuring.axes import by_level
 from raybundle.measuring.export import lost_in_csv, lost_in_gcp_list, write_csv, write_gcp_list, write_merged_block
-from raybundle.measuring.known import Known
 from raybundle.measuring.merge import merge
+from raybundle.measuring.names import Known
 from raybundle.measuring.predict import predict
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import EMPTY, folded

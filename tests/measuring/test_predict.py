@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import predicted_px
-from raybundle.adjustment.queries import covariance_between
+from raybundle.adjustment.evaluation.queries import covariance_between
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block.select import with_rows
 from raybundle.errors import code_of
 from raybundle.measuring.actions import Put
-from raybundle.measuring.place import locate
+from raybundle.measuring.position import locate
 from raybundle.measuring.predict import affine, predict, visible, worst
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import EMPTY, folded

@@ -8,8 +8,8 @@ import pytest
 from scipy.stats import chi2
 
 import raybundle as rb
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.queries import covariance_between
+from raybundle.adjustment.evaluation.queries import covariance_between
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Distances, Role
 from raybundle.cli.main import main
 from raybundle.errors import InputError, phrase

@@ -21,7 +21,7 @@ from raybundle.measuring.actions import (
     Unbar,
     Undo,
 )  # fmt: skip
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.measuring.state import EMPTY, Fold, MeasuredPoint, folded
 
 from .scenes import small_block

@@ -10,9 +10,9 @@ from raybundle.io.photos.photo import read_photo
 from raybundle.measuring.actions import action_of
 from raybundle.measuring.control import control_of_text
 from raybundle.measuring.journal import Journal
-from raybundle.measuring.known import Known
 from raybundle.measuring.masks import drawn_by_file, free_of, write_masks
 from raybundle.measuring.merge import merge
+from raybundle.measuring.names import Known
 from raybundle.measuring.state import folded
 from tests.measuring.scenes import simulation
 

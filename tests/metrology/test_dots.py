@@ -15,8 +15,8 @@ from raybundle.metrology.best_fit import Nominal, best_fit
 from raybundle.metrology.dots import dots_alike
 from raybundle.metrology.point_set import PointSet
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
 
 

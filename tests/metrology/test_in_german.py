@@ -5,8 +5,8 @@ import pytest
 from tests.report.test_languages import english_atoms
 
 import raybundle as rb
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.languages.language import language_of
 
 

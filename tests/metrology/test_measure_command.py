@@ -15,15 +15,15 @@ from tests.docs.figures import in_a_row
 from tests.messages import refused, reported
 
 import raybundle as rb
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import Severity
 from raybundle.cli.main import main
 from raybundle.errors import InputError, code_of, note, phrase
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.metrology.notices import of_a_tool
 from raybundle.numerics.natural import natural
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.text.metrology_words import length_figures, outcomes
 from raybundle.report.write import write_result
 from raybundle.words import Reader, headline

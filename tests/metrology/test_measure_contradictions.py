@@ -6,8 +6,8 @@ from tests.messages import refused
 
 import raybundle as rb
 from raybundle.cli.main import main
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
 
 

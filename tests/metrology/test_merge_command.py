@@ -7,7 +7,7 @@ import pytest
 from tests.messages import refused
 
 import raybundle as rb
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.same_images import images_measured_alike
 from raybundle.block.select import selected
 from raybundle.block.transform import transform_block
@@ -19,8 +19,8 @@ from raybundle.metrology.point_set import PointSet
 from raybundle.numerics.length_units import units_of
 from raybundle.numerics.places import Geocentric
 from raybundle.numerics.transform import SimilarityTransform
-from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.workflows.block_frame import in_frame_of
 
 UTM = "EPSG:32733"

@@ -14,8 +14,8 @@ from raybundle import words as entries
 from raybundle.cli.main import main
 from raybundle.errors import phrase
 from raybundle.numerics.natural import natural
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
 from raybundle.words import headline
 from raybundle.words.numbers import probability

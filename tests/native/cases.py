@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.sensors import Parameter, SensorModel, sensor_models
 
 SCENE = field_scene(TargetField(rows=4, columns=5, stations=4, frontal=1))

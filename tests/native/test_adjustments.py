@@ -9,12 +9,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment import normals as normals_module
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system import normals as normals_module
 from raybundle.numerics import native
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.platforms import Carried
 from raybundle.sensors import sensor_models
 from tests.native.cases import CASES, block_of, own_model, same, two_cameras
@@ -24,7 +24,7 @@ TIGHT = AdjustmentOptions(tolerance=1e-8)
 ADJUST = """
 import json
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.numerics import native
 from tests.native.cases import block_of
 result = adjust_block(block_of("fisheye", control=5, scale_bars=1), AdjustmentOptions(tolerance=1e-8))
@@ -39,8 +39,8 @@ def both(block, monkeypatch, options=TIGHT):
     monkeypatch.setattr(normals_module.native, "sensor_models", frozenset)
     twin = adjust_block(block, options)
     monkeypatch.undo()
-    assert type(twin.handle.work.normals.solver).__module__ == "raybundle.adjustment.twin"
-    assert type(compiled.handle.work.normals.solver).__module__ != "raybundle.adjustment.twin"
+    assert type(twin.handle.work.normals.solver).__module__ == "raybundle.adjustment.system.normals_numpy"
+    assert type(compiled.handle.work.normals.solver).__module__ != "raybundle.adjustment.system.normals_numpy"
     return compiled, twin
 
 

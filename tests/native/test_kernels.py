@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment import defects
-from raybundle.adjustment import normals as normals_module
-from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system import defects
+from raybundle.adjustment.system import normals as normals_module
+from raybundle.adjustment.system.assemble import assemble
 from raybundle.numerics import native
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.sensors import sensor_models
@@ -58,8 +58,8 @@ def setting(block, *, compiled, threads=2):
 def pair(request):
     block = BLOCKS[request.param]()
     (compiled, state), (twin, _) = (setting(block, compiled=c) for c in (True, False))
-    assert type(twin.solver).__module__ == "raybundle.adjustment.twin"
-    assert type(compiled.solver).__module__ != "raybundle.adjustment.twin"
+    assert type(twin.solver).__module__ == "raybundle.adjustment.system.normals_numpy"
+    assert type(compiled.solver).__module__ != "raybundle.adjustment.system.normals_numpy"
     return compiled, twin, state
 
 

@@ -6,7 +6,7 @@ import signal
 import numpy as np
 import pytest
 
-from raybundle.adjustment.dense import set_dense_kernels
+from raybundle.adjustment.system.dense import set_dense_kernels
 from raybundle.numerics import native
 
 pytestmark = [

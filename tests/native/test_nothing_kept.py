@@ -6,7 +6,7 @@ import gc
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.system.normals import Normals
 from raybundle.errors import RaybundleError
 from tests.verdicts.cases import CASES
 

@@ -7,16 +7,16 @@ import pytest
 from tests.messages import refused
 
 from raybundle import adjust
-from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.assemble import assemble
 from raybundle.block import Distances, Role
 from raybundle.errors import DatumDefect
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.transform import similarity
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines, PointsOnLine
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 

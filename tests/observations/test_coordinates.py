@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.field_system import sparse_normals
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.field_system import sparse_normals
+from raybundle.adjustment.system.normals import Normals
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.observations.coordinates import Coordinates, ObservedCoordinates
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 

@@ -10,7 +10,7 @@ from tests.messages import refused
 
 import raybundle as rb
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Attitudes, Role, Stations
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
@@ -21,8 +21,8 @@ from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations import in_order
 from raybundle.observations.coordinates import Coordinates
 from raybundle.observations.total_station import Differences
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.platforms.imu import reported
 
 ONE = AdjustmentOptions(jobs=1)

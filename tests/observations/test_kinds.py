@@ -8,9 +8,9 @@ from tests.adjustment.test_attitudes import noisy
 from tests.observations.test_total_station import total_station
 from tests.truth.mixed_blocks import mixed
 
-from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.laws import partials_off, partials_off_in
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.observation_contract import partials_off, partials_off_in
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.assemble import assemble
 from raybundle.block import Relation
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
@@ -19,8 +19,8 @@ from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
 from raybundle.observations.coordinates import Coordinates
 from raybundle.observations.deviation import Deviations
 from raybundle.observations.total_station import Differences
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 
 def a_field():

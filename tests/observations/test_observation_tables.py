@@ -10,8 +10,8 @@ from raybundle.block.select import selected, without_images
 from raybundle.io.block.arrays import arrays_of_records, records_of_arrays
 from raybundle.observations import observation_kinds, tables
 from raybundle.observations.table import Table
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 ROWS, POINTS = 7, 5
 

@@ -8,7 +8,7 @@ from pathlib import Path
 PAGE = Path(__file__).resolve().parents[2] / "docs/how-to/own-observation-kind.md"
 CODE = re.findall(r"^```python\n(.*?)^```", PAGE.read_text(), re.MULTILINE | re.DOTALL)
 EVERYTHING = """
-import raybundle.adjustment.severity
+import raybundle.adjustment.records.severity
 import raybundle.block.merge
 import raybundle.io.block.arrays
 import raybundle.io.block.folder
@@ -20,7 +20,7 @@ from raybundle.results.tables import TABLES
 before = set(TABLES)
 """
 AFTERWARDS = """
-from raybundle.adjustment.severity import SEVERITY
+from raybundle.adjustment.records.severity import SEVERITY
 from raybundle.block.merge import merge_blocks
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.results.folder import read_result

@@ -7,13 +7,13 @@ import pytest
 from scipy.stats import chi2
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_records
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.observations.total_station import Differences, Directions, SlopeDistances, ZenithAngles
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 

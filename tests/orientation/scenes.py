@@ -9,8 +9,8 @@ from raybundle.block.block import Images, Observations
 from raybundle.block.select import with_rows
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.transform import similarity
-from raybundle.planning.scenes import Ring, Scene, brown_camera, look_at, ring_scene
 from raybundle.planning.simulate import Simulation, Survey, simulate
+from raybundle.planning.synthetic_networks import Ring, Scene, brown_camera, look_at, ring_scene
 
 ROOM = np.array([8.0, 6.0, 3.0])
 

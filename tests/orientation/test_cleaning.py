@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import free_parameters
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.orientation.cleaning import clean, sizes
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 
 @pytest.mark.parametrize("stated", [1.0, 7.0])

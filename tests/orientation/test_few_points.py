@@ -7,7 +7,7 @@ import pytest
 
 from raybundle.block import Block, Images, Observations, Points
 from raybundle.block.known import observed_as_known
-from raybundle.orientation.few_points import orient_few
+from raybundle.orientation.manual_points import orient_few
 from tests.measuring.hand_made import HAND_PX, Scene
 
 

@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.records.severity import Severity
 from raybundle.block import Role
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.numerics.progress import silent
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.orientation.given_points import intersected_where_better
-from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.orientation.known_points import intersected_where_better
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.workflows import adjust as workflow
-from raybundle.workflows.final import _decided
+from raybundle.workflows.final_adjustment import _decided
 
 SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
 

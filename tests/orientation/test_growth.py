@@ -8,8 +8,8 @@ from raybundle.orientation.approximate import possible_values
 from raybundle.orientation.candidates import Pose
 from raybundle.orientation.growth import GRID, OFTEN, Growth
 from raybundle.orientation.rays import rays_of
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 
 def test_an_image_that_adjustments_take_back_again_and_again_is_left(monkeypatch):

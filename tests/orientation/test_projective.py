@@ -8,8 +8,8 @@ import pytest
 from raybundle import adjust
 from raybundle.errors import NoOrientation
 from raybundle.orientation import approximate_values, self_calibration
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 FIELD = TargetField(rows=6, columns=8, stations=5, frontal=1)
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment import defects
-from raybundle.adjustment.behind_cameras import meeting_before_cameras
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.blunders.behind_cameras import meeting_before_cameras
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system import defects
 from raybundle.block import Role
 from raybundle.block.rigs import with_shared_orientation, without_rigs
 from raybundle.block.select import selected

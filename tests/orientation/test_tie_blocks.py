@@ -9,8 +9,8 @@ from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation
 from raybundle.orientation import approximate_values, possible_values
 from raybundle.orientation.skeleton import PER_PAIR, skeleton
-from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from tests.orientation.scenes import errors, facade, ring, tie_block
 
 

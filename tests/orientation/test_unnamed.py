@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block.select import with_rows
-from raybundle.orientation.unnamed import link_unnamed
-from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.orientation.unknown_points import link_unnamed
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 
 def test_every_dot_finds_its_own():

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation import approximate_values, rays
 from raybundle.orientation.bearings import is_wide, relative_bearings, resect_bearings
 from raybundle.orientation.rays import camera_rays
-from raybundle.planning.scenes import brown_camera
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import brown_camera
 from raybundle.sensors import sensor_models
 from raybundle.workflows.adjust import adjust
 from tests.orientation.scenes import both, errors, fisheye, panorama, room

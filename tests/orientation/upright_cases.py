@@ -3,7 +3,7 @@
 import numpy as np
 
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.scenes import look_at
+from raybundle.planning.synthetic_networks import look_at
 
 UP = np.array([0.0, 0.0, 1.0])
 

@@ -22,7 +22,7 @@ from raybundle.pipeline.project import Project
 from raybundle.pipeline.stores import check_store
 from raybundle.pipeline.task_functions import FUNCTIONS
 from raybundle.pipeline.tasks import function_of, options_of
-from raybundle.workflows.left import NOTES, STORES, forget_stores
+from raybundle.workflows.unfinished_parts import NOTES, STORES, forget_stores
 from tests.barriers import DEADLINE_S
 from tests.messages import printed
 

@@ -9,8 +9,8 @@ from raybundle.pipeline import store as stores
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.store import Files, writing
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.cluster.vq import kmeans2
 from scipy.spatial import KDTree
 
-from raybundle.adjustment.datum import GOOD
+from raybundle.adjustment.system.datum import GOOD
 from raybundle.objects.surface import SurfacePoints
 from raybundle.planning.expected import Expected, Networks, has_depth
 from raybundle.planning.measured import measured_kinds

@@ -9,7 +9,7 @@ from tests.missions.cases import LEVEL as LEVEL_GROUND
 from tests.missions.cases import mission as planned_mission
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import InputError
 from raybundle.planning.aerial import LAYOUTS, NUMBERS, PLACES, SIGMAS_M, control_rows, open_in, precision
 from raybundle.planning.aerial_block import aerial_block

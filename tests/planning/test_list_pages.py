@@ -20,8 +20,8 @@ from raybundle.objects.distance import Distances
 from raybundle.planning.assistants import assistants
 from raybundle.planning.assistants.base import held_words
 from raybundle.planning.calibration_networks import calibration_camera
-from raybundle.planning.scenes import look_at
-from raybundle.planning.worth import calibration_worth
+from raybundle.planning.calibration_quality import calibration_worth
+from raybundle.planning.synthetic_networks import look_at
 from raybundle.report.figures.labels import placed_labels
 from raybundle.report.photograph_list import DOT, ListedPhotograph, PhotographList, list_pdf, sketches
 

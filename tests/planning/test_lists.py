@@ -19,7 +19,7 @@ from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.assistants import assistants
 from raybundle.planning.candidates import Stations
 from raybundle.planning.of_result import stations_of_result
-from raybundle.planning.ticked import ticked
+from raybundle.planning.taken_stations import ticked
 
 PORTAL = Path(__file__).parents[2] / "demo_data" / "portal" / "photos"
 OBJECTS = {k: a.example for k, a in assistants.items()}

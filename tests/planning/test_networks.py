@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.commands.planning.network import NetworkSettings, site_of
 from raybundle.errors import InputError
 from raybundle.objects.kinds import object_kinds
@@ -16,17 +16,17 @@ from raybundle.planning.aims import aims
 from raybundle.planning.bars import placed_bars
 from raybundle.planning.candidates import Stations
 from raybundle.planning.configuration import Designer, Search, improved
+from raybundle.planning.datum_of_plan import Wanted
 from raybundle.planning.densify import densified, repeated
-from raybundle.planning.drawn import promised
+from raybundle.planning.detection_draws import promised
 from raybundle.planning.expected import Expected, Networks, Short
-from raybundle.planning.held import Wanted
 from raybundle.planning.measured import measured_kinds
 from raybundle.planning.network_plan import plan_network, walk
 from raybundle.planning.optics import Optics
 from raybundle.planning.planned_block import planned_block
 from raybundle.planning.reliability import redundancies
-from raybundle.planning.scenes import brown_camera
 from raybundle.planning.site import Access, Site
+from raybundle.planning.synthetic_networks import brown_camera
 
 FREE = ("c", "x0", "y0", "K1", "K2")
 QUICK = Search(places=120, beginnings=2, moved=1, moves=150, together=150)

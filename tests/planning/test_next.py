@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.additions import with_photographs
-from raybundle.adjustment.again import block_again
-from raybundle.adjustment.decide import decide
+from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.evaluation.additions import with_photographs
+from raybundle.adjustment.readjust import block_again
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block
 from raybundle.block.boards import spline_camera
 from raybundle.calibration.maps import projection_shifts
@@ -22,11 +22,11 @@ from raybundle.planning.next_plan import Conditions, frame_known, plan_next, ver
 from raybundle.planning.next_words import hold_message, instruction, place_message
 from raybundle.planning.obstacles import Obstacles
 from raybundle.planning.outlook import Outlook
-from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
-from raybundle.planning.sight import FARTHER, PointSight
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.stations import Reach, reachable
+from raybundle.planning.synthetic_networks import Ring, TargetField, field_scene, ring_scene
 from raybundle.planning.uav_networks import Flight, flight_block
+from raybundle.planning.visibility import FARTHER, PointSight
 
 FIELD = TargetField(rows=7, columns=9, stations=7, frontal=2)
 EXACT = Survey(image_sigma_px=0.1, points="exact", orientation="exact", interior="exact")

@@ -16,8 +16,8 @@ from raybundle.commands.planning.next import NextSettings, write_next_plan
 from raybundle.errors import phrase
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.planning.goals import Standing
-from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Ring, TargetField, field_scene, ring_scene
 from raybundle.settings import made
 
 SURVEY = Survey(image_sigma_px=0.2, points="exact", orientation="exact", interior="exact")

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.calibration_networks import ROLLS
 from raybundle.planning.rules.networks import IMAGE_SIGMA_PX, Cone, Network, Targets, known_camera, pair
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Camera
 from raybundle.block.boards import BoardViews, board_block, spline_camera, weighted_rms
 from raybundle.calibration.maps import uncertainty_of

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.decide import decide
+from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Camera
-from raybundle.planning.scenes import SinglePhoto, TargetField, brown_camera, field_scene, single_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import SinglePhoto, TargetField, brown_camera, field_scene, single_scene
 
 EXACT = {"orientation": "exact", "points": "exact", "interior": "exact"}
 FIELD = TargetField(rows=5, columns=6, stations=6, frontal=2)

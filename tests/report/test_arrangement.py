@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle import words
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.report import chapters as rooms
 from raybundle.report.arrangement import LONG, Measure, all_sections, arranged, rows_of_figures, undivided
 from raybundle.report.chapters import Occasion, chapter

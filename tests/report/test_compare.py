@@ -10,8 +10,8 @@ from raybundle import words
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.report.common_points import common_points, common_rows
 from raybundle.report.compare import _parameter_rows, write_comparison
 from raybundle.report.differences import APART, basis_words, point_differences, taken_otherwise

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.report.sections.reliability import controlled_share, reliability_section
 from raybundle.report.view import view_of
 from tests.report.conftest import field

@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from raybundle.adjustment.counts import counts
+from raybundle.adjustment.evaluation.counts import counts
 from raybundle.report.text.summary import details
 from raybundle.report.write import write_result
 from raybundle.words import headline

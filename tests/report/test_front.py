@@ -10,19 +10,19 @@ import numpy as np
 import pytest
 
 from raybundle import words
-from raybundle.adjustment.accuracy import Compared
-from raybundle.adjustment.accuracy_class import accuracy_class
+from raybundle.adjustment.blunders.accuracy import Compared
+from raybundle.adjustment.blunders.accuracy_class import accuracy_class
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.records.severity import Severity
 from raybundle.block import Role
 from raybundle.cli.main import main
 from raybundle.errors import phrase
 from raybundle.io.block.folder import write_block
 from raybundle.io.geo.coordinate_systems import local_frame
-from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import delivery_of
 from raybundle.report.figures.object_view import object_view

@@ -9,7 +9,7 @@ import pytest
 
 import raybundle
 from raybundle import words
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.errors import InputError, Text
 from raybundle.report.languages import Localised, language_codes
 from raybundle.report.languages.language import UNITS, Language, language_of

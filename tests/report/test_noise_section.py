@@ -7,11 +7,11 @@ import pytest
 
 from raybundle import words
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.structure import structure_notice
+from raybundle.adjustment.evaluation.residual_structure import structure_notice
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import phrase
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.text.summary import details
 from raybundle.report.write import write_result
 from tests.adjustment.test_noise import with_fields

@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 
 import raybundle as rb
-from raybundle.adjustment.cell_means import cell_means
 from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.evaluation.cell_means import cell_means
 from raybundle.errors import InputError, phrase
-from raybundle.planning.scenes import AerialStrips, SinglePhoto, aerial_scene, single_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, SinglePhoto, aerial_scene, single_scene
 from raybundle.report.detectable import detectable
 from raybundle.report.figures.distortion import balanced, radial_curve
 from raybundle.report.network_shape import ellipse_rows, ellipses, network_shape

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from raybundle import words
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import Severity
 from raybundle.errors import phrase
 from raybundle.metrology.congruence import Congruence
 from raybundle.report.chapters import Occasion
@@ -27,7 +27,7 @@ from raybundle.report.writing import write_report
 from raybundle.results.record import Record
 from raybundle.settings import in_words
 from raybundle.words.render import Reader
-from raybundle.workflows.dropped import Dropped
+from raybundle.workflows.orienting.excluded_features import Dropped
 
 from .conftest import made
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from raybundle import words
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.block import Role
 from raybundle.calibration.quality import calibration_qualities
 from raybundle.errors import phrase

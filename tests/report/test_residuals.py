@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.cell_means import between_images, cell_means, systematic_notices
-from raybundle.adjustment.severity import Severity
-from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.adjustment.evaluation.cell_means import between_images, cell_means, systematic_notices
+from raybundle.adjustment.records.severity import Severity
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.residuals import image_rows, normalised, radial_profile, rows_of_images
 from raybundle.report.view import view_of
 

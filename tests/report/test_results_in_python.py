@@ -12,15 +12,15 @@ import numpy as np
 import pytest
 
 import raybundle as rb
-from raybundle.adjustment.queries import covariance_between
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.evaluation.queries import covariance_between
+from raybundle.adjustment.records.notice import Notice
 from raybundle.commands.show import show
 from raybundle.errors import InputError, phrase
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.report.alone import svg_of
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.parts import Figures
 from raybundle.report.sections.network import network_section
+from raybundle.report.single_figure import svg_of
 from raybundle.report.tables import table, table_names
 from raybundle.report.view import view_of
 from raybundle.results.tables import result_tables

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 import raybundle
-from raybundle.adjustment.components import NAMES
 from raybundle.adjustment.notices import notices_of
-from raybundle.adjustment.result import Notice, gravest_first, sorted_notices
-from raybundle.adjustment.severity import SEVERITY, Severity
+from raybundle.adjustment.records.notice import Notice, gravest_first, sorted_notices
+from raybundle.adjustment.records.severity import SEVERITY, Severity
+from raybundle.adjustment.statistics.components import NAMES
 from raybundle.cli.summary import SHOWN, lines, of_adjustment
 from raybundle.report.sections.result import result_section
 from raybundle.report.text.words import verdict

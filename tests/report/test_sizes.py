@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from raybundle import adjust, words
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.report.network_page import write_network_page
 from raybundle.report.writing import write_report
 

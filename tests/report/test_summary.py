@@ -11,8 +11,8 @@ from raybundle import adjust
 from raybundle.adjustment.result import WHITE, Noise
 from raybundle.cli.calibrate import camera_lines
 from raybundle.io.photos.start import NOMINAL_PIXEL_MM
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import delivery_of
 from raybundle.report.sections.front import glance_parts

@@ -10,9 +10,9 @@ import pytest
 from raybundle import words
 from raybundle.report.figures.raster import classed, shaded
 from raybundle.report.sigma_classes import sigma_classes
-from raybundle.report.surface_page import write_surface_page
 from raybundle.report.text.numbers import unbroken
-from raybundle.surfaces.summary import HeightSummary, MapSummary, OrthophotoSummary, SurfaceSummary, reduced
+from raybundle.surface.depths.summary import HeightSummary, MapSummary, OrthophotoSummary, SurfaceSummary, reduced
+from raybundle.surface.page import write_surface_page
 from raybundle.words import Reader
 
 

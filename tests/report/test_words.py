@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
-from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import Severity
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.text.words import expected_check_std, free_std, limits, open_datum, open_values, verdict
 from raybundle.report.view import rms, view_of
 

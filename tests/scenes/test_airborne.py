@@ -8,7 +8,7 @@ from scipy.integrate import trapezoid
 from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.predict import image_points
+from raybundle.adjustment.system.predict import image_points
 from raybundle.errors import InputError, RankDefect
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.digits import EVERY

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from raybundle.adjustment import solve
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import interior_unknowns, node_cofactor
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.precision import interior_unknowns, node_cofactor
+from raybundle.adjustment.system import solve
 from raybundle.errors import InputError, NoConvergence, RankDefect
 from raybundle.numerics.places import Local
 from raybundle.numerics.rotation import rotation_from_vector

@@ -221,7 +221,7 @@ assert new == {"own_division", *("own_division_" + p for p in (
 ))}, new
 from dataclasses import replace
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.adjustment.engine import adjust_block
 scene = field_scene(TargetField(rows=4, columns=5, stations=4, frontal=1))
 camera = replace(scene.camera, model="own_division", values={"c": 20.4, "L": 2e-4}, estimate=("c", "L"))

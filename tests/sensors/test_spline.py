@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.assemble import assemble
 from raybundle.block.boards import spline_camera
 from raybundle.calibration.maps import calibration_difference, uncertainty_of
 from raybundle.errors import InputError
 from raybundle.numerics import native
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.sensors import sensor_models
 from tests.native.cases import block_of, close, correlated
 from tests.native.test_adjustments import both

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from raybundle.commands.begin import measuring_folder
+from raybundle.commands.new_project import measuring_folder
 from tests.measuring.hand_made import Scene, photographs
 from tests.studio.conftest import BASE, LIVE
 

@@ -6,7 +6,7 @@ from contextlib import ExitStack
 import pytest
 
 from raybundle.block import Camera
-from raybundle.commands.begin import begin
+from raybundle.commands.new_project import begin
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.measuring.journal import entries_of, journal_path
 from raybundle.sensors import sensor_models

@@ -6,8 +6,8 @@ import numpy as np
 from PIL import Image
 
 from raybundle.measuring.journal import entries_of, journal_path
-from raybundle.studio.live import Live
-from raybundle.workflows.bare import small_pictures
+from raybundle.studio.watchers import Live
+from raybundle.workflows.unoriented_block import small_pictures
 
 TABLE = "point,X,Y,Z,sX,sY,sZ\nA,1,2,3,0.01,0.01,0.02\nB,4,5,6,0.01,0.01,0.02\n"
 SQUARE = [[10, 20], [300, 20], [300, 600], [10, 600]]

@@ -7,7 +7,7 @@ import threading
 import numpy as np
 import pytest
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.measuring.journal import entries_of, journal_path, measured_result
 from raybundle.settings import settings_of
 from raybundle.studio import work as work_module

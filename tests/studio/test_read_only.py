@@ -74,7 +74,7 @@ def test_a_folder_that_is_read_only_from_the_beginning(project, photo_folders, t
 
 def test_a_folder_that_becomes_read_only_loses_nothing(project, photo_folders, tmp_path, monkeypatch):
     heard = []
-    monkeypatch.setattr("raybundle.studio.live.Live.notify_from_thread", lambda _, message: heard.append(message))
+    monkeypatch.setattr("raybundle.studio.watchers.Live.notify_from_thread", lambda _, message: heard.append(message))
     with opened(project, photo_folders, tmp_path / "t") as (client, desk, studio):
         image = client.get("/api/overview").json()["images"][0]["id"]
         assert mark(client, image, "p1", 10.0, 20.0).status_code == 200

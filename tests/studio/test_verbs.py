@@ -10,7 +10,7 @@ from raybundle.cli.main import cli
 from raybundle.io.block.folder import read_block
 from raybundle.measuring.actions import VERBS
 from raybundle.measuring.journal import Journal, entries_of, journal_path, state_of
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.measuring.selection import latest_figures, selected
 from raybundle.measuring.state import State
 from raybundle.studio.verbs import command_of

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.surfaces.ground import ground
-from raybundle.surfaces.holes import filled
-from raybundle.surfaces.true_areas import true_area
-from raybundle.surfaces.volumes import volume
+from raybundle.surface.heights.hole_filling import filled
+from raybundle.surface.heights.terrain_filter import ground
+from raybundle.surface.heights.true_areas import true_area
+from raybundle.surface.heights.volumes import volume
 from tests.surface.height_models import made
 
 SHAPE, CELL, HIGH = (60, 80), 0.2, 6.0

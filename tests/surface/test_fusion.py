@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from scipy.spatial import KDTree
 
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.surfaces.fusion import MapView, agreement, by_contrast
-from raybundle.surfaces.rays import ReferenceRays
-from raybundle.surfaces.refine import PixelGrid
-from raybundle.surfaces.transfer import transfer
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
+from raybundle.surface.depths.fusion import MapView, agreement, by_contrast
+from raybundle.surface.depths.rays import ReferenceRays
+from raybundle.surface.depths.refine import PixelGrid
+from raybundle.surface.depths.transfer import transfer
 
 IMAGES, STRIDE, SIGMA = (3, 4, 5), 250, 1e-7
 

@@ -7,11 +7,19 @@ import pytest
 from scipy.ndimage import gaussian_filter
 
 from raybundle.errors import InputError
-from raybundle.surfaces.filters import Flag
-from raybundle.surfaces.height_model import HeightModel
-from raybundle.surfaces.heights import BETWEEN_MAPS, Heights, PointsOfCells, between, between_maps, on_grid, within
-from raybundle.surfaces.pairs import PairOfImages, Sources
-from raybundle.workflows.surfacing.heights import _alike
+from raybundle.surface.depths.filters import Flag
+from raybundle.surface.depths.pairs import PairOfImages, Sources
+from raybundle.surface.heights.height_model import HeightModel
+from raybundle.surface.heights.heights import (
+    BETWEEN_MAPS,
+    Heights,
+    PointsOfCells,
+    between,
+    between_maps,
+    on_grid,
+    within,
+)
+from raybundle.surface.stages.heights import _alike
 
 FINE = 4
 """Points along the side of a cell"""

@@ -7,10 +7,10 @@ import pytest
 from PIL import Image
 
 from raybundle.io.photos.quantisation import quantisation_tables
-from raybundle.surfaces.height_model import Blocks
-from raybundle.surfaces.lattice import SHARE, _reach, quantisation_noise, share_of_blocks
-from raybundle.surfaces.relief import edges
-from raybundle.surfaces.resampled import difference
+from raybundle.surface.depths.jpeg_blocks import SHARE, _reach, quantisation_noise, share_of_blocks
+from raybundle.surface.heights.height_model import Blocks
+from raybundle.surface.heights.resampling import difference
+from raybundle.surface.heights.steps import edges
 from tests.surface.height_models import made
 
 GREY = np.full((16, 16), 120, np.uint8)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.surfaces.resampled import difference
+from raybundle.surface.heights.resampling import difference
 from tests.surface.height_models import made
 
 SHAPE = (64, 96)

@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import predicted_px
-from raybundle.adjustment.queries import covariance, joint_orientation
+from raybundle.adjustment.evaluation.queries import covariance, joint_orientation
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.surfaces.orientation import shift_covariance
-from raybundle.surfaces.rays import ReferenceRays
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
+from raybundle.surface.depths.orientation import shift_covariance
+from raybundle.surface.depths.rays import ReferenceRays
 
 REFERENCE, SOURCES = 4, (3, 5, 10)
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.surfaces.pairs import FLATTEST_DEG, LARGEST_SCALE, MOST_SOURCES, PairOfImages, sources_of_each
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
+from raybundle.surface.depths.pairs import FLATTEST_DEG, LARGEST_SCALE, MOST_SOURCES, PairOfImages, sources_of_each
 
 
 @pytest.fixture(scope="module")

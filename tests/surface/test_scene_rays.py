@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import predicted_px
-from raybundle.adjustment.queries import covariance, joint_orientation
+from raybundle.adjustment.evaluation.queries import covariance, joint_orientation
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.errors import phrase
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.block.scenes import projected
@@ -16,10 +16,10 @@ from raybundle.scenes.corrections import Fixes
 from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 from raybundle.scenes.trajectory import CorrectionModel
-from raybundle.surfaces.orientation import shift_covariance
-from raybundle.surfaces.pairs import LARGEST_SCALE, sources_of_each
-from raybundle.surfaces.rays import ReferenceRays
-from raybundle.surfaces.transfer import TOLERANCE_PX, transfer
+from raybundle.surface.depths.orientation import shift_covariance
+from raybundle.surface.depths.pairs import LARGEST_SCALE, sources_of_each
+from raybundle.surface.depths.rays import ReferenceRays
+from raybundle.surface.depths.transfer import TOLERANCE_PX, transfer
 from tests.scenes.render import ORIGIN, PLACE
 from tests.surface.scene_pair import SIZE, scene_block
 

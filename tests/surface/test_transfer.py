@@ -5,12 +5,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.predict import predicted_px
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.errors import InputError
 from raybundle.platforms import sensor_models
-from raybundle.surfaces import transfer as module
-from raybundle.surfaces.rays import ReferenceRays
-from raybundle.surfaces.transfer import MOST_NODES, TOLERANCE_PX, Projection, Transfer, lagrange, places_in, transfer
+from raybundle.surface.depths import transfer as module
+from raybundle.surface.depths.rays import ReferenceRays
+from raybundle.surface.depths.transfer import (
+    MOST_NODES,
+    TOLERANCE_PX,
+    Projection,
+    Transfer,
+    lagrange,
+    places_in,
+    transfer,
+)
 from tests.messages import refused
 from tests.surface import scene
 from tests.surface.transfer_oracle import places_of

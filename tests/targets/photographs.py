@@ -14,10 +14,10 @@ import cv2
 import numpy as np
 from scipy.interpolate import RectBivariateSpline
 
-from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block, Camera, Observations, Points
 from raybundle.calibration.eccentricity import CircleImages
-from raybundle.planning.scenes import brown_camera, look_at
+from raybundle.planning.synthetic_networks import brown_camera, look_at
 from raybundle.platforms.station import sensor_from_object
 from raybundle.targets.codes import family_named
 from tests.targets.render import ring_pattern

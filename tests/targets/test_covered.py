@@ -8,10 +8,10 @@ from scipy.stats import binom, chi2
 from raybundle.numerics import native
 from raybundle.targets import centre
 from raybundle.targets.centre import DotOptions, DotOutcome, fit_dots, fit_masked, fit_masked_twin
-from raybundle.targets.covered import measure_dots
 from raybundle.targets.detect import DetectionOptions, detect_targets
 from raybundle.targets.families import families
 from raybundle.targets.judgement import FALSE, covered_of, covered_pixels
+from raybundle.targets.partial_dots import measure_dots
 from tests.targets.covered_dots import dots, measured
 from tests.targets.render import round_cover, shot, straight_cover
 

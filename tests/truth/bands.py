@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.stats import chi2
 
-from raybundle.adjustment.precision import image_unknowns, interior_unknowns, node_cofactor
-from raybundle.adjustment.work import Work
+from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns, node_cofactor
+from raybundle.adjustment.statistics.system_state import Work
 from raybundle.numerics.rotation import vector_from_rotation
 
 LEVEL = 0.999

@@ -13,9 +13,9 @@ import numpy as np
 from scipy.stats import gamma
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import image_unknowns, interior_unknowns
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns
 from raybundle.block import Block
 from raybundle.numerics.rotation import vector_from_rotation
 from raybundle.observations import in_order

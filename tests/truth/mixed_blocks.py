@@ -11,18 +11,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.assemble import State, assemble
 from raybundle.adjustment.engine import carry_out, free_parameters
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import image_unknowns, interior_unknowns, node_cofactor
-from raybundle.adjustment.solve import solve
-from raybundle.adjustment.transformation import fit_to_given
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns, node_cofactor
+from raybundle.adjustment.system.assemble import State, assemble
+from raybundle.adjustment.system.normals import Normals
+from raybundle.adjustment.system.solve import solve
+from raybundle.adjustment.system.transformation import fit_to_given
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
 from raybundle.numerics.places import Local
 from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector, vector_from_rotation
-from raybundle.planning.scenes import brown_camera, look_at
 from raybundle.planning.simulate import measured
+from raybundle.planning.synthetic_networks import brown_camera, look_at
 from raybundle.scenes.rpc_fit import fit_rpc
 from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene

@@ -10,18 +10,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.engine import carry_out, free_parameters
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import image_unknowns, interior_unknowns, node_cofactor
-from raybundle.adjustment.solve import solve
-from raybundle.adjustment.transformation import fit_to_given
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns, node_cofactor
+from raybundle.adjustment.system.assemble import assemble
+from raybundle.adjustment.system.normals import Normals
+from raybundle.adjustment.system.solve import solve
+from raybundle.adjustment.system.transformation import fit_to_given
 from raybundle.block import Role
 from raybundle.numerics.rotation import vector_from_rotation
 from raybundle.numerics.statistics import CRITICAL_W, DELTA0
-from raybundle.planning.scenes import SinglePhoto, TargetField, field_scene, single_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import SinglePhoto, TargetField, field_scene, single_scene
 
 SMALL = TargetField(rows=5, columns=6, stations=5, frontal=1)
 OPTIONS = AdjustmentOptions(jobs=1, tolerance=1e-5)

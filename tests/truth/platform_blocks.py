@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block import Block, Camera
-from raybundle.planning.scenes import look_at
 from raybundle.planning.simulate import measured
+from raybundle.planning.synthetic_networks import look_at
 from raybundle.platforms import Carried, sensor_models
 from tests.truth.mixed_blocks import block_of, control_table
 

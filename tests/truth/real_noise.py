@@ -9,11 +9,11 @@ from numpy.polynomial import legendre
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from raybundle.adjustment.datum import point_generators
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import interior_unknowns, node_cofactor
-from raybundle.adjustment.under_noise import under_noise
+from raybundle.adjustment.evaluation.noise_covariance import under_noise
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.precision import interior_unknowns, node_cofactor
+from raybundle.adjustment.system.datum import point_generators
 from raybundle.block import Role
 from raybundle.block.block import Distances, Stations
 from raybundle.block.select import with_rows

@@ -7,7 +7,7 @@ import pytest
 from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 from tests.truth.bands import assert_true_to_ten_percent, whitener

@@ -32,7 +32,7 @@ def parameters():
 
 
 def test_the_eight_additional_parameters_follow_their_covariance():
-    from raybundle.adjustment.precision import interior_unknowns, node_cofactor
+    from raybundle.adjustment.statistics.precision import interior_unknowns, node_cofactor
 
     e, symbols = parameters()
     work = network().work

@@ -7,7 +7,7 @@ from scipy.interpolate import RectBivariateSpline
 from scipy.stats import chi2
 
 from raybundle.cli.main import main
-from raybundle.planning.scenes import brown_camera, look_at
+from raybundle.planning.synthetic_networks import brown_camera, look_at
 from raybundle.sensors import sensor_models
 from raybundle.targets.sidecar import read_sidecar
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate

@@ -6,8 +6,8 @@ from scipy.stats import chi2
 
 from raybundle.block import Role
 from raybundle.calibration.eccentricity import EDGE, circle_images, ellipses_of_grey_values
-from raybundle.planning.scenes import Scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Scene
 from raybundle.targets.centre import fit_dots
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate
 from tests.targets.photographs import (
@@ -49,7 +49,7 @@ def test_the_camera_is_within_its_covariance(networks):
 
 def test_the_formula_of_first_order_would_be_noticed(networks, monkeypatch):
     monkeypatch.setattr("raybundle.calibration.eccentricity.circle_images", first_order_images)
-    monkeypatch.setattr("raybundle.workflows.target_block.circle_images", first_order_images)
+    monkeypatch.setattr("raybundle.workflows.calibrating.target_block.circle_images", first_order_images)
     error, degrees = squared_error(networks)
     assert error > 2 * chi2(degrees).interval(0.999)[1]
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.engine import adjust_block, free_parameters
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.assemble import assemble
+from raybundle.adjustment.system.normals import Normals
 from raybundle.block import Block
 from raybundle.numerics import native
 

@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.calibration.maps import calibration_difference, projection_shifts
 from raybundle.calibration.quality import SURE, CalibrationQuality, calibration_qualities
 from raybundle.errors import RaybundleError
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
 GRADES = ("good", "usable", "weak")
 GOOD_PX, USABLE_PX = 0.1, 0.3

@@ -10,12 +10,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block, Role
 from raybundle.errors import RaybundleError
 from raybundle.planning.calibration_networks import FlatField, flat_field_scene
-from raybundle.planning.scenes import Scene, TargetField, brown_camera, field_scene, look_at
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Scene, TargetField, brown_camera, field_scene, look_at
 from raybundle.planning.uav_networks import Flight, flight_block
 from tests.truth.mixed_blocks import room
 

@@ -3,9 +3,9 @@
 import cv2
 import numpy as np
 
-from raybundle.planning.scenes import brown_camera, look_at
+from raybundle.planning.synthetic_networks import brown_camera, look_at
 from raybundle.targets.marks import Marks
-from raybundle.workflows.calibrating import targets as module
+from raybundle.workflows.calibrating.stages import targets as module
 
 SIZE = (1200, 900)
 

@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.transform import transform_block
 from raybundle.io.geo.control_files import ControlFile, Measurements
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.numerics.transform import SimilarityTransform
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 
 NAMES = ("A", "B", "C", "D", "E", "F")
 

@@ -11,7 +11,7 @@ import numpy as np
 from PIL import Image
 from scipy.interpolate import RectBivariateSpline
 
-from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Observations, Points
 from raybundle.io.block.folder import read_block
 from raybundle.targets.marks import target

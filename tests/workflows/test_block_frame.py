@@ -17,8 +17,8 @@ from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.block.scenes import local_in, projected
 from raybundle.io.geo.coordinate_systems import local_frame
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.workflows.block_frame import in_block_frame
 from raybundle.workflows.object_plane import MapLevel
 from raybundle.workflows.sources import read_source

@@ -14,7 +14,7 @@ from raybundle.errors import InputError, phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.block.toml import read_cameras
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate
-from raybundle.workflows.recognise import recognised
+from raybundle.workflows.calibrating.recognise import recognised
 from tests.conftest import DATA
 from tests.messages import refused
 

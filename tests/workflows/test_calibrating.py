@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 import pytest
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.cli.main import main
 from raybundle.io.photos.photo import find_photos
 from raybundle.pipeline.executors import Processes, Threads
@@ -20,9 +20,10 @@ from raybundle.targets.codes import RingFamily
 from raybundle.targets.families import families
 from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.marks import target
-from raybundle.workflows import calibrating, target_tasks
-from raybundle.workflows.calibrate_state import CALIBRATE
-from raybundle.workflows.calibrating import start
+from raybundle.workflows import target_tasks
+from raybundle.workflows.calibrating import stages
+from raybundle.workflows.calibrating.stages import start
+from raybundle.workflows.calibrating.state import CALIBRATE
 from raybundle.workflows.target_tasks import Wanted, arrays_of_marks, marks_from, measure_targets, wanted
 
 SIZE, C = (640, 480), 700.0
@@ -75,7 +76,7 @@ def measured(monkeypatch):
 
 
 def test_every_file_is_one_stage():
-    of_files = [import_module(f"{calibrating.__name__}.{m.name}") for m in iter_modules(calibrating.__path__)]
+    of_files = [import_module(f"{stages.__name__}.{m.name}") for m in iter_modules(stages.__path__)]
     assert sorted(m.STAGE.name for m in of_files) == sorted(CALIBRATE.stages)
     assert CALIBRATE.titles() == ("photographs", "targets", "start", "adjustment", "verdict")
 

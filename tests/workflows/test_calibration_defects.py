@@ -7,10 +7,10 @@ import pytest
 
 from raybundle.errors import NotSolvable, RankDefect
 from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate
-from raybundle.workflows.calibration_defects import check_spline, explained, flat_only
+from raybundle.workflows.calibrating.defects import check_spline, explained, flat_only
 from tests.messages import refused, with_details
 from tests.workflows.flat_views import patched
 

@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 
 from raybundle import words
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.calibration.quality import calibration_qualities
 from raybundle.numerics.progress import silent
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.sections.calibration import calibration_section
-from raybundle.workflows.camera_split import cameras_apart
-from raybundle.workflows.target_block import reweighted, with_values
+from raybundle.workflows.calibrating.camera_split import cameras_apart
+from raybundle.workflows.calibrating.target_block import reweighted, with_values
 
 MOVED = (1, 4, 5, 9)
 

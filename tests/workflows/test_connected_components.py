@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.select import with_rows
 from raybundle.block.transform import transform_block
@@ -18,9 +18,9 @@ from raybundle.numerics.transform import SimilarityTransform
 from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.marks import Given
 from raybundle.placing.positions import Positions, turn_sigma
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.workflows.connected_components import (
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
+from raybundle.workflows.orienting.connected_components import (
     FEWEST_IMAGES,
     apart_notice,
     joined_notice,
@@ -227,7 +227,7 @@ def test_a_part_on_positions_in_a_line_is_not_joined(flight, monkeypatch):
             firm=not second,
         )  # fmt: skip
 
-    monkeypatch.setattr("raybundle.workflows.connected_components.georeference", placed)
+    monkeypatch.setattr("raybundle.workflows.orienting.connected_components.georeference", placed)
     whole, apart = place_components(flight.parts, flight.photos, Given())
     assert asked == [True, True, False]
     assert whole.block.images.oriented.tolist() == [True] * 5 + [False] * 5

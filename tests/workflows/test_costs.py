@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 import raybundle as rb
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.blocking.columns import InFiles
 from raybundle.blocking.memory import Serial
 from raybundle.blocking.network import cut

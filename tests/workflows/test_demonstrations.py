@@ -10,8 +10,8 @@ from raybundle.commands.demonstrations.files import made_camera
 from raybundle.commands.demonstrations.sets import board, flight, part, scene
 from raybundle.errors import InputError
 from raybundle.planning.made_ground import gravel_pit
-from raybundle.planning.made_part import photograph
 from raybundle.planning.rendering import View
+from raybundle.planning.simulated_part import photograph
 from raybundle.targets.detect import detect_targets
 from raybundle.targets.families import family_named
 from raybundle.targets.marks import detect, target

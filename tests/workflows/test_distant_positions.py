@@ -13,7 +13,7 @@ from raybundle.io.trajectories import Trajectory, read_trajectory
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.pipeline.stage import Means
 from raybundle.placing.distant_positions import distant_positions
-from raybundle.workflows.orienting.photographs import Inputs, search
+from raybundle.workflows.orienting.stages.photographs import Inputs, search
 
 WGS84 = "EPSG:4979"
 PLACES = {

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.severity import Severity
 from raybundle.cli.main import main
 from raybundle.words import headline
-from raybundle.workflows.dropped import Dropped
+from raybundle.workflows.orienting.excluded_features import Dropped
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal"
 

@@ -10,9 +10,9 @@ import pytest
 import raybundle as rb
 from raybundle.block.points import automatic_name
 from raybundle.block.select import with_rows
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.workflows.earlier_names import Earlier, named_as_before
+from raybundle.planning.synthetic_networks import TargetField, field_scene
+from raybundle.workflows.orienting.previous_names import Earlier, named_as_before
 
 PORTAL = Path(__file__).parents[2] / "demo_data" / "portal" / "photos"
 

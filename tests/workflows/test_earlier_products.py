@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from raybundle.commands.earlier_products import note_written, settle_earlier
+from raybundle.commands.previous_products import note_written, settle_earlier
 
 ONE, OTHER = (SimpleNamespace(clouds=((0, key),)) for key in ("points-1", "points-2"))
 

@@ -5,11 +5,11 @@ import json
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
-from raybundle.workflows.earlier_result import less_fixed
+from raybundle.workflows.orienting.previous_result import less_fixed
 
 
 def adjusted(control):

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from raybundle.block.select import with_rows
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.ties.far_apart import APART, FEW, nearest_rays, not_too_far
 
 

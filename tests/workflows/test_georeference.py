@@ -6,22 +6,22 @@ from itertools import permutations
 import numpy as np
 import pytest
 
-from raybundle.adjustment.accuracy import Accuracy
-from raybundle.adjustment.check_points import check_differences
+from raybundle.adjustment.blunders.accuracy import Accuracy
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.evaluation.check_points import check_differences
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.errors import InputError
 from raybundle.io.geo.control_files import Measurements
 from raybundle.numerics.progress import silent
 from raybundle.numerics.transform import similarity
-from raybundle.placing.control_apart import check_apart
+from raybundle.placing.control_at_one_place import check_apart
 from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given, ScaleBar
 from raybundle.report.text.summary import details
 from raybundle.report.write import write_result
 from raybundle.words import headline
-from raybundle.workflows.final import final_adjustment
+from raybundle.workflows.final_adjustment import final_adjustment
 from tests.messages import refused
 from tests.workflows.free_flight import NAMES, codes, control, error, flight
 

@@ -11,7 +11,7 @@ from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given
-from raybundle.workflows.connected_components import place_components
+from raybundle.workflows.orienting.connected_components import place_components
 from tests.workflows.free_flight import PLACE, adjusted, codes, flight, in_degrees, with_gps
 
 __all__ = ["flight"]

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.severity import Severity
 from raybundle.io.geo.control_files import ControlFile, Measurements
 from raybundle.placing.marks import Given, Placing, add_points, under_kept_names
 from tests.workflows.free_flight import control, flight

@@ -7,10 +7,10 @@ import pytest
 
 from raybundle.block import Points, Role
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.placing.exchanged_control import misread
 from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given
 from raybundle.placing.mirrored import mirrored_notices, without_control
-from raybundle.placing.misread import misread
 from tests.workflows.free_flight import NAMES, codes, control, error, flight, with_gps
 
 __all__ = ["flight"]

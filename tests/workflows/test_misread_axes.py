@@ -8,9 +8,9 @@ import pytest
 from raybundle.block import Points, Role
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.placing.exchanged_axes import control_as_read, misread_axes
 from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given
-from raybundle.placing.misread_axes import control_as_read, misread_axes
 from tests.workflows.free_flight import PLACE, codes, control, flight, in_degrees, with_gps
 
 __all__ = ["flight"]

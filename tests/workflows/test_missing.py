@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.predict import predicted_px
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.sensors import sensor_models
 from raybundle.ties.missing import groups, missing_notices, usual_share

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from raybundle.adjustment.options import noise_of_photographs
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.options import noise_of_photographs
+from raybundle.adjustment.records.severity import Severity
 from raybundle.block import Role
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NotSolvable, Undetermined
@@ -15,15 +15,15 @@ from raybundle.matching.refine import LEVELS, CandidateMatches, Refined, choose_
 from raybundle.numerics.progress import silent
 from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.marks import Given
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.ties import precise
 from raybundle.ties.block import TieBlock
 from raybundle.ties.precise import refine
-from raybundle.workflows import final
-from raybundle.workflows.final import _with_block, final_adjustment, independent_notices, left_out
-from raybundle.workflows.orient_options import OrientOptions
-from raybundle.workflows.orienting.adjustment import _adjusted, incomplete_notice
+from raybundle.workflows import final_adjustment as final
+from raybundle.workflows.final_adjustment import _with_block, final_adjustment, independent_notices, left_out
+from raybundle.workflows.orienting.options import OrientOptions
+from raybundle.workflows.orienting.stages.adjustment import _adjusted, incomplete_notice
 
 CAMERA = brown_camera(estimate=("c", "K1"))
 FEATURE_PX, MATCH_PX = 0.6, 0.1
@@ -219,7 +219,9 @@ def _only(values, count):
 
 def test_rays_that_are_all_parallel_say_so(monkeypatch):
     whole, _ = features()
-    monkeypatch.setattr("raybundle.workflows.final.flat_points", lambda block: np.ones(len(block.points), bool))
+    monkeypatch.setattr(
+        "raybundle.workflows.final_adjustment.flat_points", lambda block: np.ones(len(block.points), bool)
+    )
     with pytest.raises(NotSolvable, match=r"network\.no_depth"):
         final_adjustment(placed(whole), (), 1, silent, ())
 

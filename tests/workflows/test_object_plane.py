@@ -9,8 +9,8 @@ from raybundle.block.transform import transform_block
 from raybundle.errors import InputError, phrase
 from raybundle.numerics.transform import SimilarityTransform
 from raybundle.observations.alignment import PlumbLines
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.workflows.object_plane import PlaneAsked, plane_of
 
 EXACT = Survey(interior="exact", orientation="exact", points="exact", image_sigma_px=0.01)

@@ -19,7 +19,7 @@ from raybundle.io.photos.photo import find_photos
 from raybundle.pipeline.project import Project
 from raybundle.ties import points as tie_points
 from raybundle.workflows.orient import OrientOptions, orient
-from raybundle.workflows.orienting import matching
+from raybundle.workflows.orienting.stages import matching
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal"
 pytestmark = pytest.mark.skipif(

@@ -14,7 +14,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.io.geo.control_files import ControlFile, Measurements
 from raybundle.numerics.transform import similarity
 from raybundle.placing.marks import Given
-from raybundle.workflows.orienting.targets import wanted, with_targets
+from raybundle.workflows.orienting.stages.targets import wanted, with_targets
 from tests.workflows.portal_targets import FAMILY, code_of, hung
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal"

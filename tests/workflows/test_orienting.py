@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.io.photos.photo import find_photos
 from raybundle.io.trajectories import read_trajectory
 from raybundle.matching.methods import feature_method
@@ -19,9 +19,9 @@ from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means, Stage, Workflow
 from raybundle.ties.points import find_features, match_pairs
 from raybundle.workflows import orient as module
-from raybundle.workflows import orienting
 from raybundle.workflows.orient import OrientOptions, orient, stages
-from raybundle.workflows.orient_state import ORIENT
+from raybundle.workflows.orienting import stages as orienting
+from raybundle.workflows.orienting.state import ORIENT
 
 KEPT = {"features", "matching", "start", "precision"}
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"

@@ -6,16 +6,16 @@ from datetime import UTC, datetime, timedelta
 import numpy as np
 import pytest
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.records.severity import Severity
 from raybundle.block import Stations
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.read_out_times import read_out_time
-from raybundle.planning.scenes import AerialStrips, aerial_scene, brown_camera
 from raybundle.planning.simulate import Survey, measured, simulate
-from raybundle.workflows.read_out import _rolling, read_out, rolling_shutters, velocities, with_cause
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene, brown_camera
+from raybundle.workflows.orienting.read_out import _rolling, read_out, rolling_shutters, velocities, with_cause
 
 SECONDS = 0.030
 INTERVAL = 2.0

@@ -8,17 +8,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.rejection import RejectionKind, found_wrong, given_rejections, known_wrong
 from raybundle.block.select import with_rows
 from raybundle.cli.main import main
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.block.tables import named
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
 from raybundle.workflows.adjust import adjust
-from raybundle.workflows.connected_components import merged
+from raybundle.workflows.orienting.connected_components import merged
 
 ASKED = AdjustmentOptions(reject="snooping", noise="fields", datum_over="good", estimate="auto")
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice, notice_of_text
+from raybundle.adjustment.records.notice import Notice, notice_of_text
 from raybundle.errors import (
     InputError,
     excluded,
@@ -21,8 +21,8 @@ from raybundle.errors import (
 )
 from raybundle.results.state import notice_of
 from raybundle.words import Reader, headline
-from raybundle.workflows.kept import notices_as_array, notices_of_array, reasons_as_array, reasons_of_array
 from raybundle.workflows.scenes.ties import _trouble
+from raybundle.workflows.stage_arrays import notices_as_array, notices_of_array, reasons_as_array, reasons_of_array
 from tests.messages import refused
 
 FEW = phrase("not_oriented.few_common", n=4, least=6)

@@ -9,15 +9,15 @@ import pytest
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import find_photos
 from raybundle.targets.families import families
+from raybundle.targets.family_recognition import SeenTags, charuco_of, smallest
 from raybundle.targets.layout import SheetOptions, design
 from raybundle.targets.layout_boards import design_board, design_tags
 from raybundle.targets.marks import target
-from raybundle.targets.seen import SeenTags, charuco_of, smallest
 from raybundle.targets.sheets import write_sheet
 from raybundle.workflows.calibrate import calibrate
-from raybundle.workflows.calibrating.natural import _no_targets
+from raybundle.workflows.calibrating.recognise import recognised
+from raybundle.workflows.calibrating.stages.natural import _no_targets
 from raybundle.workflows.orient import orient
-from raybundle.workflows.recognise import recognised
 from tests.conftest import DATA
 from tests.targets.test_sheets import raster
 

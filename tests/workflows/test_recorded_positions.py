@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.network import classed
+from raybundle.adjustment.statistics.network import classed
 from raybundle.block import Role
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
 from raybundle.placing.recorded_positions import camera_notices, with_relative_precision
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.report.text.summary import details
 
 

@@ -9,8 +9,8 @@ import pytest
 from raybundle.cli.rectify import _of_photo
 from raybundle.errors import InputError
 from raybundle.numerics.progress import silent
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.workflows.rectify import BEFORE, _best_views, _hidden, fit_photo, grid_over
 
 RNG = np.random.default_rng(1)

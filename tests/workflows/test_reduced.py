@@ -15,9 +15,9 @@ from raybundle.matching.reduced import LONGEST_PX, Reduced, reduction
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Run, Stage, Workflow
 from raybundle.placing.marks import Given
-from raybundle.workflows.orient_options import OrientOptions
-from raybundle.workflows.orient_state import Asked, OrientState
-from raybundle.workflows.orienting.reduced import ALTERNATIVE
+from raybundle.workflows.orienting.options import OrientOptions
+from raybundle.workflows.orienting.stages.reduced import ALTERNATIVE
+from raybundle.workflows.orienting.state import Asked, OrientState
 
 
 def texture(width, height, seed=3):

@@ -12,7 +12,7 @@ from raybundle.matching.verify import VerifiedPair
 from raybundle.sensors import sensor_models
 from raybundle.ties.block import block_of_tracks
 from raybundle.ties.repeated import CONTRADICTED, contradicted, sound_pairs, spanning
-from raybundle.workflows.connected_components import start_components
+from raybundle.workflows.orienting.connected_components import start_components
 
 SIDES, PHOTOGRAPHS, C_PX, WIDTH, HEIGHT = 6, 18, 1100.0, 1200, 900
 DIAGONALS = np.full(PHOTOGRAPHS, np.hypot(WIDTH, HEIGHT))

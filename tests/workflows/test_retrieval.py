@@ -21,7 +21,7 @@ from raybundle.pipeline.stage import Means
 from raybundle.ties import pairs as module
 from raybundle.ties.pairs import pairs_of
 from raybundle.ties.points import FeatureStore, arrays_of_features, find_features
-from raybundle.workflows.orienting.matching import STAGE, Inputs, match
+from raybundle.workflows.orienting.stages.matching import STAGE, Inputs, match
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 needs_portal = pytest.mark.skipif(not PORTAL.is_dir(), reason="demo_data/portal is part of the repository")

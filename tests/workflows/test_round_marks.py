@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
@@ -16,8 +16,8 @@ from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.numerics.transform import SimilarityTransform
 from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.sensors import sensor_models
 
 SIGMA_PX, RADIUS_M = 0.01, 0.009

@@ -6,18 +6,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import predicted_px
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import PixelFrame
 from raybundle.block.frames import in_file_frames
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
-from raybundle.planning.scenes import AerialStrips, Ring, aerial_scene, brown_camera, ring_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.workflows.same_camera import against_gimbal, shared_sensors
+from raybundle.planning.synthetic_networks import AerialStrips, Ring, aerial_scene, brown_camera, ring_scene
+from raybundle.workflows.orienting.same_camera import against_gimbal, shared_sensors
 
 BODY = Metadata(make="Canon", model="Canon EOS 5D Mark II", focal_mm=20.0, serial="1")
 OPTIONS = AdjustmentOptions(jobs=1)

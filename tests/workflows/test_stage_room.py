@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from raybundle.blocking.adjusted import in_parts
+from raybundle.blocking.normals_in_parts import in_parts
 from raybundle.commands.status import status_of
 from raybundle.numerics.progress import silent
 from raybundle.orientation.cleaning import clean
@@ -15,10 +15,10 @@ from raybundle.pipeline.executors import Staying, Threads
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means
 from raybundle.ties.start import start
-from raybundle.workflows import stage_room
-from raybundle.workflows.final import final_adjustment
-from raybundle.workflows.left import OF_STAGES, left_beside
-from raybundle.workflows.stage_room import room_of
+from raybundle.workflows import stage_memory
+from raybundle.workflows.final_adjustment import final_adjustment
+from raybundle.workflows.stage_memory import room_of
+from raybundle.workflows.unfinished_parts import OF_STAGES, left_beside
 from tests.blocking.networks import flight
 from tests.workflows.test_never_nothing import placed
 
@@ -26,7 +26,7 @@ from tests.workflows.test_never_nothing import placed
 @pytest.fixture
 def means(tmp_path, monkeypatch):
     """Those of a run that may take next to nothing."""
-    monkeypatch.setattr(stage_room, "LITTLE", 0.0)
+    monkeypatch.setattr(stage_memory, "LITTLE", 0.0)
     monkeypatch.setattr("raybundle.workflows.within_memory.in_parts", partial(in_parts, 60))
     project = Project.open(tmp_path / "project")
     yield Means(project=project, executor=Threads(1), adjusting=1e6)
@@ -77,7 +77,7 @@ def test_steps_of_the_start_are_those_of_one_piece(means):
 
 
 def test_what_is_little_is_made_in_one_piece(means, monkeypatch):
-    monkeypatch.setattr(stage_room, "LITTLE", 50e6)
+    monkeypatch.setattr(stage_memory, "LITTLE", 50e6)
     block = flight(control=0, observed=False)
     with room_of(means, len(block.observations)) as room:
         adjusted(block)

@@ -12,12 +12,12 @@ from raybundle.numerics.transform import similarity
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.ties import parts
 from raybundle.ties.parts import by_parts
 from raybundle.ties.start import start
-from raybundle.workflows.connected_components import start_components
+from raybundle.workflows.orienting.connected_components import start_components
 
 
 @pytest.fixture(scope="module")

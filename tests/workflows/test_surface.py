@@ -15,9 +15,9 @@ from raybundle.commands.surface import surface
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics import native
-from raybundle.workflows.height_files import read_heights
-from raybundle.workflows.surface import surface as measured
-from raybundle.workflows.surface_state import SurfaceOptions
+from raybundle.surface.files.heights import read_heights
+from raybundle.surface.run import surface as measured
+from raybundle.surface.state import SurfaceOptions
 from tests.workflows.half_portal import NAMES, PORTAL, half_portal
 
 

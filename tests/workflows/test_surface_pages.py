@@ -8,8 +8,8 @@ from dataclasses import replace
 import pytest
 
 import raybundle as rb
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import Severity
 from raybundle.cli.main import main
 from raybundle.cli.surface import whole_shares
 from raybundle.commands import surface as command
@@ -20,9 +20,9 @@ from raybundle.report.text.numbers import unbroken
 from raybundle.report.write import write_result
 from raybundle.results.notices import as_its_result
 from raybundle.results.record import Record
+from raybundle.surface.product_grids import Grids, area_of_points
 from raybundle.words import COMMAND_LINE, Reader, headline, reading
 from raybundle.workflows.rectify import grid_over
-from raybundle.workflows.surface_grids import Grids, area_of_points
 from tests.messages import reported
 from tests.workflows.half_portal import half_portal
 

@@ -12,17 +12,17 @@ from raybundle.commands.surface import surface
 from raybundle.errors import InputError, code_of, phrase
 from raybundle.numerics.progress import silent
 from raybundle.pipeline.store import Folder
-from raybundle.surfaces.depth_map import DepthMap
-from raybundle.surfaces.rays import ReferenceRays
-from raybundle.surfaces.refine import Reason
-from raybundle.workflows.height_grid import HeightPlane
-from raybundle.workflows.height_tiles import tile_of_number
-from raybundle.workflows.surface_part import region_asked
-from raybundle.workflows.surface_pointless import pointless
-from raybundle.workflows.surface_region import SurfaceRegion
-from raybundle.workflows.surface_state import SurfaceOptions, SurfaceState
-from raybundle.workflows.surfacing.fused import CONFIRMED
-from raybundle.workflows.surfacing.sources import STAGE, choose
+from raybundle.surface.depths.depth_map import DepthMap
+from raybundle.surface.depths.rays import ReferenceRays
+from raybundle.surface.depths.refine import Reason
+from raybundle.surface.grid import HeightPlane
+from raybundle.surface.region import SurfaceRegion
+from raybundle.surface.region_input import region_asked
+from raybundle.surface.stages.fusion import CONFIRMED
+from raybundle.surface.stages.sources import STAGE, choose
+from raybundle.surface.state import SurfaceOptions, SurfaceState
+from raybundle.surface.tiles import tile_of_number
+from raybundle.surface.without_points import pointless
 from tests.messages import refused
 from tests.workflows.half_portal import half_portal
 
@@ -168,7 +168,7 @@ def test_nothing_is_measured_where_a_mask_is_black_nor_by_what_it_hides(half, wh
     done = surface(half / "block", tmp_path / "s", photos=(half,), density="4", jobs=1, masks=masks, ortho=0.05)
     (stated,) = (r.message.values for r in done.remarks if code_of(r) == "masks")
     assert {"n": 1, "photographs": 3, "of": "depths"}.items() <= stated.items()
-    from raybundle.adjustment.predict import predicted_px
+    from raybundle.adjustment.system.predict import predicted_px
 
     before, after = maps_of(whole), maps_of(done)
     m = after[0]

@@ -9,8 +9,8 @@ import pytest
 
 from raybundle.block.known import observed_as_known
 from raybundle.block.select import with_rows
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.ties import start as tie_start
 
 

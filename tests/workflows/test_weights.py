@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation, phrase
 from raybundle.matching.refine import TrackPoints
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.ties import precise
 from raybundle.ties.block import flat_points, image_sigma_px
 from raybundle.ties.match_weights import FEWEST, Weights, estimate_weights

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from raybundle.block import Camera
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.ties.precise import _within
 from tests.orientation.scenes import fisheye
 from tests.truth.mixed_blocks import mixed

@@ -11,14 +11,14 @@ from functools import partial
 import numpy as np
 import pytest
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.queries import covariance
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.evaluation.queries import covariance
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.records.severity import Severity
 from raybundle.block.select import with_rows
-from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.memory import Serial
 from raybundle.blocking.normals import Parts
+from raybundle.blocking.normals_in_parts import in_parts
 from raybundle.cli.main import main
 from raybundle.commands.adjust import AdjustSettings, run_adjust
 from raybundle.errors import InputError, NotSolvable
@@ -28,11 +28,11 @@ from raybundle.io.folders import continued_folder
 from raybundle.numerics import large
 from raybundle.numerics.machine import available_memory
 from raybundle.pipeline.executors import Staying
-from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.words import headline
 from raybundle.workflows.adjust import adjust
-from raybundle.workflows.left import bytes_in, left_beside
+from raybundle.workflows.unfinished_parts import bytes_in, left_beside
 from raybundle.workflows.within_memory import BASE, IN_MEMORY, within_memory
 from tests.adjustment.test_noise import with_fields
 from tests.blocking.networks import flight
@@ -341,7 +341,7 @@ def test_what_a_run_takes_away_meanwhile_does_not_count(tmp_path, monkeypatch):
             (tmp_path / "parts/a/x").unlink(missing_ok=True)
             yield found
 
-    monkeypatch.setattr("raybundle.workflows.left.os.walk", changing)
+    monkeypatch.setattr("raybundle.workflows.unfinished_parts.os.walk", changing)
     assert bytes_in(tmp_path / "parts") == 100
 
 

@@ -20,9 +20,9 @@ import numpy as np
 from ledger.errors import OURS, Collected, Errors
 from ledger.sets import LedgerSet, NotHere, Places
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.hand_over import opencv_of
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.queries import covariance
+from raybundle.adjustment.evaluation.queries import covariance
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.result import opencv_of
 from raybundle.block import Camera
 from raybundle.block.boards import BoardViews, board_block
 from raybundle.numerics.rotation import rotation_from_vector

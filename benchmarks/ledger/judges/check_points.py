@@ -12,7 +12,7 @@ import numpy as np
 from ledger.errors import Collected, Errors
 from ledger.sets import LedgerSet, Places
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.io.block.folder import read_block
 

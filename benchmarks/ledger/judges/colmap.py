@@ -17,7 +17,7 @@ from ledger.judges.networks import APART, scene_named
 from ledger.judges.truth_of_blocks import collect
 from ledger.sets import LedgerSet, Places
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block
 from raybundle.numerics.rotation import vector_from_rotation
 from raybundle.planning.simulate import Survey, simulate

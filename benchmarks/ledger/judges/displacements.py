@@ -17,7 +17,7 @@ from ledger.errors import Collected, Errors
 from ledger.judges.networks import APART, scene_named
 from ledger.sets import LedgerSet, Places
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.commands.moved import moved_points
 from raybundle.metrology.congruence import Congruence, congruence
 from raybundle.planning.simulate import Survey, simulate

@@ -14,9 +14,10 @@ from ledger.errors import Collected, Errors
 from ledger.judges.truth_of_blocks import collect
 from ledger.sets import LedgerSet, Places
 from raybundle import adjust
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block
-from raybundle.planning.scenes import (
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import (
     AerialStrips,
     Ring,
     Scene,
@@ -27,7 +28,6 @@ from raybundle.planning.scenes import (
     ring_scene,
     single_scene,
 )
-from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.uav_networks import Flight, flight_scene
 
 APART = 10_000

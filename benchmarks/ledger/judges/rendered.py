@@ -17,7 +17,7 @@ from ledger.judges.projects import oriented, rendered
 from ledger.judges.similarity import station_errors
 from ledger.judges.surfaces import surface_errors
 from ledger.sets import LedgerSet, Places
-from raybundle.adjustment.queries import joint_orientation
+from raybundle.adjustment.evaluation.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
 from raybundle.measuring.session import adjusted_again
 

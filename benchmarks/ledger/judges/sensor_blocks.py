@@ -20,7 +20,7 @@ from tests.truth.platform_blocks import platform_block
 
 from ledger.errors import Collected, Errors
 from ledger.sets import LedgerSet, Places
-from raybundle.adjustment.precision import image_unknowns, interior_unknowns, node_cofactor
+from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns, node_cofactor
 from raybundle.block import Block
 from raybundle.numerics.rotation import vector_from_rotation
 from raybundle.planning.simulate import measured

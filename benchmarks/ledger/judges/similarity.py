@@ -6,7 +6,7 @@ import numpy as np
 from renderer.judging import similarity
 
 from ledger.errors import Array
-from raybundle.adjustment.queries import joint_orientation
+from raybundle.adjustment.evaluation.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
 from raybundle.numerics.rotation import cross_matrix, vector_from_rotation
 

@@ -11,8 +11,8 @@ from renderer.truth import Surface, read_surface
 from ledger.errors import Array, Collected, Errors
 from ledger.judges.projects import called
 from ledger.sets import LedgerSet
-from raybundle.surfaces.height_model import HeightModel
-from raybundle.workflows.height_files import HeightFile, read_heights
+from raybundle.surface.files.heights import HeightFile, read_heights
+from raybundle.surface.heights.height_model import HeightModel
 
 FINE = 5
 """Places along the side of a cell"""

@@ -9,7 +9,7 @@ from tests.truth.bands import joint_cofactor, whitener
 from tests.truth.door import in_frame, unknowns_of
 
 from ledger.errors import OURS, Array, Collected
-from raybundle.adjustment.queries import joint_orientation
+from raybundle.adjustment.evaluation.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.numerics.rotation import vector_from_rotation

@@ -12,51 +12,49 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment import defects
-from raybundle.adjustment.assemble import State, System, assemble
-from raybundle.adjustment.behind_cameras import meeting_before_cameras
-from raybundle.adjustment.cell_means import systematic_notices
-from raybundle.adjustment.components import Found, settled_components, variance_components
-from raybundle.adjustment.control_notices import precise_control_notices
-from raybundle.adjustment.datum import NAMES, SHORT, Datum, analyse, hold_minimal, open_names
-from raybundle.adjustment.factoring import around
-from raybundle.adjustment.handle import EMPTY, Handle
-from raybundle.adjustment.interior import interior_results
-from raybundle.adjustment.network import network_figures
-from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.blunders.behind_cameras import meeting_before_cameras
+from raybundle.adjustment.blunders.collinear_points import check_turning
+from raybundle.adjustment.blunders.control_notices import precise_control_notices
+from raybundle.adjustment.blunders.image_fields import own_field_notices
+from raybundle.adjustment.evaluation.cell_means import systematic_notices
+from raybundle.adjustment.evaluation.held_interiors import determined_by_network, steadied, without_priors
+from raybundle.adjustment.evaluation.noise_covariance import under_noise
+from raybundle.adjustment.evaluation.queries import suspects
+from raybundle.adjustment.evaluation.tie_roughness import relief_notices, with_roughness
+from raybundle.adjustment.evaluation.unusual_noise import unusual_noise_notices
 from raybundle.adjustment.notices import notices_of, with_group_notices
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.own_fields import own_field_notices
-from raybundle.adjustment.precision import (
+from raybundle.adjustment.records.figures import (
+    InteriorResult,
+    NetworkFigures,
+    ObservationGroup,
+    ObservationStatistics,
+    Precision,
+)
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.result import EMPTY, Adjustment, Handle, variance_factor
+from raybundle.adjustment.statistics.components import Found, settled_components, variance_components
+from raybundle.adjustment.statistics.interior import interior_results
+from raybundle.adjustment.statistics.network import network_figures
+from raybundle.adjustment.statistics.precision import (
     cofactors,
     interior_precision,
     precision,
 )
-from raybundle.adjustment.queries import suspects
-from raybundle.adjustment.reliability import (
+from raybundle.adjustment.statistics.reliability import (
     RedundancySum,
     image_statistics,
     observation_groups,
     redundancy_sum,
 )
-from raybundle.adjustment.result import (
-    Adjustment,
-    InteriorResult,
-    NetworkFigures,
-    Notice,
-    ObservationGroup,
-    ObservationStatistics,
-    Precision,
-    variance_factor,
-)
-from raybundle.adjustment.roughness import relief_notices, with_roughness
-from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
-from raybundle.adjustment.steady import determined_by_network, steadied, without_priors
-from raybundle.adjustment.straight import check_turning
-from raybundle.adjustment.transformation import fit_to_given
-from raybundle.adjustment.under_noise import under_noise
-from raybundle.adjustment.unusual_noise import unusual_noise_notices
-from raybundle.adjustment.work import Work
+from raybundle.adjustment.statistics.system_state import Work
+from raybundle.adjustment.system import defects
+from raybundle.adjustment.system.assemble import State, System, assemble
+from raybundle.adjustment.system.datum import NAMES, SHORT, Datum, analyse, hold_minimal, open_names
+from raybundle.adjustment.system.factoring import around
+from raybundle.adjustment.system.normals import Normals
+from raybundle.adjustment.system.solve import CAUTIOUS, FLOOR, HUBER, solve
+from raybundle.adjustment.system.transformation import fit_to_given
 from raybundle.block import Block, Camera, Instrument
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.block.rigs import at_stations_of
@@ -103,7 +101,7 @@ def adjust_block(
     Camera parameters that the network leaves open are kept near what was given (`steady`), and called not determinable.
 
     What it does not do: find approximate values (`raybundle.orientation`), reject blunders or choose
-    parameters (`raybundle.adjustment.decide`).
+    parameters (`raybundle.adjustment.decision.decide`).
     """
     began = time.perf_counter()
     options = options or AdjustmentOptions()

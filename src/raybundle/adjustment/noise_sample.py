@@ -11,9 +11,9 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.factoring import in_one_piece, made_by
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.factoring import in_one_piece, made_by
 from raybundle.block import Block
 from raybundle.block.select import selected
 from raybundle.errors import InputError, NotSolvable

@@ -7,20 +7,22 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.accuracy import levelled
-from raybundle.adjustment.bar_tests import bar_notice, wrong_bar
-from raybundle.adjustment.components import NAMES, differs, without_known_before, without_worst
-from raybundle.adjustment.control_notices import control_notices
-from raybundle.adjustment.control_tests import Contradiction, ControlTests
-from raybundle.adjustment.datum import ABOUT_LINE, open_values
-from raybundle.adjustment.interior_notices import interior_notices
-from raybundle.adjustment.network import FEW as FIRM
-from raybundle.adjustment.network import weak_images
-from raybundle.adjustment.reliability import UNCONTROLLED, RedundancySum
-from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
-from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
-from raybundle.adjustment.suspects import suspect_notices
-from raybundle.adjustment.wrong_images import wrong_image_notices
+from raybundle.adjustment.blunders.accuracy import levelled
+from raybundle.adjustment.blunders.bar_tests import bar_notice, wrong_bar
+from raybundle.adjustment.blunders.control_notices import control_notices
+from raybundle.adjustment.blunders.control_tests import Contradiction, ControlTests
+from raybundle.adjustment.blunders.suspects import suspect_notices
+from raybundle.adjustment.blunders.wrong_images import wrong_image_notices
+from raybundle.adjustment.evaluation.interior_notices import interior_notices
+from raybundle.adjustment.records.figures import ObservationGroup, VarianceComponent
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import NEARLY, POOR_FIT, Severity
+from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.statistics.components import NAMES, differs, without_known_before, without_worst
+from raybundle.adjustment.statistics.network import FEW as FIRM
+from raybundle.adjustment.statistics.network import weak_images
+from raybundle.adjustment.statistics.reliability import UNCONTROLLED, RedundancySum
+from raybundle.adjustment.system.datum import ABOUT_LINE, open_values
 from raybundle.block import Role
 from raybundle.block.frames import stored_ways
 from raybundle.block.points import automatic

@@ -7,377 +7,65 @@ tables of the block.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import math
 from dataclasses import dataclass, field, replace
+from html import escape
 from typing import TYPE_CHECKING
 
-from raybundle.adjustment.fields import WHITE, Noise
-from raybundle.adjustment.handle import EMPTY, Handle
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.severity import Severity, severity_of
-from raybundle.adjustment.shown import html_of, line_of
-from raybundle.block import Block
-from raybundle.block.rejection import Rejections
-from raybundle.errors import Message, Text, Value, plain, worded
-from raybundle.numerics.arrays import Array, Index, Mask
+import numpy as np
+
+from raybundle.adjustment.records.figures import (
+    GroupFactor,
+    InteriorResult,
+    NetworkFigures,
+    ObservationGroup,
+    ObservationStatistics,
+    ParameterResult,
+    Precision,
+    VarianceComponent,
+    printed_unit,
+)
+from raybundle.adjustment.records.notice import Notice, sorted_notices
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.records.severity import Severity
+from raybundle.adjustment.statistics.fields import WHITE, Noise
+from raybundle.adjustment.statistics.system_state import Work
+from raybundle.block import Block, Camera
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted, grouped
 
 if TYPE_CHECKING:
     from raybundle.cameras.opencv import OpenCVCamera
 
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Notice:
-    """Something the user should know: a warning of result.json, a line of the report."""
-
-    code: str
-    """Stable, snake case: "not_determinable", "behind_camera" ...; with what is behind a dot as its variant"""
-    message: str = ""
-    """Its text, where no catalogue has the code."""
-    ids: tuple[str, ...] = ()
-    """Objects; `ids` among the values of the text."""
-    reason: str = ""
-    """Of one object: why, in words that stand after its name in a list."""
-    measured: Severity | None = None
-    """How grave it is, where that hangs on the numbers; None: as grave as its code."""
-    values: Mapping[str, Value] = field(default_factory=dict[str, Value])
-    """The numbers and names of the text, by name, with their unit in it."""
-    also: tuple[str, ...] = ()
-    """Other objects of which the same holds."""
-    details: tuple[Message, ...] = ()
-    variant: str = ""
-    """Which of several messages of this code: "turned" of "behind_camera.turned"."""
-    words: str = ""
-    """The code whose words it has, where it shares those of other codes."""
-
-    def __post_init__(self) -> None:
-        """Take the variant off the code."""
-        code, dot, variant = self.code.partition(".")
-        if dot:
-            object.__setattr__(self, "code", code)
-            object.__setattr__(self, "variant", variant)
-
-    @property
-    def severity(self) -> Severity:
-        """fault, caution or remark."""
-        return self.measured or severity_of(self.code)
-
-    @property
-    def data(self) -> Message:
-        """The message as data."""
-        values: dict[str, Value] = {**({"ids": self.ids} if self.ids else {}), **self.values}
-        code = self.words or (f"{self.code}.{self.variant}" if self.variant else self.code)
-        return Message(code=code, values=plain(values), severity=self.severity, details=self.details)
-
-    @property
-    def text(self) -> str:
-        """What, which object, the number against its limit, and what to do: in English, and in any language as data."""
-        if self.message:
-            return self.message
-        more = (
-            Message(code="notice.also", values={"n": len(self.also), "names": list(self.also)}) if self.also else None
-        )
-        return Text.of(self.data, *(() if more is None else (more,)))
+COLOURS = {Severity.FAULT: "#a12f2f", Severity.WARNING: "#b5532a", Severity.NOTE: "#5b6774"}
+NOTICES = 5
+"""Notices that a notebook shows."""
 
 
-def notice_of_text(code: str, text: str, ids: tuple[str, ...] = (), measured: Severity | None = None) -> Notice:
-    """A notice of this code whose words are those of a message, where the text has one."""
-    if isinstance(text, Text) and len(text.messages) == 1:
-        (m,) = text.messages
-        return Notice(code=code, words=m.code, values=m.values, details=m.details, ids=ids, measured=measured)
-    return Notice(code=code, message=text, ids=ids, measured=measured)
+class Handle:
+    """The factored normal equations behind a result, for `raybundle.adjustment.evaluation.queries`.
 
-
-def gravest_first(notices: Iterable[Notice]) -> list[Notice]:
-    """The notices in order of their severity, those of one in the order in which they were made."""
-    order = list(Severity)
-    return sorted(notices, key=lambda n: order.index(n.severity))
-
-
-MANY = 3
-"""Notices of one kind that are reported one by one."""
-NAMED = 10
-"""Objects that a notice names in the place of their notices."""
-
-
-def sorted_notices(notices: Iterable[Notice], many: int = MANY) -> list[Notice]:
-    """The notices as people read them, the gravest first: one in place of many that say the same of other objects.
-
-    many  notices of one kind that stand one by one
+    A result is plain data and can be copied, kept and sent to another process; its handle stays behind: the copy has an
+    empty one, and an error asks for a new adjustment.
     """
-    kinds: dict[tuple[str, Severity], list[Notice]] = {}
-    for n in gravest_first(notices):
-        kinds.setdefault((n.code, n.severity), []).append(n)
-    found: list[Notice] = []
-    for group in kinds.values():
-        if len(group) <= many or not all(n.ids for n in group):
-            found += list({n.text: n for n in group}.values())
-            continue
-        # a parameter stands behind its camera
-        names = [": ".join(n.ids) if len(n.ids) == 2 else n.ids[0] for n in group[1:]]
-        ids = tuple(dict.fromkeys(i for n in group for i in n.ids))
-        found.append(_with_others(group[0], names, ids))
-    return found
+
+    __slots__ = ("work",)
+
+    def __init__(self, work: Work | None = None) -> None:
+        """An empty handle, or one of an adjusted system."""
+        self.work = work
+
+    def __reduce__(self) -> tuple[type[Handle], tuple[()]]:
+        """Of copies: an empty one."""
+        return Handle, ()
+
+    def __repr__(self) -> str:
+        """Whether it can answer."""
+        return "<Handle, empty>" if self.work is None else "<Handle>"
 
 
-def _with_others(notice: Notice, names: Sequence[str], ids: tuple[str, ...]) -> Notice:
-    """A notice that stands for others of its kind, too."""
-    if not notice.message:
-        return replace(notice, values={"ids": notice.ids, **notice.values}, also=tuple(names), ids=ids)
-    named = f"{', '.join(names[:NAMED])}{', ...' if len(names) > NAMED else ''}"
-    message = f"{notice.message.removesuffix('.')}. The same of {len(names)} more: {named}"
-    return replace(notice, message=message, ids=ids)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ObservationStatistics:
-    """Image observations, pixel frame, y down; one row per row of `Block.observations`."""
-
-    residuals_px: Array
-    """(m, 2) adjusted - observed."""
-    redundancy: Array
-    """(m, 2) redundancy numbers r of x and y; NaN where rejected or without statistics."""
-    w: Array
-    """(m, 2) normalised residuals v / (s sqrt r), a-priori sigma, signed; NaN where r < 1e-9."""
-    t: Array
-    """(m, 2) w / sigma0."""
-    mdb_px: Array
-    """(m, 2) smallest detectable blunder, alpha 0.001, power 0.80; NaN where r < 1e-9."""
-    external: Array
-    """(m, 2) largest effect of that blunder on its object point's coordinates, length unit of the block."""
-    least_control: Array
-    """(m,) smaller eigenvalue of the point's 2 x 2 block of Qvv P, 0 .. 1; the larger one is rx + ry less this.
-
-    Where x and y of an observation are correlated, its redundancy numbers may lie outside 0 .. 1, but not these.
-    """
-    rejected: Rejections
-    """(m,) None, or the reason; the adjustment took no notice of a rejected row."""
-
-    @property
-    def used(self) -> Mask:
-        """(m,) rows that took part."""
-        import numpy as np  # noqa: PLC0415
-
-        return np.array([r is None for r in self.rejected], dtype=bool)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ObservationGroup:
-    """Residuals and tests of observations outside the images."""
-
-    kind: str
-    """control | distance | station | attitude [rad] | parameter | relation (of parameters)"""
-    ids: tuple[str, ...]
-    """(k,) point id, "from-to", image id, "camera:symbol"."""
-    component: tuple[str, ...]
-    """(k,) "X", "Y", "Z", "length", "omega", "phi", "kappa", the parameter's symbol or the relation's name."""
-    origin: tuple[str, ...] = ()
-    """(k,) of relations, where each comes from (`Relation.origin`); () of other kinds."""
-    item: Index
-    """(k,) row of the kind's table, of control the object point"""
-    quantity: Index
-    """(k,) which quantity of that row"""
-    given: Array
-    sigma: Array
-    """(k,) a priori; 0 = held."""
-    adjusted: Array
-    adjusted_std: Array
-    residual: Array
-    redundancy: Array
-    w: Array
-    t: Array
-    mdb: Array
-    square: Array
-    """(k,) part of the weighted square sum: (v / sigma)^2, of correlated ones v (P v), which may be negative"""
-
-    def rows(self, keep: Mask | Index) -> ObservationGroup:
-        """These of its observations: a mask (k,) or positions."""
-        import numpy as np  # noqa: PLC0415
-
-        chosen = np.flatnonzero(keep) if np.asarray(keep).dtype == bool else keep
-        return ObservationGroup(
-            kind=self.kind, ids=tuple(self.ids[k] for k in chosen), component=tuple(self.component[k] for k in chosen),
-            origin=tuple(self.origin[k] for k in chosen) if self.origin else (),
-            item=self.item[chosen], quantity=self.quantity[chosen],
-            given=self.given[chosen], sigma=self.sigma[chosen], adjusted=self.adjusted[chosen],
-            adjusted_std=self.adjusted_std[chosen], residual=self.residual[chosen], redundancy=self.redundancy[chosen],
-            w=self.w[chosen], t=self.t[chosen], mdb=self.mdb[chosen], square=self.square[chosen],
-        )  # fmt: skip
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Precision:
-    """Covariances of the unknowns in the result's datum, a-posteriori sigma0."""
-
-    object_points: Array
-    """(p, 3, 3); zero for held coordinates, NaN for points that took no part."""
-    images: Array
-    """(n, 6, 6) of X, Y, Z, omega, phi, kappa [length unit, rad]."""
-    interior: Mapping[str, Array]
-    """Camera id (or "camera/image" where each image has its own) -> (k, k), in the order of `parameters`."""
-    parameters: Mapping[str, tuple[str, ...]]
-    """The same keys -> symbols of the free parameters."""
-    interior_exterior: Mapping[str, Array]
-    """The same keys -> (images of the camera, k, 6) correlations between interior and exterior orientation."""
-    roughness: Array | None = None
-    """(p, 3) what relief within the windows of tie points and noise of their places add, which `object_points` holds:
-    a vector along the mean ray, as long as its standard deviation; None where no window is known."""
-
-    @property
-    def object_point_std(self) -> Array:
-        """(p, 3) standard deviations of the object coordinates; NaN where rounding leaves no variance."""
-        import numpy as np  # noqa: PLC0415
-
-        variance = np.diagonal(self.object_points, axis1=1, axis2=2)
-        return np.sqrt(np.where(variance >= 0, variance, np.nan))
-
-    @property
-    def image_std(self) -> Array:
-        """(n, 6) standard deviations of X, Y, Z, omega, phi, kappa."""
-        import numpy as np  # noqa: PLC0415
-
-        return np.sqrt(np.diagonal(self.images, axis1=1, axis2=2))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ParameterResult:
-    """One parameter of an interior orientation."""
-
-    symbol: str
-    unit: str
-    meaning: str
-    """code of its text, or words"""
-    value: float
-    std: float | None
-    """None where held."""
-    t: float | None
-    """|value - value without it| / std: significance of an additional parameter; None for c and held ones."""
-    determinability: float | None
-    """1 / (Q_ii (Q^-1)_ii), 1 = independent of all other unknowns, 0 = not determinable."""
-    effect_px: float | None
-    """Largest shift over the format that this parameter causes, at its value."""
-    effect_std_px: float | None
-    """The same for one standard deviation."""
-    std_white: float | None = None
-    """What `std` would be if the noise of the image coordinates were white; None where that was assumed"""
-    status: str
-    """held | estimated | observed | not significant | not determinable"""
-    remark: str = ""
-    values: tuple[tuple[str, str | int | bool], ...] = ()
-    """of the text of its meaning, with their names"""
-
-    @property
-    def words(self) -> str:
-        """Its meaning in words."""
-        return worded(self.meaning, **dict(self.values))
-
-    def std_words(self, length: str = "") -> str:
-        """The standard deviation with its unit, as "0.16 mm"; a ratio (unit "1") has none in print.
-
-        length  unit of lengths in object space; empty: not known, and not printed
-        """
-        return self.in_unit("unknown" if self.std is None else f"{self.std:.2g}", length)
-
-    def in_unit(self, words: str, length: str = "") -> str:
-        """Words of its value or standard deviation, with the unit."""
-        return f"{words} {printed_unit(self.unit, length)}".rstrip()
-
-
-def printed_unit(unit: str, length: str) -> str:
-    """The unit of a parameter in print: "m/s" of "length/s"; of a ratio, and where a length has no unit, none."""
-    if unit == "1" or (unit.startswith("length") and not length):
-        return ""
-    return unit.replace("length", length)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class InteriorResult:
-    """One interior orientation."""
-
-    camera: str
-    image: str | None
-    """Where each image has its own."""
-    parameters: Mapping[str, ParameterResult]
-    correlations: Array
-    """(k, k) between the free parameters, in the order of `free`."""
-    free: tuple[str, ...]
-    joint_tests: Mapping[str, tuple[float, float]] = field(default_factory=dict[str, tuple[float, float]])
-    """Group of parameters, as "P1 P2" -> F value, probability of a larger one by chance."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class VarianceComponent:
-    """Ratio of the a-posteriori to the a-priori sigma of a group of observations (Förstner 1979)."""
-
-    kind: str
-    """image observations | camera | image | control | distances | stations | attitudes | relations | ..."""
-    group: str
-    count: int
-    redundancy: float
-    ratio: float
-    """sigma a posteriori / sigma a priori; NaN where the group has no redundancy."""
-    significant: bool
-    """Whether the ratio differs from that of all other observations together (F test, 1 %, two-sided)."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class GroupFactor:
-    """By how much the standard deviations of a group of observations were multiplied."""
-
-    kind: str
-    """As `VarianceComponent.kind`."""
-    group: str
-    count: int
-    redundancy: float
-    factor: float
-    """sigma taken / sigma given; 1: as given."""
-    estimated: bool
-    """Whether the residuals stated it; otherwise the given standard deviation stands."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class NetworkFigures:
-    """Geometry of the network."""
-
-    rays: Index
-    """(p,)"""
-    stations_per_point: Index
-    """(p,) rays from projection centres that differ by more than a hundredth of the distance."""
-    intersection_angle: Array
-    """(p,) largest angle between two rays [rad]."""
-    base_to_depth: Array
-    """(q,) of the image pairs with at least 6 common points."""
-    pair_images: Index
-    """(q, 2)"""
-    pair_points: Index
-    """(q,) number of common points."""
-    coverage: Array
-    """(n,) share of the format covered by the observations (cells of a 10 x 10 grid)."""
-    roll: Array
-    """(n,) rotation about the viewing axis [rad], against the most frequent one."""
-    distance: Array
-    """(n,) median distance projection centre - object points."""
-    image_scale: Array
-    """(n,) image scale number S = distance / c."""
-    q: float
-    """q of sigma_XYZ = q S sigma_xy / sqrt(k), k = mean rays per point."""
-    q_stations: float
-    """The same with k = mean stations per point."""
-    bound: float
-    """The smallest q that this number of rays allows (sqrt(3/2): isotropic directions)."""
-    relative_precision: float
-    """N of 1:N: `extent` over `mean_std`."""
-    extent: float
-    """Diagonal of the box of the object points along their principal axes [length unit]; of more than 200 points
-    without the 0.25 % at either end of each axis."""
-    mean_std: float
-    """Mean standard deviation of a free coordinate of the object points [length unit]; NaN without statistics.
-
-    Where a few far points hold half of the variance: without the 5 % that are least precise."""
-    mean_share: float = 1.0
-    """Share of the points that `mean_std` is of."""
-    precision_class: str
-    components: int
-    """Connected parts of the network."""
+EMPTY = Handle()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -428,7 +116,7 @@ class Adjustment:
     noise: Noise = WHITE
     """What standard deviations rest on; tests and smallest detectable blunders rest on white noise in any case."""
     handle: Handle = field(default=EMPTY, compare=False)
-    """For `raybundle.adjustment.queries`; empty without statistics, and in copies"""
+    """For `raybundle.adjustment.evaluation.queries`; empty without statistics, and in copies"""
 
     @property
     def length_unit(self) -> str:
@@ -455,9 +143,9 @@ class Adjustment:
         coefficients  4, 5, 8, 12 or 14; None: the fewest that are exact, or within 0.01 px
         raises        InputError for an unknown camera, and where OpenCV has none within 0.1 px (`opencv_camera`)
         """
-        from raybundle.adjustment.hand_over import opencv_of  # noqa: PLC0415  (what computes is loaded where it is used)
+        from raybundle.cameras.opencv import opencv_camera  # noqa: PLC0415  (what computes is loaded where it is used)
 
-        return opencv_of(self, camera, image, coefficients)
+        return opencv_camera(*interior_of(self, camera, image), coefficients=coefficients)
 
     def __repr__(self) -> str:
         """One line."""
@@ -475,3 +163,77 @@ def variance_factor(options: AdjustmentOptions, sigma0: float, redundancy: int) 
     factor of its own, which its standard deviations contain.
     """
     return sigma0**2 if redundancy > 0 and not options.variance_groups else 1.0
+
+
+def interior_of(
+    result: Adjustment, camera: str | None, image: str | None
+) -> tuple[Camera, tuple[str, ...], Array | None]:
+    """A camera with its adjusted values, the symbols that were estimated, and their covariance (u, u).
+
+    camera  its id; None: the only one; image: where each image has an interior orientation of its own
+    None in place of the covariance: without statistics.
+    raises  InputError for an unknown camera or image, and where one of several has to be named
+    """
+    cameras = [c for c in result.adjusted.cameras if not c.is_scene]
+    if camera is None:
+        if len(cameras) != 1:
+            raise InputError("camera.several", n=len(cameras), cameras=[c.id for c in cameras])
+        camera = cameras[0].id
+    found = next((c for c in cameras if c.id == camera), None)
+    if found is None:
+        raise InputError("camera.unknown", camera=camera, known=[c.id for c in cameras])
+    own = [i for i in result.interior if i.camera == camera]
+    interior = next((i for i in own if i.image == image), None)
+    if interior is None:
+        if image is None and own:
+            raise InputError("camera.interior_per_image", camera=camera)
+        if image is not None:
+            raise InputError("camera.no_interior_of_image", camera=camera, image=image)
+        return found, (), None if result.precision is None else np.zeros((0, 0))
+    found = replace(found, values={**found.values, **{s: p.value for s, p in interior.parameters.items()}})
+    if result.precision is None:
+        return found, (), None
+    key = camera if image is None else f"{camera}/{image}"
+    return found, interior.free, result.precision.interior.get(key, np.zeros((0, 0)))
+
+
+def line_of(a: Adjustment) -> str:
+    """One line: what was adjusted, how well it fits, in which datum, and how many notices there are."""
+    used = a.image_observations.used
+    parts = [
+        repr(a.given.name),
+        counted(len(set(a.given.observations.image[used].tolist())), "image"),
+        counted(len(set(a.given.observations.point[used].tolist())), "object point"),
+        f"sigma0 {a.sigma0:.4g}" if math.isfinite(a.sigma0) else "no sigma0",
+        f"redundancy {grouped(a.redundancy)}",
+        *([] if a.converged else ["not converged"]),
+        *(counted(n, s.value) for s in Severity if (n := sum(x.severity is s for x in a.notices))),
+    ]
+    return f"<Adjustment {', '.join(parts)}>"
+
+
+def html_of(a: Adjustment) -> str:
+    """A small table: the line above, interior orientations, the gravest notices."""
+    head = f"<p><b>{escape(line_of(a)[1:-1])}</b><br>datum: {escape(a.datum)}</p>"
+    rows = "".join(
+        f"<tr><td>{escape(i.camera if i.image is None else f'{i.camera}, {i.image}')}</td><td>{escape(p.symbol)}</td>"
+        f"<td>{p.value:.6g}</td><td>{_std(p)}</td><td>{escape(printed_unit(p.unit, a.length_unit))}</td>"
+        f"<td>{escape(p.status)}</td></tr>"
+        for i in a.interior
+        if i.image is None
+        for p in i.parameters.values()
+        if p.std is not None or p.value
+    )
+    titles = "".join(f"<th>{t}</th>" for t in ("camera", "parameter", "value", "sigma", "unit", ""))
+    table = f"<table><tr>{titles}</tr>{rows}</table>" if rows else ""
+    reported = sorted_notices(a.notices)
+    notices = "".join(
+        f'<li><b style="color:{COLOURS[n.severity]}">{n.severity.value}</b>: {escape(n.text)}</li>'
+        for n in reported[:NOTICES]
+    )
+    more = f"<li>and {counted(len(reported) - NOTICES, 'more notice')}</li>" if len(reported) > NOTICES else ""
+    return f"<div>{head}{table}{f'<ul>{notices}{more}</ul>' if notices else ''}</div>"
+
+
+def _std(p: ParameterResult) -> str:
+    return "" if p.std is None else f"{p.std:.2g}"

@@ -6,13 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.adjustment import transformation
-from raybundle.adjustment.assemble import State
-from raybundle.adjustment.datum import point_generators
-from raybundle.adjustment.far_points import diverging
-from raybundle.adjustment.precision import Cofactors
-from raybundle.adjustment.reliability import image_statistics
-from raybundle.adjustment.transformation import Transformation
+from raybundle.adjustment.statistics.precision import Cofactors
+from raybundle.adjustment.statistics.reliability import image_statistics
+from raybundle.adjustment.system import transformation
+from raybundle.adjustment.system.assemble import State
+from raybundle.adjustment.system.datum import Transformation, point_generators
+from raybundle.adjustment.system.far_points import diverging
 from raybundle.blocking import sweeps
 from raybundle.blocking.network import PartWork
 from raybundle.blocking.store import Store

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from raybundle.adjustment.dense import one_thread
+from raybundle.adjustment.system.dense import one_thread
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.place import Product
 from raybundle.pipeline.tasks import Done, Task, do

@@ -9,8 +9,8 @@ from uuid import uuid4
 
 import numpy as np
 
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.normals import Normals
 from raybundle.block import Block
 from raybundle.blocking.cutting import cut_of
 from raybundle.blocking.front import Equations, Front, Placement, entries, spread

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.assemble import State
+from raybundle.adjustment.system.assemble import State
 from raybundle.blocking import sweeps, tasks
 from raybundle.blocking.network import Network
 from raybundle.blocking.store import VERSION, Store
@@ -136,7 +136,7 @@ class Parts:
 
 @dataclass(slots=True)
 class PartsNormals:
-    """Normal equations in parts (`adjustment.solve.Equations`)."""
+    """Normal equations in parts (`adjustment.system.solve.Equations`)."""
 
     parts: Parts
     observations: int

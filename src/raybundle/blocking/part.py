@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.assemble import System, image_observations
-from raybundle.adjustment.extra import Extra
-from raybundle.adjustment.layout import InteriorRow, used_of
+from raybundle.adjustment.system.assemble import System, image_observations
+from raybundle.adjustment.system.layout import InteriorRow, used_of
+from raybundle.adjustment.system.other_observations import Extra
 from raybundle.block import Block
 from raybundle.blocking.skeleton import Skeleton
 from raybundle.numerics.arrays import Array, Index, Mask

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.adjustment.datum import Datum
+from raybundle.adjustment.system.datum import Datum
 from raybundle.numerics.arrays import Array
 
 STEPS = 50
@@ -17,8 +17,8 @@ def onto(own: Array, given: Array, datum: Datum) -> Array:
     given  (3, 4) sum of g (r, 1)', g their given coordinates from there
     returns  (4, 4) homogeneous, of coordinates from the centre
 
-    Small transformations are repeated until nothing moves (`adjustment.transformation.fit_to_given`): all that they
-    need of the points are these sums.
+    Small transformations are repeated until nothing moves (`adjustment.system.transformation.fit_to_given`): all that
+    they need of the points are these sums.
     """
     from scipy.linalg import expm  # noqa: PLC0415
 

@@ -12,11 +12,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.assemble import System, system_of
-from raybundle.adjustment.extra import carried_points
-from raybundle.adjustment.layout import used_of
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.assemble import System, system_of
+from raybundle.adjustment.system.layout import used_of
+from raybundle.adjustment.system.normals import Normals
+from raybundle.adjustment.system.other_observations import carried_points
 from raybundle.block import Block
 from raybundle.block.select import selected
 from raybundle.numerics.arrays import Array, Index, Mask

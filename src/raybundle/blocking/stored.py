@@ -7,22 +7,30 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from raybundle.adjustment import defects
-from raybundle.adjustment.assemble import State
-from raybundle.adjustment.datum import Datum, middle_and_extent, node_generators, well_spread, what_is_open
-from raybundle.adjustment.dense import one_thread
 from raybundle.adjustment.engine import UNENDING
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.precision import Cofactors, precision
-from raybundle.adjustment.reliability import observation_groups
-from raybundle.adjustment.result import ObservationGroup, Precision, variance_factor
-from raybundle.adjustment.solve import HUBER, Solution, solve
-from raybundle.adjustment.transformation import Transformation, placed
+from raybundle.adjustment.records.figures import ObservationGroup, Precision
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.result import variance_factor
+from raybundle.adjustment.statistics.precision import Cofactors, precision
+from raybundle.adjustment.statistics.reliability import observation_groups
+from raybundle.adjustment.system import defects
+from raybundle.adjustment.system.assemble import State
+from raybundle.adjustment.system.datum import (
+    Datum,
+    Transformation,
+    middle_and_extent,
+    node_generators,
+    well_spread,
+    what_is_open,
+)
+from raybundle.adjustment.system.dense import one_thread
+from raybundle.adjustment.system.normals import Normals
+from raybundle.adjustment.system.solve import HUBER, Solution, solve
+from raybundle.adjustment.system.transformation import placed
 from raybundle.blocking import answers
 from raybundle.blocking.columns import Columns
-from raybundle.blocking.kept import cut_columns
 from raybundle.blocking.network import LEAF, Network
+from raybundle.blocking.network_store import cut_columns
 from raybundle.blocking.normals import Parts, PartsNormals, PartsState
 from raybundle.blocking.similarity import onto
 from raybundle.blocking.store import Store
@@ -103,7 +111,7 @@ def adjust_columns(
     keep      parts that a process holds ready for use
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
-    What it does not do: reject blunders or choose parameters (`blocking.deciding`), and find approximate values.
+    What it does not do: reject blunders or choose parameters (`blocking.decision`), and find approximate values.
     """
     rejected = np.zeros(columns.observations, bool) if rejected is None else rejected
     cut = cut_columns(columns, options, free, rejected, store, leaf=leaf, keep=keep)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.adjustment.assemble import State
+from raybundle.adjustment.system.assemble import State
 from raybundle.blocking import front as fronts
 from raybundle.blocking.front import Equations
 from raybundle.blocking.network import Network, PartWork

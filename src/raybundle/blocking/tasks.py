@@ -14,7 +14,7 @@ from weakref import WeakValueDictionary
 
 import numpy as np
 
-from raybundle.adjustment.assemble import State
+from raybundle.adjustment.system.assemble import State
 from raybundle.blocking import sweeps
 from raybundle.blocking.network import Network, PartWork
 from raybundle.blocking.store import Store
@@ -51,7 +51,7 @@ def known(store: Store, key: str) -> Known:
     with _lock:
         at = _known.get(key)
         if at is None:
-            from raybundle.blocking.kept import network_of  # noqa: PLC0415  (which keeps networks by these tasks' store)
+            from raybundle.blocking.network_store import network_of  # noqa: PLC0415  (which keeps networks by these tasks' store)
 
             at = remember(network_of(store, key))
             _read.append(at)

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from raybundle.adjustment.hand_over import interior_of
-from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.result import Adjustment, interior_of
 from raybundle.calibration.maps import shifts_at
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array

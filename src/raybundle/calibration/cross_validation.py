@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.engine import carry_out
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.reliability import image_statistics
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.statistics.reliability import image_statistics
+from raybundle.adjustment.system.assemble import State, System
 from raybundle.block import Block, Role
 from raybundle.block.select import with_rows
 from raybundle.errors import NotSolvable, RaybundleError

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block, as_start
-from raybundle.adjustment.predict import projected
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.predict import projected
 from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.platforms.station import sensor_from_object

@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.predict import projected
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.predict import projected
 from raybundle.block import Camera
 from raybundle.cameras.fixed_rays import derivatives, in_pixels
 from raybundle.errors import InputError

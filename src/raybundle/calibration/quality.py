@@ -11,16 +11,17 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.network import CELLS, format_cells
-from raybundle.adjustment.pixel_shape import UNTOLD
-from raybundle.adjustment.result import Adjustment, InteriorResult
-from raybundle.adjustment.severity import Severity
-from raybundle.adjustment.structure import (
+from raybundle.adjustment.blunders.pixel_shape import UNTOLD
+from raybundle.adjustment.evaluation.residual_structure import (
     RepeatedResiduals,
     ResidualStructure,
     repeated_residuals,
     residual_structure,
 )
+from raybundle.adjustment.records.figures import InteriorResult
+from raybundle.adjustment.records.severity import Severity
+from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.statistics.network import CELLS, format_cells
 from raybundle.block import Camera
 from raybundle.calibration.cross_validation import CrossValidation, cross_validation
 from raybundle.calibration.maps import projection_shifts

@@ -3,7 +3,8 @@
 They are not given a camera each here: tie points were chosen and weighed with the wrong camera, and all is done again.
 
 Which photographs belong together is read from the interior orientations that single images ask for
-(`raybundle.adjustment.own_interiors`); an adjustment with a camera for each group confirms that they differ.
+(`raybundle.adjustment.evaluation.image_interiors`); an adjustment with a camera for each group confirms that they
+differ.
 """
 
 from __future__ import annotations
@@ -14,9 +15,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block, as_start
-from raybundle.adjustment.joint_interior import JointInterior, joint_interior, smooth_errors
-from raybundle.adjustment.own_interiors import LEVEL, Groups, groups_of, own_interiors
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.evaluation.image_interiors import LEVEL, Groups, groups_of, own_interiors
+from raybundle.adjustment.evaluation.joint_interior import JointInterior, joint_interior, smooth_errors
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera
 from raybundle.errors import NotSolvable, Value, message
 from raybundle.numerics.arrays import Array

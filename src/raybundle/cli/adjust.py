@@ -39,7 +39,7 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> int:
       raybundle adjust camcal21 --out free --datum inner --estimate auto --reject snooping
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.workflows.left import left_beside  # noqa: PLC0415
+    from raybundle.workflows.unfinished_parts import left_beside  # noqa: PLC0415
 
     settings = made(AdjustSettings, {"block": block, "out": out, **values_of(AdjustSettings, given)})
     try:

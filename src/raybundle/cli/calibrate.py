@@ -18,7 +18,7 @@ from raybundle.errors import Message, note, phrase
 from raybundle.settings import made
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.result import InteriorResult
+    from raybundle.adjustment.records.figures import InteriorResult
     from raybundle.block import Camera
     from raybundle.calibration.quality import CalibrationQuality
     from raybundle.workflows.calibrate import Calibration
@@ -67,7 +67,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
 def _summary(done: Calibration, files: list[Path]) -> Summary:
     """What the command reports."""
-    from raybundle.adjustment.result import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.adjustment.records.notice import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.text.summary import details  # noqa: PLC0415
 
     read = sum(int(m.named.sum()) for sets in done.marks for m in sets)

@@ -59,8 +59,8 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
 
         run(Path(photographs), out, progress)
         return
-    from raybundle.planning.scenes import TargetField, field_scene  # noqa: PLC0415
     from raybundle.planning.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.planning.synthetic_networks import TargetField, field_scene  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415

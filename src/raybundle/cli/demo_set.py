@@ -132,7 +132,7 @@ def errors(truth: Block, a: Adjustment) -> list[tuple[str, Array, Array]]:
     """
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.adjustment.queries import precision_in_datum  # noqa: PLC0415
+    from raybundle.adjustment.evaluation.queries import precision_in_datum  # noqa: PLC0415
 
     found = {name: k for k, name in enumerate(a.adjusted.points.ids)}
     targets = tuple(n for n in truth.points.ids if n in found)

@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.cli.common import FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options, facts
 from raybundle.cli.marking import command, do, subcommand, words
 from raybundle.cli.marking_areas import control, mask, unmask
@@ -83,7 +83,7 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
       raybundle mark begin archive/ --own-camera "1938_*" --calibration cameras.toml
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.commands.begin import begin  # noqa: PLC0415
+    from raybundle.commands.new_project import begin  # noqa: PLC0415
 
     with reporting(progress) as notify:
         project = begin(
@@ -371,8 +371,8 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
     Example:
       raybundle mark list facade-project --history
     """  # noqa: D301
-    from raybundle.commands.begin import standing_folder  # noqa: PLC0415
     from raybundle.commands.marks import as_plain, history, marks  # noqa: PLC0415
+    from raybundle.commands.new_project import standing_folder  # noqa: PLC0415
     from raybundle.measuring.session import block_folder  # noqa: PLC0415
     from raybundle.measuring.state import in_force  # noqa: PLC0415
 
@@ -448,8 +448,8 @@ def adjust_(
       raybundle mark adjust facade-project --out facade-with-control --reject snooping
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.commands.begin import standing_folder  # noqa: PLC0415
     from raybundle.commands.marks import adjust_marks  # noqa: PLC0415
+    from raybundle.commands.new_project import standing_folder  # noqa: PLC0415
     from raybundle.measuring.journal import measured_result  # noqa: PLC0415
     from raybundle.pipeline.project import PHOTOGRAPHS_IN, photographs_of  # noqa: PLC0415
     from raybundle.report.text.summary import adjusted  # noqa: PLC0415

@@ -46,8 +46,8 @@ def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
 
 def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
     """Do an action of a verb, and say its number; a folder of photographs has its project begun."""
-    from raybundle.commands.begin import measuring_folder, standing_folder  # noqa: PLC0415  (loaded after the help)
     from raybundle.commands.marks import mark  # noqa: PLC0415
+    from raybundle.commands.new_project import measuring_folder, standing_folder  # noqa: PLC0415  (loaded after the help)
 
     if standing_folder(folder) is None:
         click.echo(f" project: {measuring_folder(folder, notify=lambda line: click.echo(f'   {line}'))}")

@@ -74,7 +74,7 @@ def _summary(done: Measured, files: list[Path]) -> Summary:
     """What the command reports."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.adjustment.result import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.adjustment.records.notice import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.text.summary import details  # noqa: PLC0415
 
     a, s = done.adjustment, 1000 * done.points.sigma

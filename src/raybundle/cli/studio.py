@@ -40,7 +40,7 @@ def command(
       raybundle studio facade-result --photos facade/ --no-browser
       raybundle studio archive/ --out archive-project
     """  # noqa: D301
-    from raybundle.commands.begin import measuring_folder  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.commands.new_project import measuring_folder  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.studio.serve import serve  # noqa: PLC0415
 
     project = measuring_folder(source, out, lambda line: click.echo(f"   {line}"))

@@ -54,7 +54,7 @@ def of_adjustment(
     details: Sequence[Message | str] = (), notices: Sequence[Message] = (),
 ) -> Summary:  # fmt: skip
     """The summary of an adjustment; `done` replaces how much was adjusted, notices and details are added."""
-    from raybundle.adjustment.result import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.adjustment.records.notice import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.text import summary  # noqa: PLC0415
 
     if a.free_scale:

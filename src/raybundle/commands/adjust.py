@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, TABLES_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_of
 from raybundle.numerics.progress import Progress, silent
@@ -55,9 +55,9 @@ class AdjustSettings(AdjustmentOptions):
 
 def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustment:
     """Read, adjust and write; raises InputError, NotSolvable."""
-    from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415  (what computes is loaded later)
-    from raybundle.adjustment.result import notice_of_text  # noqa: PLC0415
-    from raybundle.adjustment.severity import Severity  # noqa: PLC0415
+    from raybundle.adjustment.blunders.accuracy_class import accuracy_class  # noqa: PLC0415  (what computes is loaded later)
+    from raybundle.adjustment.records.notice import notice_of_text  # noqa: PLC0415
+    from raybundle.adjustment.records.severity import Severity  # noqa: PLC0415
     from raybundle.io.parquet import check_tables  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
@@ -100,7 +100,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
 
 def accuracy_outcome(settings: AdjustSettings, done: Adjustment) -> Outcome | None:
     """What became of the accuracy that was asked for; None where none was."""
-    from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415
+    from raybundle.adjustment.blunders.accuracy_class import accuracy_class  # noqa: PLC0415
     from raybundle.report.delivery import wanted_outcome  # noqa: PLC0415
     from raybundle.workflows.block_frame import in_block_frame  # noqa: PLC0415
 

@@ -152,7 +152,7 @@ def _places(out: Path, each: tuple[str, ...]) -> tuple[tuple[str, Path], ...]:
 def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
     """Read, bring to the frame asked for, and write."""
     from raybundle.block.frames import in_file_frames  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.cameras.one_instant import at_one_instant  # noqa: PLC0415
+    from raybundle.io.cameras.single_exposure import at_one_instant  # noqa: PLC0415
     from raybundle.io.formats import formats  # noqa: PLC0415
     from raybundle.io.pictures.plane_file import axes_in  # noqa: PLC0415
     from raybundle.io.pictures.undistort import point_colours  # noqa: PLC0415

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
-    from raybundle.workflows.earlier_names import Earlier
+    from raybundle.workflows.orienting.previous_names import Earlier
 
 
 def earlier_run(project: Path) -> Earlier | None:
@@ -19,7 +19,7 @@ def earlier_run(project: Path) -> Earlier | None:
     from raybundle.block.points import is_automatic  # noqa: PLC0415  (loaded after the help)
     from raybundle.io.block.folder import read_block  # noqa: PLC0415
     from raybundle.measuring.journal import entries_of, journal_path  # noqa: PLC0415
-    from raybundle.workflows.earlier_names import Earlier  # noqa: PLC0415
+    from raybundle.workflows.orienting.previous_names import Earlier  # noqa: PLC0415
 
     folder = project / "result" / "block"
     if not (folder / "block.toml").is_file():

@@ -10,11 +10,11 @@ from typing import Any, cast
 
 import numpy as np
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Role
-from raybundle.commands.begin import measuring_folder, standing_folder
 from raybundle.commands.marks_settings import DatumSettings, QuerySettings
+from raybundle.commands.new_project import measuring_folder, standing_folder
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
@@ -31,9 +31,9 @@ from raybundle.measuring.export import (
 )
 from raybundle.measuring.film import read_scans
 from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
-from raybundle.measuring.known import Known
 from raybundle.measuring.masks import drawn_by_file, photographs_in, write_masks
 from raybundle.measuring.merge import Merged, merge
+from raybundle.measuring.names import Known
 from raybundle.measuring.quantities import QUANTITIES, Quantity
 from raybundle.measuring.query import Answer, ask, in_axes
 from raybundle.measuring.selection import latest_figures, quantity_of, selected
@@ -43,8 +43,8 @@ from raybundle.measuring.state import State
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.project import masks_given, photographs_of
-from raybundle.results.asked import made_as
 from raybundle.results.folder import ResultFolder
+from raybundle.results.stored_options import made_as
 from raybundle.settings import made
 from raybundle.workflows.adjust import adjust
 

@@ -7,7 +7,7 @@ from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.adjustment.options import NOISE_HELP, NoiseModel
+from raybundle.adjustment.records.options import NOISE_HELP, NoiseModel
 from raybundle.commands.measure_files import (
     LENGTHS,
     LIST,
@@ -28,7 +28,8 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, setting
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.result import Adjustment, Notice
+    from raybundle.adjustment.records.notice import Notice
+    from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
     from raybundle.metrology.best_fit import BestFit
     from raybundle.metrology.lengths import KnownLength, LengthTest
@@ -244,10 +245,10 @@ def _adjusted(s: MeasureSettings, block: Block, progress: Progress) -> tuple[Adj
     """The adjustment, and what is to be reported beside it."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.adjustment.decide import decide  # noqa: PLC0415
+    from raybundle.adjustment.decision.decide import decide  # noqa: PLC0415
+    from raybundle.adjustment.decision.variance_groups import by_groups  # noqa: PLC0415
     from raybundle.adjustment.engine import started  # noqa: PLC0415
-    from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs  # noqa: PLC0415
-    from raybundle.adjustment.variance_groups import by_groups  # noqa: PLC0415
+    from raybundle.adjustment.records.options import AdjustmentOptions, noise_of_photographs  # noqa: PLC0415
     from raybundle.metrology.lengths import KnownLength  # noqa: PLC0415
     from raybundle.metrology.notices import bar_notices  # noqa: PLC0415
 

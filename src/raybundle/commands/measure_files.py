@@ -13,7 +13,7 @@ from raybundle.numerics.natural import natural_order
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from raybundle.adjustment.result import Notice
+    from raybundle.adjustment.records.notice import Notice
     from raybundle.metrology.best_fit import BestFit, Nominal
     from raybundle.metrology.lengths import KnownLength, LengthTest
     from raybundle.metrology.point_set import PointSet

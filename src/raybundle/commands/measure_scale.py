@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from raybundle.errors import InputError, code_of, message
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.result import Adjustment, Notice
+    from raybundle.adjustment.records.notice import Notice
+    from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
     from raybundle.io.geo.control_files import ControlFile
     from raybundle.metrology.bars import BarTest

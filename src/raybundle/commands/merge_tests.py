@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 from raybundle.errors import InputError, Message, NotSolvable, Severity, Value, as_detail, message, note, warning
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.result import Adjustment, InteriorResult
+    from raybundle.adjustment.records.figures import InteriorResult
+    from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
     from raybundle.metrology.congruence import Congruence
     from raybundle.metrology.frames import Between

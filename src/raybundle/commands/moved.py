@@ -91,7 +91,7 @@ def run_moved(settings: MovedSettings, progress: Progress = silent) -> Congruenc
 
 
 def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress: Progress) -> Congruence:
-    from raybundle.adjustment.again import block_again  # noqa: PLC0415
+    from raybundle.adjustment.readjust import block_again  # noqa: PLC0415
     from raybundle.adjustment.result import Adjustment  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.block.points import dot_number  # noqa: PLC0415
     from raybundle.io.folders import check_new_folder, short_names  # noqa: PLC0415
@@ -187,7 +187,7 @@ def faults_in(epochs: Sequence[Path]) -> dict[str, tuple[str, ...]]:
 
 
 def _faults(epoch: Adjustment | str | Path) -> tuple[str, ...]:
-    from raybundle.adjustment.severity import Severity  # noqa: PLC0415
+    from raybundle.adjustment.records.severity import Severity  # noqa: PLC0415
 
     if isinstance(epoch, str | Path):
         from raybundle.results.state import faults_of  # noqa: PLC0415

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.adjustment.options import NOISE_HELP, NoiseModel
+from raybundle.adjustment.records.options import NOISE_HELP, NoiseModel
 from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_in, record_of
@@ -30,14 +30,14 @@ from raybundle.settings import (
 )
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.accuracy_class import AccuracyClass
+    from raybundle.adjustment.blunders.accuracy_class import AccuracyClass
     from raybundle.pipeline.project import StageRecord
     from raybundle.placing.marks import Given
     from raybundle.report.facts import PhotographFacts
     from raybundle.report.outcome import Outcome
     from raybundle.results.record import Record
     from raybundle.workflows.orient import Orientation
-    from raybundle.workflows.orient_options import OrientOptions
+    from raybundle.workflows.orienting.options import OrientOptions
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -159,7 +159,7 @@ class OrientSettings:
     def options(self) -> OrientOptions:
         """What the workflow is asked for."""
         from raybundle.io.cameras.library import library_folder  # noqa: PLC0415
-        from raybundle.workflows.orient_options import OrientOptions  # noqa: PLC0415
+        from raybundle.workflows.orienting.options import OrientOptions  # noqa: PLC0415
 
         return OrientOptions(
             features=self.features, feature_count=self.feature_count, start=self.start, precise=self.precise,
@@ -213,7 +213,7 @@ def orient(
 
 def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orientation:
     """Orient what the settings ask for, and write the result."""
-    from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415
+    from raybundle.adjustment.blunders.accuracy_class import accuracy_class  # noqa: PLC0415
     from raybundle.commands.drawn_masks import masks_of_run  # noqa: PLC0415
     from raybundle.commands.earlier_run import earlier_run  # noqa: PLC0415
     from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
@@ -221,8 +221,8 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
     from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
-    from raybundle.workflows.earlier_result import less_fixed  # noqa: PLC0415
     from raybundle.workflows.orient import orient as oriented  # noqa: PLC0415
+    from raybundle.workflows.orienting.previous_result import less_fixed  # noqa: PLC0415
 
     out, result = settings.out, settings.out / "result"
     settings = replace(settings, store=store_of(settings.out, settings.store, settings.photos))
@@ -261,7 +261,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
 
 def accuracy_outcome(settings: OrientSettings, done: Orientation) -> Outcome | None:
     """What became of the accuracy that was asked for; None where none was."""
-    from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415
+    from raybundle.adjustment.blunders.accuracy_class import accuracy_class  # noqa: PLC0415
     from raybundle.report.delivery import wanted_outcome  # noqa: PLC0415
 
     return wanted_outcome(done.adjustment, accuracy_class(settings.accuracy_class), done.frame)

@@ -12,7 +12,7 @@ from raybundle.results.record import NAMES, RECORD, RECORD_FILE, Record, checked
 from raybundle.settings import made, path_of, setting
 
 if TYPE_CHECKING:
-    from raybundle.results.recorded import KnownByPhotographs
+    from raybundle.results.recording_sheet import KnownByPhotographs
 
 
 def _entry(words: str) -> Any:
@@ -76,7 +76,7 @@ def record(project: str | Path, **entries: Any) -> Recorded:
 
 def run_record(settings: RecordSettings) -> Recorded:
     """Write the entries that are given, and show all."""
-    from raybundle.results.recorded import read_recorded, recorded_text  # noqa: PLC0415
+    from raybundle.results.recording_sheet import read_recorded, recorded_text  # noqa: PLC0415
 
     folder = settings.project
     given = {n: checked(n, v) for n in NAMES if (v := getattr(settings, n)) is not None}
@@ -160,7 +160,7 @@ def known_record(folder: Path) -> Record:
 
     folder  a result folder, of a project or alone
     """
-    from raybundle.results.recorded import read_recorded  # noqa: PLC0415
+    from raybundle.results.recording_sheet import read_recorded  # noqa: PLC0415
 
     own, known = read_recorded(folder)
     project = folder.parent
@@ -174,7 +174,7 @@ def known_record(folder: Path) -> Record:
 
 def rows(reported: Recorded) -> list[tuple[str, str, str]]:
     """Entry, what it states, and "from the photographs" where nobody wrote it."""
-    from raybundle.results.recorded import rows_of  # noqa: PLC0415
+    from raybundle.results.recording_sheet import rows_of  # noqa: PLC0415
 
     given = reported.record.as_mapping()
     found = [(f.name, given[f.name], "") for f in fields(RecordSettings) if f.name in given]

@@ -113,7 +113,7 @@ def drawing_sheet(
 
 def run_drawing_sheet(settings: DrawingSheetSettings, progress: Progress = silent) -> DrawingSheet:
     """Draw what the settings ask for, and write the PDF."""
-    from raybundle.commands.drawn import drawn  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.commands.drawing_sheet import drawn  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.folders import new_files  # noqa: PLC0415
     from raybundle.report.drawing.sheet import planned, sheets_pdf  # noqa: PLC0415
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Literal
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.commands.begin import measuring_folder
+from raybundle.commands.new_project import measuring_folder
 from raybundle.commands.opening import hand_over
 from raybundle.errors import InputError
 from raybundle.report.show import Page, show_page

@@ -12,8 +12,8 @@ from raybundle.settings import METRES, NOT_NEGATIVE, PIXELS, Range, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Block
-    from raybundle.planning.scenes import Scene
     from raybundle.planning.simulate import Simulation, Survey
+    from raybundle.planning.synthetic_networks import Scene
 
 SIGMA = Range(low=0, high=1e6)
 SceneName = Literal["testfield", "flat", "aerial", "ring", "single"]
@@ -141,7 +141,7 @@ def _found_again(plan: Path, block: Block, seed: int) -> Block:
 
 def scene_of(name: SceneName) -> Scene:
     """The scene of a name on the command line, with its standard plan."""
-    from raybundle.planning import scenes as s  # noqa: PLC0415
+    from raybundle.planning import synthetic_networks as s  # noqa: PLC0415
 
     scenes: dict[SceneName, Callable[[], Scene]] = {
         "testfield": lambda: s.field_scene(s.TargetField()),

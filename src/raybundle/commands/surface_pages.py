@@ -11,14 +11,14 @@ from raybundle.errors import phrase
 from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.result import Notice
+    from raybundle.adjustment.records.notice import Notice
     from raybundle.commands.surface import SurfaceSettings
     from raybundle.io.formats import Export
     from raybundle.report.chapters import Occasion
-    from raybundle.surfaces.summary import SurfaceSummary
-    from raybundle.workflows.surface import Surface
-    from raybundle.workflows.surface_grids import Grids
-    from raybundle.workflows.surface_product import Context
+    from raybundle.surface.depths.summary import SurfaceSummary
+    from raybundle.surface.product import Context
+    from raybundle.surface.product_grids import Grids
+    from raybundle.surface.run import Surface
 
 PAGE, IN_3D, PDF = "surface.html", "surface_3d.html", "surface.pdf"
 PAGES = (PAGE, IN_3D, PDF)
@@ -52,15 +52,15 @@ def write_pages(
     remarks  what was stated while the surface was measured
     others   files of earlier runs with more points, or fewer, by which length they are thinned; None: not at all
     """
-    from raybundle.adjustment.result import sorted_notices  # noqa: PLC0415
-    from raybundle.adjustment.severity import Severity  # noqa: PLC0415
+    from raybundle.adjustment.records.notice import sorted_notices  # noqa: PLC0415
+    from raybundle.adjustment.records.severity import Severity  # noqa: PLC0415
     from raybundle.io.folders import names_in  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.report.network_page import write_network_page  # noqa: PLC0415
-    from raybundle.report.surface_page import write_surface_page  # noqa: PLC0415
     from raybundle.report.text.front_words import verdict_sentence  # noqa: PLC0415
-    from raybundle.workflows.height_files import HeightFile  # noqa: PLC0415
-    from raybundle.workflows.surface_summary import sample_of, summary_of  # noqa: PLC0415
+    from raybundle.surface.files.heights import HeightFile  # noqa: PLC0415
+    from raybundle.surface.page import write_surface_page  # noqa: PLC0415
+    from raybundle.surface.summary import sample_of, summary_of  # noqa: PLC0415
 
     file = None
     if done.heights is not None and context.plane is not None:
@@ -125,7 +125,7 @@ def heights_files(faults: tuple[str, ...], export: Export) -> tuple[str, ...]:
 
 def outside_words(done: Surface, grids: Grids) -> tuple[str, ...]:
     """How many points lie beside the area of heights, orthophoto and mesh, and how to have them."""
-    from raybundle.workflows.surface_grids import area_of_points  # noqa: PLC0415
+    from raybundle.surface.product_grids import area_of_points  # noqa: PLC0415
 
     if grids.heights is None or done.options.region is not None:
         return ()

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import asdict, dataclass
 from typing import Any, ClassVar, Literal
 
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.measuring.state import Draft, State
 
 

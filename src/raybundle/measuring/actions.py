@@ -27,8 +27,8 @@ from raybundle.measuring.checks import (
 )
 from raybundle.measuring.control import GiveControl
 from raybundle.measuring.decisions import RejectBeyond, SetParameter
-from raybundle.measuring.known import Known
 from raybundle.measuring.masks import SetMask, Unmask
+from raybundle.measuring.names import Known
 from raybundle.measuring.state import (
     Axes,
     Bar,

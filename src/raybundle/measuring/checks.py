@@ -7,7 +7,7 @@ from typing import Literal
 
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.measuring.state import Mark, Numbers3, RoleName, State
 
 LONGEST = 200

@@ -16,7 +16,7 @@ from raybundle.io.geo.control_files import read_control
 from raybundle.io.reading.dialects import table_text
 from raybundle.measuring.action import Action
 from raybundle.measuring.checks import check_given, check_name
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.measuring.state import Draft, MeasuredPoint, Numbers3, RoleName, State
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar, Literal
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import InputError
 from raybundle.measuring.action import Action
 from raybundle.measuring.checks import check_number
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.measuring.state import Choice, Draft, Key, State
 
 Quantity = Literal["w", "sigma", "rays", "redundancy"]

@@ -17,8 +17,8 @@ from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
 from raybundle.measuring.film import Scans
-from raybundle.measuring.known import Known
 from raybundle.measuring.merge import merge
+from raybundle.measuring.names import Known
 from raybundle.measuring.state import State
 
 READ_AS_PX = 0.5

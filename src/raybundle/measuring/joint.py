@@ -8,9 +8,9 @@ from functools import partial
 
 import numpy as np
 
-from raybundle.adjustment.precision import image_unknowns, interior_unknowns
 from raybundle.adjustment.result import Adjustment
-from raybundle.adjustment.work import Work
+from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns
+from raybundle.adjustment.statistics.system_state import Work
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 

@@ -29,7 +29,7 @@ from raybundle.errors import InputError, Message, message
 from raybundle.io.reading.trees import json_of
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.actions import Action, action_of
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.measuring.state import Fold, State
 
 SCHEMA = "1"

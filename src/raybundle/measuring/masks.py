@@ -19,7 +19,7 @@ from raybundle.io.reading.words import quoted
 from raybundle.measuring.action import Action
 from raybundle.measuring.checks import check_name, check_number
 from raybundle.measuring.frames import to_camera, to_file
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.measuring.state import Draft, MaskedArea, State
 from raybundle.numerics.arrays import Array, Mask
 

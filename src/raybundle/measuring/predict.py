@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.errors import phrase
 from raybundle.measuring.frames import file_matrix, to_file
-from raybundle.measuring.place import Located, Row, design, joint_of, locate
+from raybundle.measuring.position import Located, Row, design, joint_of, locate
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import State
 from raybundle.measuring.views import ray, seen_in, view

@@ -9,7 +9,7 @@ from typing import cast
 
 import numpy as np
 
-from raybundle.adjustment.check_points import used_rays
+from raybundle.adjustment.evaluation.check_points import used_rays
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Role
 from raybundle.errors import InputError

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError, NotSolvable, Text, as_detail, joined_texts, phrase
@@ -17,9 +17,9 @@ from raybundle.io.block.folder import read_block
 from raybundle.io.block.places import block_places
 from raybundle.measuring.joint import Joint
 from raybundle.measuring.journal import measured_result
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.numerics.progress import Progress, silent
-from raybundle.results.asked import made_as
+from raybundle.results.stored_options import made_as
 
 Adjust = Callable[[Block], Adjustment]
 

@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import NoOrientation, NotSolvable, Text, as_detail, joined_texts, note, phrase
 from raybundle.measuring.film import Scans
+from raybundle.measuring.mark_blunders import Wrong, with_wrong_marks, wrong_marks
 from raybundle.measuring.merge import Merged, merge
-from raybundle.measuring.mistaken import Wrong, with_wrong_marks, wrong_marks
 from raybundle.measuring.orienting import unoriented
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import State
-from raybundle.orientation.lacking import COMMON, KNOWN, Lack
+from raybundle.orientation.missing_data import COMMON, KNOWN, Lack
 
 AT_ONCE = 50_000
 """Image observations up to which a block is adjusted anew after every mark."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.adjustment.predict import image_points
+from raybundle.adjustment.system.predict import image_points
 from raybundle.measuring.session import Session
 from raybundle.numerics.arrays import Array
 from raybundle.platforms.station import sensor_from_object, station_partials

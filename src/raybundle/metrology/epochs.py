@@ -8,8 +8,8 @@ from itertools import combinations
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import Severity
 from raybundle.errors import InputError, Message, Value, message
 from raybundle.metrology.congruence import Congruence, common_ids
 from raybundle.metrology.misfit import in_one_line, misfit

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import POOR_FIT, Severity
 from raybundle.errors import Message, Value, message
 from raybundle.metrology.best_fit import BestFit
 from raybundle.metrology.misfit import Misfit

@@ -8,8 +8,9 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment, Notice, notice_of_text
-from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.adjustment.records.notice import Notice, notice_of_text
+from raybundle.adjustment.records.severity import POOR_FIT, Severity
+from raybundle.adjustment.result import Adjustment
 from raybundle.errors import Message, Value, message, message_of_text
 from raybundle.metrology.bars import BarTest
 from raybundle.metrology.best_fit import BestFit

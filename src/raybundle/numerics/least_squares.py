@@ -1,8 +1,8 @@
 """Least squares with few unknowns: Gauss and Newton, damped where a step does not help.
 
 For closed problems of some to some hundred unknowns: a calibration converted, a DLT, an empirical model.  Bundle
-adjustment (`adjustment.solve`: sparse, with statistics) and windows of grey values (`targets`, `matching`: thousands
-side by side in compiled code) have solvers of their own.
+adjustment (`adjustment.system.solve`: sparse, with statistics) and windows of grey values (`targets`, `matching`:
+thousands side by side in compiled code) have solvers of their own.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.block import Block
 from raybundle.block.select import points_left, with_rows
 from raybundle.errors import Text, joined_texts, phrase

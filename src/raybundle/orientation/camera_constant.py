@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.block import Block, Camera
 from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import NoOrientation

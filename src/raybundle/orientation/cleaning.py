@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.engine import estimate_only
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent

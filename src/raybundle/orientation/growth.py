@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from raybundle.adjustment.engine import estimate_only, free_parameters
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block, Role
 from raybundle.errors import InputError, Text
 from raybundle.numerics.arrays import Array, Index, Mask

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raybundle.adjustment.engine import estimate_only
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.rigs import (
     MOUNTING,
 )

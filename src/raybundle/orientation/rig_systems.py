@@ -13,7 +13,6 @@ from raybundle.block.rigs import (
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.growth import SMALL_ANGLE, WRONG
-from raybundle.orientation.onto_rays import KnownRays, OntoRays, onto_rays
 from raybundle.orientation.rays import intersect_linear, object_rays
 from raybundle.orientation.rig_pose import (
     FEWEST,
@@ -21,6 +20,7 @@ from raybundle.orientation.rig_pose import (
     joined_by_stations,
 )
 from raybundle.orientation.rig_state import Mounting, Rigs, is_free, is_open, move, renew_points
+from raybundle.orientation.similarity_onto_rays import KnownRays, OntoRays, onto_rays
 from raybundle.platforms.rig import OFFSET
 
 

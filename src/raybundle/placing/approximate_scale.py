@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError, Value
 from raybundle.numerics.arrays import Array

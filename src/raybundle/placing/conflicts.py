@@ -12,8 +12,9 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import POOR_FIT, Severity
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Distances, Stations
 from raybundle.errors import Message, message
 from raybundle.numerics.arrays import Array

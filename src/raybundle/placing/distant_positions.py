@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.errors import InputError, Value
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.photos.photo import Photo

@@ -8,8 +8,9 @@ from itertools import combinations
 
 import numpy as np
 
-from raybundle.adjustment.identical_control import identical_notices
-from raybundle.adjustment.result import Adjustment, Notice, notice_of_text
+from raybundle.adjustment.blunders.identical_control import identical_notices
+from raybundle.adjustment.records.notice import Notice, notice_of_text
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Role
 from raybundle.block.rejection import Rejection
 from raybundle.block.select import with_rows
@@ -19,10 +20,11 @@ from raybundle.io.geo.coordinate_systems import WGS84, LocalFrame, local_frame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.transform import SimilarityTransform, similarity
-from raybundle.orientation.onto_rays import KnownRays, onto_rays
 from raybundle.orientation.rays import object_rays, rays_of
+from raybundle.orientation.similarity_onto_rays import KnownRays, onto_rays
 from raybundle.placing.attitudes import observe_attitudes
-from raybundle.placing.bar_units import without_strange_bars
+from raybundle.placing.exchanged_axes import control_as_read, positions_as_read
+from raybundle.placing.exchanged_control import without_exchanged_positions, without_misread_control
 from raybundle.placing.marks import (
     Given,
     Placing,
@@ -35,12 +37,11 @@ from raybundle.placing.marks import (
     without_empty_control,
 )
 from raybundle.placing.mirrored import mirrored_notices, without_control
-from raybundle.placing.misread import without_exchanged_positions, without_misread_control
-from raybundle.placing.misread_axes import control_as_read, positions_as_read
 from raybundle.placing.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma, turn_sigma
-from raybundle.placing.reduced_marks import take_at_their_size
-from raybundle.placing.round_marks import take_eccentricity_off
-from raybundle.placing.turned_marks import take_turned_back
+from raybundle.placing.rescaled_marks import take_at_their_size
+from raybundle.placing.rotated_marks import take_turned_back
+from raybundle.placing.rounded_marks import take_eccentricity_off
+from raybundle.placing.scale_bar_units import without_strange_bars
 from raybundle.placing.upright import Upright, doubts, upright
 from raybundle.placing.wrong_positions import without_wrong_positions
 

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.predict import residuals_px
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import Severity
+from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block, Distances, Observations, Points, Role
 from raybundle.block.select import selected
 from raybundle.errors import InputError, Message, Value, plain

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from raybundle.adjustment.records.severity import POOR_FIT
 from raybundle.adjustment.result import Adjustment
-from raybundle.adjustment.severity import POOR_FIT
 from raybundle.block import Block
 from raybundle.errors import InputError, Message, message
 from raybundle.numerics.arrays import Array

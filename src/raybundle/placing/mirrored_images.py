@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.block import Block
 from raybundle.errors import InputError, message
 from raybundle.numerics.arrays import Array

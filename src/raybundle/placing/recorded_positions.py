@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import Severity
+from raybundle.adjustment.result import Adjustment
 from raybundle.errors import Message, message, message_of_text, note
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.statistics import chi_square_tails

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.block import Block
 from raybundle.errors import InputError, Value
 from raybundle.io.photos.photo import Photo, upright_from_stored

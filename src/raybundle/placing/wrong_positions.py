@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index

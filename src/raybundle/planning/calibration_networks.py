@@ -8,7 +8,7 @@ import numpy as np
 
 from raybundle.block.block import Camera
 from raybundle.numerics.arrays import Array
-from raybundle.planning.scenes import Scene, brown_camera
+from raybundle.planning.synthetic_networks import Scene, brown_camera
 
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")
 ROLLS = (0.0, 90.0, 180.0, 270.0)

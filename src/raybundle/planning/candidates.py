@@ -8,8 +8,8 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
-from raybundle.planning.scenes import look_at
 from raybundle.planning.site import Site
+from raybundle.planning.synthetic_networks import look_at
 
 LEAST = 4
 """Points that a photograph must show: fewer do not orient it"""

@@ -8,10 +8,10 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.additions import Columns, Gain
-from raybundle.adjustment.joint_cofactors import Factored
-from raybundle.adjustment.precision import interior_unknowns, node_cofactor
+from raybundle.adjustment.evaluation.additions import Columns, Gain
+from raybundle.adjustment.evaluation.joint_cofactors import Factored
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.statistics.precision import interior_unknowns, node_cofactor
 from raybundle.block.points import automatic
 from raybundle.calibration.maps import ProjectionShifts, projection_shifts
 from raybundle.errors import InputError

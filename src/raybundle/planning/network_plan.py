@@ -15,10 +15,10 @@ from raybundle.objects.surface import SurfacePoints, tiles
 from raybundle.planning.aims import Aim, AimName, aims
 from raybundle.planning.candidates import LEAST, Stations, candidate_stations, places_of
 from raybundle.planning.configuration import Design, Designer, Search, improved
+from raybundle.planning.datum_of_plan import Held, Wanted, held
 from raybundle.planning.densify import Densified, densified, repeated
-from raybundle.planning.drawn import Promise, promised
+from raybundle.planning.detection_draws import Promise, promised
 from raybundle.planning.expected import SURE, Expected, Networks, Part, Short
-from raybundle.planning.held import Held, Wanted, held
 from raybundle.planning.site import Site
 
 FEWEST, MOST = 4, 60

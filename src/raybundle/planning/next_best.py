@@ -1,8 +1,9 @@
 """The next best photographs: which of many that could be taken lowers standard deviations most, or frees the camera.
 
 Every candidate is judged by the covariances that an adjustment with it would state, exactly and without making one
-(`adjustment.additions`): for the image points that it is taken to see, of the precision of the others.  What this does
-not show: whether one can stand there, and whether the points can be recognised; the true surface may hide some.
+(`adjustment.evaluation.additions`): for the image points that it is taken to see, of the precision of the others.
+What this does not show: whether one can stand there, and whether the points can be recognised; the true surface may
+hide some.
 """
 
 from __future__ import annotations
@@ -12,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.adjustment.additions import Photographs, gain
-from raybundle.adjustment.dense import one_thread
+from raybundle.adjustment.evaluation.additions import Photographs, gain
+from raybundle.adjustment.system.dense import one_thread
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.planning.goals import Goal, Standing, measure_of

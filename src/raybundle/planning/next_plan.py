@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from raybundle.adjustment.additions import with_photographs
-from raybundle.adjustment.again import block_again
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.joint_cofactors import Factored
+from raybundle.adjustment.evaluation.additions import with_photographs
+from raybundle.adjustment.evaluation.joint_cofactors import Factored
+from raybundle.adjustment.readjust import block_again
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.block.points import automatic
@@ -21,8 +21,8 @@ from raybundle.planning.goals import For, Goal
 from raybundle.planning.next_best import Chosen, next_best
 from raybundle.planning.obstacles import Obstacles
 from raybundle.planning.outlook import MOST_POINTS, Outlook, points_of, wider_than_white
-from raybundle.planning.sight import FEWEST, GRAZING, PointSight
 from raybundle.planning.stations import Reach, reachable
+from raybundle.planning.visibility import FEWEST, GRAZING, PointSight
 from raybundle.platforms import Carried
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.objects.surface import Surface
 from raybundle.objects.surfels import surface_of_points
 from raybundle.planning.candidates import Stations
-from raybundle.planning.scenes import look_at
+from raybundle.planning.synthetic_networks import look_at
 
 LEAST_RAYS = 3
 """Rays of points that show where the surface is: two meet wherever they are wrong along their plane"""

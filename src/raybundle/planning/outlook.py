@@ -7,16 +7,16 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from raybundle.adjustment.additions import Photographs, Rows, rows_of, with_photographs
-from raybundle.adjustment.interior import image_effects, plausible_std
-from raybundle.adjustment.joint_cofactors import Factored, JointCofactors, joint_cofactors
+from raybundle.adjustment.evaluation.additions import Photographs, Rows, rows_of, with_photographs
+from raybundle.adjustment.evaluation.joint_cofactors import Factored, JointCofactors, joint_cofactors
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.statistics.interior import image_effects, plausible_std
 from raybundle.block import Block
 from raybundle.block.points import automatic
 from raybundle.block.rejection import Rejections
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.planning.sight import well_spread
+from raybundle.planning.visibility import well_spread
 
 MOST_POINTS = 1000
 """Object points whose joint covariance is formed: 72 MB, and some milliseconds for each candidate."""
@@ -118,7 +118,8 @@ def _freed(result: Adjustment, block: Block, camera: str) -> tuple[Block, tuple[
     """The block with a camera whose parameters that it does not determine are observed; all that are free; variances.
 
     With what one knows of such a camera anyway, so that there is a factor; `goals.without_prior` takes it away again.
-    Parameters that the adjustment itself kept near what was given (`adjustment.steady`) are among them.
+    Parameters that the adjustment itself kept near what was given (`adjustment.evaluation.held_interiors`) are among
+    them.
     """
     owner = next((c for c in block.cameras if c.id == camera), None)
     interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.interior import image_effects, plausible_std
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.statistics.interior import image_effects, plausible_std
 from raybundle.block import Block, Camera, Instrument
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import correlation

@@ -28,7 +28,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.objects.surface import farthest_first
-from raybundle.planning.scenes import Scene
+from raybundle.planning.synthetic_networks import Scene
 from raybundle.sensors import SensorModel, sensor_models
 
 Start = Literal["exact", "approximate", "absent"]

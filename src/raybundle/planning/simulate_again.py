@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.predict import exact_tables, predicted_px
+from raybundle.adjustment.system.predict import exact_tables, predicted_px
 from raybundle.block import Block, Role
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array

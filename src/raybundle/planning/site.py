@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from raybundle.adjustment.predict import projected
+from raybundle.adjustment.system.predict import projected
 from raybundle.block import Camera
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask

@@ -11,7 +11,7 @@ from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.sight import well_spread
+from raybundle.planning.visibility import well_spread
 
 MOST = 1000
 """Candidates."""

@@ -14,7 +14,7 @@ from raybundle.numerics.attitude import rotation_from_gimbal
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.aerial import PLACES, control_rows
 from raybundle.planning.aerial_block import Aerial, aerial_block
-from raybundle.planning.scenes import Scene, brown_camera
+from raybundle.planning.synthetic_networks import Scene, brown_camera
 
 LEAST_POINTS = 4
 """Tie points along the shorter side of the ground"""

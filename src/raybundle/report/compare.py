@@ -10,7 +10,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from raybundle.adjustment.severity import SEVERITY, Severity
+from raybundle.adjustment.records.severity import SEVERITY, Severity
 from raybundle.errors import InputError, Text, joined_texts, note, phrase
 from raybundle.io.folders import new_files
 from raybundle.io.reading.files import read_text

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from raybundle.adjustment.accuracy import Accuracy, Axes, ObjectAxes
-from raybundle.adjustment.accuracy_class import AccuracyClass, Judged, all_kept, judged
-from raybundle.planning.flown import Flight, flight_of
+from raybundle.adjustment.blunders.accuracy import Accuracy, Axes, ObjectAxes
+from raybundle.adjustment.blunders.accuracy_class import AccuracyClass, Judged, all_kept, judged
+from raybundle.planning.flight_record import Flight, flight_of
 from raybundle.report.outcome import Outcome
 from raybundle.report.text.accuracy_words import accuracy_outcome, asprs_statements
 from raybundle.results.record import Record

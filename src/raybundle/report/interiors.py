@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from raybundle.adjustment.result import InteriorResult
+from raybundle.adjustment.records.figures import InteriorResult
 from raybundle.calibration.maps import UncertaintyMap, projection_uncertainty
 from raybundle.report.figures.distortion import Interior
 from raybundle.report.view import View

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.severity import Severity
 from raybundle.errors import Text, note, phrase
 from raybundle.io.folders import new_files
 from raybundle.metrology.best_fit import BestFit

@@ -19,6 +19,7 @@ from raybundle.block import Block, Role
 from raybundle.errors import Text, note, phrase
 from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array, Index
+from raybundle.objects.cloud import CloudSample
 from raybundle.report.document import environment
 from raybundle.report.figures.svg import spread_rows
 from raybundle.report.languages import ENGLISH
@@ -28,7 +29,6 @@ from raybundle.report.network_shape import frusta
 from raybundle.report.sigma_classes import sigma_classes
 from raybundle.report.text.words import datum_words
 from raybundle.report.view import FREE_UNIT, View, view_of, with_near_viewpoints
-from raybundle.surfaces.summary import CloudSample
 
 MOST_ELLIPSOIDS = 2_000
 """Error ellipsoids that a page holds; those of control and check points before others."""

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from raybundle.adjustment.cell_means import normalised_residuals
+from raybundle.adjustment.evaluation.cell_means import normalised_residuals
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.report.figures.svg import spread_rows

@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.accuracy import Accuracy
-from raybundle.adjustment.check_points import check_differences, used_rays
-from raybundle.adjustment.result import Adjustment, InteriorResult
+from raybundle.adjustment.blunders.accuracy import Accuracy
+from raybundle.adjustment.evaluation.check_points import check_differences, used_rays
+from raybundle.adjustment.records.figures import InteriorResult
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import phrase
 from raybundle.metrology.lengths import LengthTest

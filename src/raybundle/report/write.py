@@ -15,10 +15,10 @@ from raybundle.report.languages import ENGLISH, checked_language
 from raybundle.report.paper.needed import check_typesetter
 from raybundle.results.folder import MAP, MAP_CONTROL, written_folder
 from raybundle.results.record import RECORD_FILE, Record
-from raybundle.results.recorded import known_by_photographs, recorded_text
+from raybundle.results.recording_sheet import known_by_photographs, recorded_text
 
 if TYPE_CHECKING:
-    from raybundle.adjustment.accuracy_class import AccuracyClass
+    from raybundle.adjustment.blunders.accuracy_class import AccuracyClass
     from raybundle.calibration.quality import CalibrationQuality
     from raybundle.io.geo.coordinate_systems import LocalFrame
     from raybundle.report.facts import PhotographFacts

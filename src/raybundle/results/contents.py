@@ -9,8 +9,10 @@ from typing import Any, cast
 
 import numpy as np
 
-from raybundle.adjustment.counts import counts
-from raybundle.adjustment.result import Adjustment, InteriorResult, gravest_first
+from raybundle.adjustment.evaluation.counts import counts
+from raybundle.adjustment.records.figures import InteriorResult
+from raybundle.adjustment.records.notice import gravest_first
+from raybundle.adjustment.result import Adjustment
 from raybundle.block.rejection import counts as rejections
 from raybundle.io.digits import (
     SHARE,

@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from raybundle.adjustment.again import block_again
+from raybundle.adjustment.readjust import block_again
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError

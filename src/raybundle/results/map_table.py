@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.accuracy import Compared
+from raybundle.adjustment.blunders.accuracy import Compared
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Role
 from raybundle.io.digits import EVERY, STD, Digits, brought, by_sigma, in_network, jointly

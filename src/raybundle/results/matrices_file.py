@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.matrices import Matrices
+from raybundle.adjustment.evaluation.matrices import Matrices
 from raybundle.errors import InputError
 from raybundle.io.digits import exact
 from raybundle.io.folders import check_free, new_files

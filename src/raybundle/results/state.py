@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from raybundle import words
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import SEVERITY, Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import SEVERITY, Severity
 from raybundle.errors import InputError, Message, Text, message_of, note, phrase
 from raybundle.io.reading.trees import read_json
 

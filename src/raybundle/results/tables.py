@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from raybundle.adjustment.accuracy import levelled
-from raybundle.adjustment.check_points import check_differences, used_rays
-from raybundle.adjustment.result import Adjustment, ObservationGroup
+from raybundle.adjustment.blunders.accuracy import levelled
+from raybundle.adjustment.evaluation.check_points import check_differences, used_rays
+from raybundle.adjustment.records.figures import ObservationGroup
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Role
 from raybundle.block.rejection import words
 from raybundle.io.block.folder import angles_deg

@@ -127,7 +127,7 @@ def observations(desk: Desk, image: str) -> dict[str, Any]:
 
 def predictions(desk: Desk, point: str, images: Sequence[str]) -> dict[str, Any]:
     """Where a point is, where it should be seen in some images, and where else it may be measured."""
-    from raybundle.measuring.place import locate  # noqa: PLC0415
+    from raybundle.measuring.position import locate  # noqa: PLC0415
 
     session, state = desk.session, desk.journal.state
     located = locate(session, state, point)

@@ -26,21 +26,21 @@ from raybundle.errors import InputError, RaybundleError
 from raybundle.io.reading.trees import json_of
 from raybundle.measuring.control import control_of_text
 from raybundle.studio import answers, masking, tables
-from raybundle.studio.asking import asked
 from raybundle.studio.calibrated import Calibrations
 from raybundle.studio.deciding import PAGE_POLICY, Deciding
 from raybundle.studio.desk import Desk
 from raybundle.studio.detecting import Detecting
 from raybundle.studio.forms import table_of
 from raybundle.studio.guard import POLICY_HEADER, Guard, Session, TooLarge
-from raybundle.studio.live import Live
 from raybundle.studio.pairs import pairs
+from raybundle.studio.queries import asked
 from raybundle.studio.running import Running
 from raybundle.studio.scene import scene
 from raybundle.studio.snapping import fiducials_found, snapped
 from raybundle.studio.tables import Wanted
 from raybundle.studio.targeting import Targeting
 from raybundle.studio.verbs import command_of
+from raybundle.studio.watchers import Live
 from raybundle.studio.work import Work
 
 PAGE = {

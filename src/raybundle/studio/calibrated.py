@@ -9,17 +9,18 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment, InteriorResult
-from raybundle.adjustment.structure import ResidualStructure, residual_structure
+from raybundle.adjustment.evaluation.residual_structure import ResidualStructure, residual_structure
+from raybundle.adjustment.records.figures import InteriorResult
+from raybundle.adjustment.result import Adjustment
 from raybundle.calibration.quality import calibration_quality
 from raybundle.commands.calibrate import quality_table
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import read_json
 from raybundle.planning.next_photographs import advised
-from raybundle.report.alone import svg_of
 from raybundle.report.figures.interior import coverage_map
 from raybundle.report.parts import Figure, Figures, Folded, Heading, Part
 from raybundle.report.sections.interior import MOST_DRAWN, interior_section
+from raybundle.report.single_figure import svg_of
 from raybundle.report.view import View, view_of
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk

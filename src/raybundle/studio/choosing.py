@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.interior_notices import STRONG
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Adjustment, InteriorResult, ParameterResult
+from raybundle.adjustment.evaluation.interior_notices import STRONG
+from raybundle.adjustment.records.figures import InteriorResult, ParameterResult
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Camera, Instrument
 from raybundle.errors import InputError
 from raybundle.measuring.decisions import Quantity

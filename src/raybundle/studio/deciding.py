@@ -19,8 +19,8 @@ from raybundle.studio.answers import state_of
 from raybundle.studio.desk import Desk
 from raybundle.studio.forms import table_of
 from raybundle.studio.guard import POLICY_HEADER
-from raybundle.studio.live import Live
 from raybundle.studio.verbs import command_of
+from raybundle.studio.watchers import Live
 from raybundle.studio.work import Work
 
 PAGE_POLICY = (

@@ -16,14 +16,14 @@ from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.measuring.film import Scans, read_scans
 from raybundle.measuring.journal import Journal, journal_path
-from raybundle.measuring.known import Known
+from raybundle.measuring.names import Known
 from raybundle.measuring.session import Session, block_folder, latest_block, readjusted
 from raybundle.measuring.start import Standing, standing_of, to_begin
 from raybundle.numerics.arrays import Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.rays import common_counts
 from raybundle.pipeline.project import photographs_of
-from raybundle.results.asked import made_as
+from raybundle.results.stored_options import made_as
 from raybundle.studio.tiles import Tiles
 
 Kind = Literal["project", "result", "block"]

@@ -19,7 +19,7 @@ from raybundle.pipeline.project import products_of
 from raybundle.results.folder import PROJECT
 from raybundle.studio.answers import finite, numbers
 from raybundle.studio.desk import Desk, named
-from raybundle.studio.live import Live
+from raybundle.studio.watchers import Live
 from raybundle.targets.families import families
 from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.marks import Marks, Target, detect, forms, target

@@ -51,7 +51,7 @@ class Runnable:
     @property
     def titles(self) -> tuple[str, ...]:
         """Its stages, in order."""
-        from raybundle.workflows.calibrating import CALIBRATE  # noqa: PLC0415  (what computes is loaded when asked)
+        from raybundle.workflows.calibrating.stages import CALIBRATE  # noqa: PLC0415  (what computes is loaded when asked)
         from raybundle.workflows.orient import stages  # noqa: PLC0415
 
         return stages() if self.name == "orient" else (*CALIBRATE.titles(), "report")

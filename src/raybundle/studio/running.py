@@ -12,8 +12,8 @@ from raybundle.errors import InputError, RaybundleError
 from raybundle.pipeline.project import StageRecord
 from raybundle.studio.child import Child
 from raybundle.studio.desk import Desk
-from raybundle.studio.live import Live
 from raybundle.studio.runnable import Runnable, runnable
+from raybundle.studio.watchers import Live
 from raybundle.studio.work import Work
 
 EVERY_S = 0.25

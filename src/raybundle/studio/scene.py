@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.network import FEW
+from raybundle.adjustment.statistics.network import FEW
 from raybundle.block import Block, Role
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.photographs import STRONG

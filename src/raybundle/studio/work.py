@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import RaybundleError
 from raybundle.measuring.decisions import with_decisions
 from raybundle.measuring.journal import measured_result
@@ -16,9 +16,9 @@ from raybundle.measuring.start import adjusted, begun, standing_after
 from raybundle.report.write import write_result
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
-from raybundle.studio.live import Live
 from raybundle.studio.shelf import Shelf, own_result
 from raybundle.studio.verbs import command_of_adjusting
+from raybundle.studio.watchers import Live
 from raybundle.workflows.adjust import adjust
 
 REST_S = 0.3

@@ -11,7 +11,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.targets.centre import CONTRAST, DotOptions, DotOutcome, Dots, fit_dots
 from raybundle.targets.codes import RingFamily, rotations
-from raybundle.targets.covered import measure_dots
+from raybundle.targets.partial_dots import measure_dots
 from raybundle.targets.pattern import pattern_misfit, settled_misfit
 from raybundle.targets.rings import (
     Edges,

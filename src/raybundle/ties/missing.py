@@ -14,9 +14,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from raybundle.adjustment.predict import predicted_px
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import Severity
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import Block
 from raybundle.errors import Value, message
 from raybundle.matching.verify import FEWEST

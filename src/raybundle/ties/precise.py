@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block, as_start
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import predicted_px
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import Block, Camera, Observations
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.select import with_rows, without_images

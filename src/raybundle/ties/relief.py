@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.predict import predicted_px
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import Block
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rows import rows_of_each

@@ -14,9 +14,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.predict import residuals_px
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import Severity
+from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block, Observations
 from raybundle.block.points import automatic_name
 from raybundle.errors import NoOrientation, Value

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.verify import VerifiedPair

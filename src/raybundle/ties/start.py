@@ -10,8 +10,8 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block, Camera
 from raybundle.block.known import known_before
 from raybundle.block.select import with_rows

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.io.photos.photo import Photo, upright_from_stored
 from raybundle.matching.features import Described, FeatureMethod
 from raybundle.matching.verify import limit_px, verify

@@ -8,24 +8,25 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment import defects
-from raybundle.adjustment.check_points import with_check_notice
-from raybundle.adjustment.decide import decide
-from raybundle.adjustment.entry import check_entry
-from raybundle.adjustment.identical_control import identical_notices
+from raybundle.adjustment.blunders.identical_control import identical_notices
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.decision.variance_groups import by_groups
+from raybundle.adjustment.evaluation.check_points import with_check_notice
+from raybundle.adjustment.evaluation.noise_covariance import under_noise
+from raybundle.adjustment.evaluation.residual_structure import shared_errors_notice, structure_notice
 from raybundle.adjustment.noise_sample import sample_under_noise
-from raybundle.adjustment.options import FEWEST_IMAGES, AdjustmentOptions
-from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.adjustment.scene_start import refuse_unoriented, with_scene_points
-from raybundle.adjustment.severity import POOR_FIT, Severity
-from raybundle.adjustment.structure import shared_errors_notice, structure_notice
-from raybundle.adjustment.under_noise import under_noise
-from raybundle.adjustment.variance_groups import by_groups
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import FEWEST_IMAGES, AdjustmentOptions
+from raybundle.adjustment.records.severity import POOR_FIT, Severity
+from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system import defects
+from raybundle.adjustment.system.input_checks import check_entry
+from raybundle.adjustment.system.scene_start import refuse_unoriented, with_scene_points
 from raybundle.block import Block, Role
 from raybundle.block.points import automatic
 from raybundle.block.rejection import RejectionKind, known_wrong
 from raybundle.block.rigs import with_shared_orientation
-from raybundle.calibration.given import calibration_notices, held_notices
+from raybundle.calibration.previous_calibration import calibration_notices, held_notices
 from raybundle.errors import (
     DatumDefect,
     InputError,
@@ -41,13 +42,13 @@ from raybundle.errors import (
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, in_rounds, silent
 from raybundle.observations import observation_kinds
-from raybundle.orientation.given_points import intersected_where_better, without_given_ties
+from raybundle.orientation.known_points import intersected_where_better, without_given_ties
 from raybundle.placing.approximate_scale import start_scale_notices
-from raybundle.placing.bar_doubts import BarDoubt, bar_doubt_notice, doubted_bars
 from raybundle.placing.conflicts import Conflict, conflict_message, conflict_notice, conflicts
-from raybundle.placing.control_doubts import as_ties, doubt_message, doubted_control, notice
-from raybundle.placing.image_doubts import image_doubt_notices, origin_message, unit_message
+from raybundle.placing.control_blunders import as_ties, doubt_message, doubted_control, notice
+from raybundle.placing.image_blunders import image_doubt_notices, origin_message, unit_message
 from raybundle.placing.mirrored_images import mirrored_image_notices
+from raybundle.placing.scale_bar_blunders import BarDoubt, bar_doubt_notice, doubted_bars
 from raybundle.workflows.noise_in_parts import in_parts, without_fields
 
 LOOKED_AT = 500_000

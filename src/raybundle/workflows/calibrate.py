@@ -19,9 +19,9 @@ from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.project import Project, StageRecord
 from raybundle.pipeline.stage import Run
 from raybundle.sensors import sensor_models
-from raybundle.workflows.calibrate_options import CalibrateOptions
-from raybundle.workflows.calibrate_state import CalibrateState, Calibration
-from raybundle.workflows.calibrating import CALIBRATE
+from raybundle.workflows.calibrating.options import CalibrateOptions
+from raybundle.workflows.calibrating.stages import CALIBRATE
+from raybundle.workflows.calibrating.state import CalibrateState, Calibration
 
 __all__ = ["CalibrateOptions", "Calibration", "calibrate"]
 

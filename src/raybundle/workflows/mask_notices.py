@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.errors import named
 from raybundle.io.photos.masks import Masks
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.adjustment.evaluation.residual_structure import shared_errors_notice
 from raybundle.adjustment.noise_sample import sample_under_noise
-from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.adjustment.structure import shared_errors_notice
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.result import Adjustment
 from raybundle.errors import Message, message
 
 

@@ -20,7 +20,7 @@ from raybundle.io.geo.parsed_systems import system_name
 from raybundle.measuring.axes import IN_LINE
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.planes import in_plane, plane_of_most
-from raybundle.workflows.plumb import Plumb, asked_plumb, points_at
+from raybundle.workflows.vertical import Plumb, asked_plumb, points_at
 
 if TYPE_CHECKING:
     from pyproj import CRS

@@ -26,13 +26,13 @@ from raybundle.placing.marks import Given
 from raybundle.placing.upright import Upright
 from raybundle.ties.block import image_sigma_px
 from raybundle.ties.precise import Weights
-from raybundle.workflows.connected_components import ConnectedComponent, component_folder
-from raybundle.workflows.dropped import Dropped
-from raybundle.workflows.earlier_names import Earlier
-from raybundle.workflows.final import left_out
-from raybundle.workflows.orient_options import PIXELS_GB, OrientOptions
-from raybundle.workflows.orient_state import Asked, OrientState
-from raybundle.workflows.orienting import ORIENT
+from raybundle.workflows.final_adjustment import left_out
+from raybundle.workflows.orienting.connected_components import ConnectedComponent, component_folder
+from raybundle.workflows.orienting.excluded_features import Dropped
+from raybundle.workflows.orienting.options import PIXELS_GB, OrientOptions
+from raybundle.workflows.orienting.previous_names import Earlier
+from raybundle.workflows.orienting.stages import ORIENT
+from raybundle.workflows.orienting.state import Asked, OrientState
 from raybundle.workflows.photograph_contents import CONTENTS
 from raybundle.workflows.scenes.images import SceneImage
 from raybundle.workflows.scenes.ties import ScenePair

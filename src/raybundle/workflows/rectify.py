@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial import KDTree
 
-from raybundle.adjustment.predict import predicted_px
+from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import system_name

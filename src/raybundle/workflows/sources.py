@@ -21,7 +21,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.results.folder import MAP, ResultFolder, read_result
 from raybundle.results.record import STATE
-from raybundle.results.recorded import read_recorded
+from raybundle.results.recording_sheet import read_recorded
 from raybundle.results.state import state_words
 from raybundle.workflows.block_frame import in_block_frame
 

@@ -15,14 +15,14 @@ from functools import cached_property
 from pathlib import Path
 from weakref import finalize
 
-from raybundle.adjustment.assemble import System
-from raybundle.adjustment.factoring import Factoring, made_by
-from raybundle.adjustment.normals import Normals
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.assemble import System
+from raybundle.adjustment.system.factoring import Factoring, made_by
+from raybundle.adjustment.system.normals import Normals
 from raybundle.block import Block
-from raybundle.blocking.adjusted import in_parts
-from raybundle.blocking.whole import WholeNormals
+from raybundle.blocking.network_in_memory import WholeNormals
+from raybundle.blocking.normals_in_parts import in_parts
 from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.folder import read_block
 from raybundle.io.block.pieces import image_points_in, read_in_pieces
@@ -35,7 +35,7 @@ from raybundle.pipeline.choosing import staying_for
 from raybundle.pipeline.clusters import token_of
 from raybundle.pipeline.executors import Executor, Staying
 from raybundle.pipeline.store import Folder, whole_url
-from raybundle.workflows.left import NOTES, forget_left, forget_stores, note_store, part_store
+from raybundle.workflows.unfinished_parts import NOTES, forget_left, forget_stores, note_store, part_store
 
 SHARE = 0.8
 """Of the memory that is free, what is taken where nothing is asked for."""

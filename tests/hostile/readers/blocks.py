@@ -12,8 +12,8 @@ from tests.hostile.readers.registry import command, place, target, wrong_in_bloc
 
 @functools.cache
 def small_block():
-    from raybundle.planning.scenes import TargetField, brown_camera, field_scene
     from raybundle.planning.simulate import Survey, simulate
+    from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
     camera = brown_camera(values=dict.fromkeys(("K2", "K3", "P1", "P2"), 0.0))
     plan = TargetField(camera=camera, stations=3, frontal=2, rows=3, columns=4)

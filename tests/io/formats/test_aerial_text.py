@@ -12,8 +12,8 @@ from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.formats import Export, read_format, write_format
 from raybundle.numerics.rotation import rotation_from_angles
-from raybundle.planning.scenes import AerialStrips, aerial_scene, brown_camera
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene, brown_camera
 
 BOTH = ("patb", "bingo")
 # two photographs 1000 m above three points, c 150 mm, without turns: x = 150 mm * dX / 1000 m

@@ -11,8 +11,8 @@ from raybundle.cameras.forward_camera import forward_pixels, forward_rays
 from raybundle.errors import InputError
 from raybundle.io.formats import Export, read_format, write_format
 from raybundle.io.formats.colmap_cameras import MODELS, forward_of
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
 SIZE = (640, 480)
 PARAMETERS = {

@@ -13,8 +13,8 @@ from raybundle.errors import InputError
 from raybundle.io.formats import Export, formats, read_format, write_format
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.pictures.undistort import undistorted_block
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
 BOTH = sorted(n for n, f in formats.items() if f.read and f.write)
 WRITTEN = sorted(n for n, f in formats.items() if f.write)

@@ -10,8 +10,8 @@ from raybundle.errors import InputError
 from raybundle.io.formats import Export, formats, read_format, write_format
 from raybundle.io.formats.base import Import
 from raybundle.io.reading.xml import read_xml
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 
 BOTH = sorted(n for n, f in formats.items() if f.read and f.write)
 PIECES = st.sampled_from(

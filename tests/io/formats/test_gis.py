@@ -19,8 +19,8 @@ from raybundle.io.geo.coordinate_systems import in_other_projection, local_frame
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines
-from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.report.write import write_result
 from raybundle.workflows.sources import read_source
 

@@ -8,8 +8,8 @@ import pytest
 from raybundle.block import Role
 from raybundle.errors import InputError
 from raybundle.io.formats import Export, read_format, write_format
-from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 
 R = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
 T = np.array([100.0, 200.0, 30.0])

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import DATA
 
-from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.records.severity import Severity
 from raybundle.block import Camera
 from raybundle.block.known import known_before
 from raybundle.errors import InputError, code_of, phrase

@@ -131,7 +131,7 @@ def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> 
     from raybundle.commands.planning.network_files import write_network_plan  # noqa: PLC0415  (loaded after the help)
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415
     from raybundle.planning import network_plan  # noqa: PLC0415
-    from raybundle.planning.held import Wanted  # noqa: PLC0415
+    from raybundle.planning.datum_of_plan import Wanted  # noqa: PLC0415
 
     if settings.sigma is None and settings.photographs is None and settings.stations is None:
         raise InputError("plan.no_goal")
@@ -212,7 +212,7 @@ def stations_of(path: Path) -> Stations:
 
 def camera_of(settings: NetworkSettings) -> Camera:
     """The camera: as calibrated, as a photograph states it, or by its numbers."""
-    from raybundle.planning.scenes import brown_camera  # noqa: PLC0415
+    from raybundle.planning.synthetic_networks import brown_camera  # noqa: PLC0415
 
     free = () if settings.hold_camera else ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")
     if settings.camera is None and Path(settings.object).is_dir():

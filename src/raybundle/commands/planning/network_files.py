@@ -12,7 +12,7 @@ from raybundle.errors import Text, note, phrase, warning
 if TYPE_CHECKING:
     from raybundle.errors import Message
     from raybundle.numerics.arrays import Array
-    from raybundle.planning.held import Held
+    from raybundle.planning.datum_of_plan import Held
     from raybundle.planning.network_plan import NetworkPlan
 
 VISIBLE = "visible.csv"
@@ -32,7 +32,7 @@ def write_network_plan(
     import numpy as np  # noqa: PLC0415
 
     from raybundle.adjustment.engine import adjust_block  # noqa: PLC0415
-    from raybundle.adjustment.options import AdjustmentOptions  # noqa: PLC0415
+    from raybundle.adjustment.records.options import AdjustmentOptions  # noqa: PLC0415
     from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
     from raybundle.io.block.tables import named  # noqa: PLC0415
     from raybundle.io.digits import COUNT, EVERY, SETTING, SHORT, STD, by_sigma, of_places  # noqa: PLC0415

@@ -124,7 +124,7 @@ def _adjusted(folder: Path, progress: Progress) -> Adjustment:
 
     from raybundle.io.block.folder import read_block  # noqa: PLC0415
     from raybundle.measuring.session import block_folder, readjusted  # noqa: PLC0415
-    from raybundle.results.asked import made_as  # noqa: PLC0415
+    from raybundle.results.stored_options import made_as  # noqa: PLC0415
 
     inner = block_folder(folder)
     block, options = made_as(inner, read_block(inner))

@@ -77,8 +77,8 @@ def adjusted_block_in(folder: Path, threads: int = 0) -> tuple[Block, bool]:
     seen = np.unique(block.observations.point)
     if np.isfinite(block.points.xyz[seen]).all():
         return block, False
-    from raybundle.adjustment.again import block_again  # noqa: PLC0415
-    from raybundle.adjustment.options import AdjustmentOptions  # noqa: PLC0415
+    from raybundle.adjustment.readjust import block_again  # noqa: PLC0415
+    from raybundle.adjustment.records.options import AdjustmentOptions  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
 
     return block_again(adjust(block, AdjustmentOptions(statistics=False, jobs=threads))), True

@@ -95,7 +95,7 @@ def run_plan_list(settings: ListSettings, progress: Progress = silent) -> Networ
     from raybundle.commands.planning.network_files import write_network_plan  # noqa: PLC0415  (loaded after the help)
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415
     from raybundle.planning.assistants import assistants  # noqa: PLC0415
-    from raybundle.planning.held import Wanted  # noqa: PLC0415
+    from raybundle.planning.datum_of_plan import Wanted  # noqa: PLC0415
     from raybundle.planning.network_plan import plan_network  # noqa: PLC0415
 
     if settings.kind not in assistants:
@@ -262,7 +262,7 @@ def facts_of(settings: ListSettings, plan: NetworkPlan) -> list[str]:
 def _worth_words(plan: NetworkPlan, sigma_px: float) -> str:
     """What the calibration that comes with the photographs is good for."""
     from raybundle.calibration.quality import GOOD_PX, REACH, SURE, USABLE_PX  # noqa: PLC0415
-    from raybundle.planning.worth import calibration_worth  # noqa: PLC0415
+    from raybundle.planning.calibration_quality import calibration_worth  # noqa: PLC0415
 
     w = calibration_worth(plan.site, plan.design.stations, plan.promise.interior)
     limit = {"good": 0.0, "usable": GOOD_PX}.get(w.grade, USABLE_PX)

@@ -15,8 +15,8 @@ from raybundle.planning.predicted import predicted
 from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera, on_site, pair, survey
 from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984
-from raybundle.planning.scenes import AerialStrips, Ring, aerial_scene, ring_scene
 from raybundle.planning.simulate import simulate
+from raybundle.planning.synthetic_networks import AerialStrips, Ring, aerial_scene, ring_scene
 
 BOX, FIELD = Targets(size=(0.4, 0.4), depth=0.1, side=6, layers=3), Targets(depth=0.3, side=7, layers=3)
 EXPOSURES = (1, 2, 4)

@@ -11,8 +11,8 @@ from raybundle.numerics.arrays import Array
 from raybundle.planning.calibration_networks import calibration_camera
 from raybundle.planning.network_plan import Cost, walk
 from raybundle.planning.predicted import Predicted, predicted
-from raybundle.planning.scenes import Scene, look_at
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Scene, look_at
 
 IMAGE_SIGMA_PX = 0.05
 """Of targets; every standard deviation of a free network is proportional to it."""

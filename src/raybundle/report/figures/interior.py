@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.network import CELLS, format_cells
+from raybundle.adjustment.statistics.network import CELLS, format_cells
 from raybundle.block import Camera
 from raybundle.calibration.maps import UncertaintyMap
 from raybundle.errors import phrase

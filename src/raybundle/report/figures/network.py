@@ -9,7 +9,7 @@ from html import escape
 
 import numpy as np
 
-from raybundle.adjustment.result import NetworkFigures
+from raybundle.adjustment.records.figures import NetworkFigures
 from raybundle.block import Role
 from raybundle.errors import Message, note, phrase
 from raybundle.numerics.arrays import Array, Index

@@ -8,7 +8,7 @@ from html import escape
 
 import numpy as np
 
-from raybundle.adjustment.network import FEW
+from raybundle.adjustment.statistics.network import FEW
 from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.svg import (

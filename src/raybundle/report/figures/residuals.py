@@ -8,7 +8,7 @@ from statistics import NormalDist
 
 import numpy as np
 
-from raybundle.adjustment.cell_means import CellMeans
+from raybundle.adjustment.evaluation.cell_means import CellMeans
 from raybundle.block import Camera
 from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index

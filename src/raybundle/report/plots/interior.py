@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from raybundle.adjustment.result import InteriorResult
+from raybundle.adjustment.records.figures import InteriorResult
 from raybundle.calibration.maps import UncertaintyMap
 from raybundle.errors import InputError, Text, phrase
 from raybundle.report.figures.distortion import (

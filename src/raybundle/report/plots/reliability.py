@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from raybundle.adjustment.cell_means import cell_means
+from raybundle.adjustment.evaluation.cell_means import cell_means
 from raybundle.block import Camera
 from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array, Mask

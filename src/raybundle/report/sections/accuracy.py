@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from raybundle.adjustment.network import MANY
+from raybundle.adjustment.statistics.network import MANY
 from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.chapters import section

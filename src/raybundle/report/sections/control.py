@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.accuracy import levelled
-from raybundle.adjustment.result import ObservationGroup
+from raybundle.adjustment.blunders.accuracy import levelled
+from raybundle.adjustment.records.figures import ObservationGroup
 from raybundle.block import Role
 from raybundle.block.known import known_before
 from raybundle.errors import Message, Text, note, phrase

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.accuracy import Compared
-from raybundle.adjustment.counts import counts
-from raybundle.adjustment.spread import few_hold, of_points
+from raybundle.adjustment.blunders.accuracy import Compared
+from raybundle.adjustment.evaluation.counts import counts
+from raybundle.adjustment.statistics.far_points_share import few_hold, of_points
 from raybundle.calibration.quality import CalibrationQuality
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array

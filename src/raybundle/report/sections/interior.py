@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.result import InteriorResult, ParameterResult
+from raybundle.adjustment.records.figures import InteriorResult, ParameterResult
 from raybundle.block import Instrument
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array

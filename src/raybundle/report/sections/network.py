@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from raybundle.adjustment.network import COMMON
-from raybundle.adjustment.result import NetworkFigures
+from raybundle.adjustment.records.figures import NetworkFigures
+from raybundle.adjustment.statistics.network import COMMON
 from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.chapters import Occasion, chapter, section

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from raybundle.adjustment.fields import Noise
+from raybundle.adjustment.statistics.fields import Noise
 from raybundle.errors import Text, message_of_text, note, phrase
 from raybundle.report.chapters import section
 from raybundle.report.parts import Column, Paragraph, Part, Section, Table, number, table, text

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from raybundle.adjustment.result import InteriorResult, ParameterResult
+from raybundle.adjustment.records.figures import InteriorResult, ParameterResult
 from raybundle.block import Camera
 from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array, Index, Mask

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.network import FEW
-from raybundle.adjustment.result import InteriorResult
+from raybundle.adjustment.records.figures import InteriorResult
+from raybundle.adjustment.statistics.network import FEW
 from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.chapters import Occasion, chapter

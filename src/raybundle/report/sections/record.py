@@ -7,7 +7,7 @@ from raybundle.report.chapters import Occasion, chapter
 from raybundle.report.languages import Localised
 from raybundle.report.parts import Heading, Paragraph, Part, Section, table, text
 from raybundle.results.record import PARTS, Record
-from raybundle.results.recorded import known_by_photographs, rows_of
+from raybundle.results.recording_sheet import known_by_photographs, rows_of
 
 TITLES = ("object", "recording", "delivery")
 """Parts of the sheet"""

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.cell_means import cell_means
+from raybundle.adjustment.evaluation.cell_means import cell_means
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import ALPHA, CRITICAL_W, DELTA0, POWER

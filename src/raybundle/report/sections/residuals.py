@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from raybundle.adjustment.cell_means import FAMILY, CellMeans, cell_means
+from raybundle.adjustment.evaluation.cell_means import FAMILY, CellMeans, cell_means
 from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.chapters import section

@@ -7,11 +7,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.adjustment.counts import counts
-from raybundle.adjustment.network import classed
-from raybundle.adjustment.result import Adjustment, Notice, sorted_notices
-from raybundle.adjustment.severity import Severity
-from raybundle.adjustment.spread import few_hold
+from raybundle.adjustment.evaluation.counts import counts
+from raybundle.adjustment.records.notice import Notice, sorted_notices
+from raybundle.adjustment.records.severity import Severity
+from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.statistics.far_points_share import few_hold
+from raybundle.adjustment.statistics.network import classed
 from raybundle.errors import Message, Text, Value, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.chapters import Occasion, chapter, section

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from raybundle.adjustment.result import InteriorResult
+from raybundle.adjustment.records.figures import InteriorResult
 from raybundle.block import Camera
 from raybundle.errors import Message, Text, message_of_text, note, phrase, text_of_error
 from raybundle.numerics.arrays import Array, Index

@@ -8,7 +8,7 @@ from dataclasses import fields, replace
 
 import numpy as np
 
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.errors import Text, note, phrase
 from raybundle.io.block.folder import angles_deg

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from raybundle.adjustment.roughness import doubled
+from raybundle.adjustment.evaluation.tie_roughness import doubled
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures.network import ray_histogram

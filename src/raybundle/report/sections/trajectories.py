@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.adjustment.result import InteriorResult, ObservationGroup
+from raybundle.adjustment.records.figures import InteriorResult, ObservationGroup
 from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import decimals_for

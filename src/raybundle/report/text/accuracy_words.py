@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from raybundle.adjustment.accuracy_class import AccuracyClass, Judged, all_kept
+from raybundle.adjustment.blunders.accuracy_class import AccuracyClass, Judged, all_kept
 from raybundle.errors import Message, Text, note
 from raybundle.report.languages import Localised
 from raybundle.report.outcome import Outcome

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from raybundle import words
-from raybundle.adjustment.result import Notice, sorted_notices
-from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.adjustment.records.notice import Notice, sorted_notices
+from raybundle.adjustment.records.severity import POOR_FIT, Severity
 from raybundle.calibration.quality import CalibrationQuality
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.report.chapters import Occasion

@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 
-from raybundle.adjustment.check_points import check_differences
-from raybundle.adjustment.counts import counts
-from raybundle.adjustment.fields import Noise
-from raybundle.adjustment.network import classed
+from raybundle.adjustment.evaluation.check_points import check_differences
+from raybundle.adjustment.evaluation.counts import counts
+from raybundle.adjustment.evaluation.tie_roughness import doubled
 from raybundle.adjustment.result import Adjustment
-from raybundle.adjustment.roughness import doubled
-from raybundle.adjustment.spread import few_hold
+from raybundle.adjustment.statistics.far_points_share import few_hold
+from raybundle.adjustment.statistics.fields import Noise
+from raybundle.adjustment.statistics.network import classed
 from raybundle.block import Block
 from raybundle.errors import Message, note
 from raybundle.io.photos.start import NOMINAL_PIXEL_MM

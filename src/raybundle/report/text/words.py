@@ -9,13 +9,14 @@ from typing import Any, Literal
 
 import numpy as np
 
-from raybundle.adjustment.counts import counts
-from raybundle.adjustment.datum import ABOUT_LINE, NAMES, SHORT, open_part
-from raybundle.adjustment.network import classed
-from raybundle.adjustment.reliability import UNCONTROLLED
-from raybundle.adjustment.result import Adjustment, NetworkFigures, ObservationGroup
-from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
-from raybundle.adjustment.spread import FewHold, few_hold
+from raybundle.adjustment.evaluation.counts import counts
+from raybundle.adjustment.records.figures import NetworkFigures, ObservationGroup
+from raybundle.adjustment.records.severity import NEARLY, POOR_FIT, Severity
+from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.statistics.far_points_share import FewHold, few_hold
+from raybundle.adjustment.statistics.network import classed
+from raybundle.adjustment.statistics.reliability import UNCONTROLLED
+from raybundle.adjustment.system.datum import ABOUT_LINE, NAMES, SHORT, open_part
 from raybundle.errors import Message, Text, joined_texts, message_of_text, note, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails

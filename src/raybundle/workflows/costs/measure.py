@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.dense import one_thread
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.dense import one_thread
 from raybundle.block import Block
 from raybundle.blocking import front as fronts
 from raybundle.blocking.columns import InFiles
@@ -27,8 +27,8 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.store import Folder
 from raybundle.planning.made_ground import gravel_pit
 from raybundle.planning.rendering import View
-from raybundle.planning.scenes import AerialStrips, aerial_scene, brown_camera, look_at
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene, brown_camera, look_at
 from raybundle.workflows.costs.adjustment import KEPT, KINDS, operations
 from raybundle.workflows.costs.constants import REVISION, Constants, Sweep, processor, shipped, version
 from raybundle.workflows.costs.recording import CountingFolder, Recording, TaskRecord

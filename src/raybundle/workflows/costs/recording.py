@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from raybundle.adjustment.dense import one_thread
+from raybundle.adjustment.system.dense import one_thread
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.place import Product
 from raybundle.pipeline.store import Folder

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.scene_start import with_scene_points
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.scene_start import with_scene_points
 from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation, excluded, message

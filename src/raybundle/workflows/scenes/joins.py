@@ -8,7 +8,7 @@ from typing import cast
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.records.notice import Notice
 from raybundle.block import Block, Observations, Role
 from raybundle.errors import Message, message
 from raybundle.matching.features import FeatureMethod

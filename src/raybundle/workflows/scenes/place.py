@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from raybundle.adjustment.result import Notice
-from raybundle.adjustment.scene_start import with_scene_points
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.system.scene_start import with_scene_points
 from raybundle.block import Block, Role
 from raybundle.errors import InputError
 from raybundle.io.geo.control_files import ControlFile

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from raybundle.adjustment.result import Notice, notice_of_text
+from raybundle.adjustment.records.notice import Notice, notice_of_text
 from raybundle.block import Block
 from raybundle.errors import phrase
 from raybundle.io.photos.photo import Photo
@@ -13,10 +13,9 @@ from raybundle.matching.features import FeatureMethod
 from raybundle.placing.georeference import Georeferenced, Surroundings
 from raybundle.placing.marks import Given, add_bars
 from raybundle.ties.points import FeatureStore
-from raybundle.workflows.connected_components import place_components
-from raybundle.workflows.kept import Reasons
-from raybundle.workflows.orient_options import OrientOptions
-from raybundle.workflows.orient_state import SceneState
+from raybundle.workflows.orienting.connected_components import place_components
+from raybundle.workflows.orienting.options import OrientOptions
+from raybundle.workflows.orienting.state import SceneState
 from raybundle.workflows.scenes.joins import with_joins
 from raybundle.workflows.scenes.place import (
     common_frame,
@@ -27,6 +26,7 @@ from raybundle.workflows.scenes.place import (
     place_scenes,
     places_of_marks,
 )
+from raybundle.workflows.stage_arrays import Reasons
 
 
 def place_with_scenes(

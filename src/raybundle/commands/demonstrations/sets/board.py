@@ -13,7 +13,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
 from raybundle.planning.made_board import PrintedBoard
 from raybundle.planning.rendering import View
-from raybundle.planning.scenes import look_at
+from raybundle.planning.synthetic_networks import look_at
 from raybundle.sensors import sensor_models
 
 ABOUT = "photographs of a chessboard by a camera of a machine, and its true values as OpenCV has them"

@@ -13,7 +13,7 @@ from raybundle.numerics.progress import Progress
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.made_ground import gravel_pit
 from raybundle.planning.rendering import View
-from raybundle.planning.scenes import look_at
+from raybundle.planning.synthetic_networks import look_at
 
 ABOUT = "photographs of a flight over a gravel pit, with control and check points in UTM"
 SEED = 11

@@ -1,0 +1,1 @@
+"""Which observations, control points, scale bars or images contradict the others."""

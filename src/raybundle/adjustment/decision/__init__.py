@@ -1,0 +1,1 @@
+"""Decisions that adjust again: blunders, parameters of the interior orientation, variance groups."""

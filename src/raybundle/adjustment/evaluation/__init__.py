@@ -1,0 +1,1 @@
+"""What a finished adjustment shows: covariances, structure of residuals, further standard deviations."""

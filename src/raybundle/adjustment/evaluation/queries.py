@@ -1,0 +1,384 @@
+"""Questions to a finished adjustment: any covariance, another datum, separability; nothing is adjusted again."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from raybundle.adjustment.evaluation.tie_roughness import widened
+from raybundle.adjustment.statistics.noise import spread_in_datum
+from raybundle.adjustment.statistics.precision import angle_form, image_unknowns, interior_unknowns, precision
+from raybundle.adjustment.statistics.system_state import Work
+from raybundle.adjustment.system.assemble import State, System
+from raybundle.adjustment.system.datum import Datum, Transformation
+from raybundle.adjustment.system.normals import Normals
+from raybundle.adjustment.system.other_observations import Part
+from raybundle.adjustment.system.transformation import transformation
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index
+from raybundle.platforms.station import sensor_from_object, station_partials
+from raybundle.sensors.model import ProjectionDiverged
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.records.figures import ObservationStatistics, Precision
+    from raybundle.adjustment.result import Adjustment
+
+SUSPECTS = 20
+"""Largest number of suspects whose separability is listed."""
+TOGETHER = 16
+"""Right sides that the kernels solve at once."""
+
+
+def covariance_between(result: Adjustment, first: str, second: str) -> Array:
+    """Covariance (k, l) between any two of: object points, images, cameras; a-posteriori, in the result's datum.
+
+    first, second  "point:7", "image:DSC01", "camera:1"; components X, Y, Z; X, Y, Z, omega, phi, kappa [rad];
+                   the free parameters of the camera in their order; KIND:NAME of what a kind of observation has as
+                   unknowns of its own ("plane:floor"), in the order of its steps
+    raises         InputError for names that took no part
+
+    One solution of the normal equations, not a read-out: it exists for every pair, near or far.
+    """
+    work, state = _work(result)
+    system = work.system
+    a, Da = _selection(system, state, first)
+    b, Db = _selection(system, state, second)
+    nodes, points = _cofactors_with(work, state, a)
+    C = np.array([points[at, axis] if kind == "point" else nodes[at] for kind, at, axis in b]).T
+    C = _variance(result) * Da @ C @ Db.T
+    return C + _roughness(result, first) if first == second else C
+
+
+def _roughness(result: Adjustment, name: str) -> Array | float:
+    """What relief within its windows adds to the covariance (3, 3) of a point; 0 for everything else."""
+    kind, _, identity = name.partition(":")
+    rough = None if result.precision is None else result.precision.roughness
+    if kind != "point" or rough is None:
+        return 0.0
+    r = rough[result.given.points.ids.index(identity)]
+    return np.outer(r, r)
+
+
+def _cofactors_with(work: Work, state: State, chosen: list[tuple[str, int, int]]) -> tuple[Array, Array]:
+    """Columns of the inverse: cofactors (u, k) of all nodes and (p, 3, k) of all points with chosen unknowns."""
+    system = work.system
+    nodes = np.zeros((int(system.offsets[-1]), len(chosen)))
+    points = np.zeros((*state.xyz.shape, len(chosen)))
+    for k, (kind, at, axis) in enumerate(chosen):
+        if kind == "point":
+            points[at, axis, k] = 1
+        else:
+            nodes[at, k] = 1
+    solve = work.spread.solve if work.spread is not None else partial(work.normals.solve, state)
+    for start in range(0, len(chosen), TOGETHER):
+        part = slice(start, start + TOGETHER)
+        nodes[:, part], points[:, :, part] = solve(
+            np.ascontiguousarray(nodes[:, part]), np.ascontiguousarray(points[:, :, part])
+        )
+    found = work.under_noise or work.found
+    t = found.transformation if found else None
+    if t is not None:
+        Ga, Ha = _gauge(system, t, chosen)
+        nodes, points = (
+            Q - G @ t.middle @ Ha.T - H @ t.middle.T @ Ga.T + G @ (t.middle @ t.inner @ t.middle.T) @ Ga.T
+            for Q, G, H in ((nodes, t.nodes, t.nodes_h), (points, t.points, t.points_h))
+        )
+    return nodes, points
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Step:
+    """One unknown of an orientation, as the adjustment steps along it."""
+
+    images: tuple[int, ...]
+    """whose projection it changes, of those that were asked for"""
+    axis: int = -1
+    """0 to 2: the projection centre; 3 to 5: a small rotation on the left, exp([step]x) R [rad]; -1: interior"""
+    symbol: str = ""
+    """of an interior orientation's parameter"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JointOrientation:
+    """How exterior and interior orientations of some images are uncertain together."""
+
+    steps: tuple[Step, ...]
+    """(k,) what is free; what is held is not among them"""
+    covariance: Array
+    """(k, k) a-posteriori, in the result's datum"""
+    unknowns: Index
+    """(k,) their numbers in the adjustment: the same for whichever images are asked for"""
+
+
+def joint_orientation(result: Adjustment, images: Sequence[int]) -> JointOrientation:
+    """The joint covariance of all that projects into some images: exterior and interior orientations.
+
+    images  rows of the block's images that took part
+    raises  InputError for an image that did not
+
+    In the steps of the adjustment, not in angles: nothing is singular where an axis lies along X.
+    """
+    work, state = _work(result)
+    system, block = work.system, work.system.block
+    unknowns, steps = list[int](), list[Step]()
+    of_row = dict[int, list[int]]()
+    for i in images:
+        if not system.images_used[i]:
+            raise InputError("query.image_without_part", image=block.images.ids[i])
+        if system.exterior_free[i]:
+            unknowns.extend(image_unknowns(system, i).tolist())
+            steps.extend(Step(images=(i,), axis=axis) for axis in range(6))
+        row = int(system.interior_of_image[i])
+        while row >= 0:
+            of_row.setdefault(row, []).append(i)
+            row = system.interior[row].parent
+    for r, mine in sorted(of_row.items()):
+        row = system.interior[r]
+        if row.node >= 0:
+            unknowns.extend(interior_unknowns(system, row).tolist())
+            names = row.sensor.symbols
+            steps.extend(Step(images=tuple(mine), symbol=names[k]) for k in row.free)
+    nodes, _ = _cofactors_with(work, state, [("node", u, 0) for u in unknowns])
+    Q = nodes[unknowns]
+    return JointOrientation(
+        steps=tuple(steps), covariance=_variance(result) * (Q + Q.T) / 2, unknowns=np.array(unknowns, np.int64)
+    )
+
+
+def own_values(result: Adjustment, name: str) -> Array:
+    """Adjusted values (w,) of an unknown that a kind of observation has for itself, in the frame of the object.
+
+    name    KIND:NAME, as "plane:floor"; the values are those that the kind states (`ObservationKind.own_start`)
+    raises  InputError for a name that took no part
+    Their covariance is that of the small steps that the kind takes: `covariance_between(result, name, name)`.
+    """
+    work, state = _work(result)
+    found = _own(work.system, name)
+    if found is None:
+        raise InputError("query.unknown_own", name=name)
+    part, k = found
+    return part.kind.own_placed(state.own[part.kind.name], 1.0, np.eye(3), work.system.shift)[k]
+
+
+def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Precision:
+    """Covariances of points, images and cameras under inner constraints over these points (S-transformation).
+
+    Only what the observations leave open is taken from the points; residuals and sigma0 do not change.
+    """
+    work, state = _work(result)
+    index = {name: i for i, name in enumerate(work.system.block.points.ids)}
+    missing = [p for p in datum_points if p not in index or not work.system.points_used[index[p]]]
+    if missing:
+        raise InputError("datum.unknown_points", n=len(missing), points=missing)
+    if work.datum.defect == 0:
+        raise InputError("datum.fixed")
+    carriers = np.zeros(len(index), bool)
+    carriers[[index[p] for p in datum_points]] = True
+    datum = Datum(
+        kind="inner", basis=work.datum.basis, centre=work.datum.centre, extent=work.datum.extent, carriers=carriers
+    )
+    assert work.found is not None
+    rough = None if result.precision is None else result.precision.roughness
+    if work.spread is not None:
+        found = spread_in_datum(work.spread, work.found, datum)
+    else:
+        change = transformation(work.normals, state, datum)
+        assert change is not None
+        points_h = work.normals.solve_points(state, change.nodes_h, change.given)
+        points_h[work.normals.system.held] = 0
+        change = change.with_points(points_h)
+        points = change.apply_own(work.found.points_minimal)
+        found = replace(work.found, transformation=change, points=points)
+    changed = precision(work.normals, state, found, _variance(result))
+    return changed if rough is None else widened(changed, rough)
+
+
+def _work(result: Adjustment) -> tuple[Work, State]:
+    if result.handle.work is None:
+        raise InputError("adjustment.no_statistics")
+    return result.handle.work, result.handle.work.state
+
+
+def _variance(result: Adjustment) -> float:
+    return result.variance_factor
+
+
+def _selection(system: System, state: State, name: str) -> tuple[list[tuple[str, int, int]], Array]:
+    """Scalar unknowns of a named object and the derivative of its shown components by them."""
+    kind, _, identity = name.partition(":")
+    block = system.block
+    if kind == "point" and identity in block.points.ids:
+        p = block.points.ids.index(identity)
+        if system.points_used[p]:
+            if system.point_node[p] >= 0:
+                start = int(system.offsets[system.point_node[p]])
+                return [("node", start + e, e) for e in range(3)], np.eye(3)
+            return [("point", p, e) for e in range(3)], np.eye(3)
+    if kind == "image" and identity in block.images.ids:
+        i = block.images.ids.index(identity)
+        if system.images_used[i] and system.exterior_free[i]:
+            unknowns = image_unknowns(system, i)
+            return [("node", int(u), 0) for u in unknowns], angle_form(state.rotation[i])
+    if kind == "camera":
+        for row in system.interior:
+            if row.key(block) == identity and row.node >= 0:
+                unknowns = interior_unknowns(system, row)
+                return [("node", int(u), 0) for u in unknowns], np.eye(len(unknowns))
+    if (found := _own(system, name)) is not None:
+        columns = system.own_columns(found[0].kind)[found[1]]
+        return [("node", int(u), 0) for u in columns], np.eye(len(columns))
+    raise InputError("query.unknown", name=name)
+
+
+def _own(system: System, name: str) -> tuple[Part, int] | None:
+    """The rows of a kind with unknowns of its own, and which of them has this name."""
+    kind, _, identity = name.partition(":")
+    part = system.extra.of(kind)
+    if part is None or not part.kind.own_width:
+        return None
+    names = part.kind.own(part.table, system.extra.scope)
+    return (part, names.index(identity)) if identity in names else None
+
+
+def _gauge(system: System, t: Transformation, chosen: list[tuple[str, int, int]]) -> tuple[Array, Array]:
+    del system
+    G = np.array([t.points[at, axis] if kind == "point" else t.nodes[at] for kind, at, axis in chosen])
+    H = np.array([t.points_h[at, axis] if kind == "point" else t.nodes_h[at] for kind, at, axis in chosen])
+    return G, H
+
+
+def suspects(
+    work: Work, state: State, statistics: ObservationStatistics, critical: float
+) -> tuple[tuple[str, str, float, float], ...]:
+    """Suspects and their separability: image, point, |w|, and the largest correlation of w with another suspect's.
+
+    Correlation of the test values (Förstner 1983): near 1 the test cannot show which of the two is wrong.
+    """
+    system = work.system
+    size = np.nan_to_num(np.abs(statistics.t[system.rows]))
+    chosen = np.argsort(-size.max(axis=1), kind="stable")[:SUSPECTS]
+    chosen = chosen[size[chosen].max(axis=1) > critical]
+    if not len(chosen):
+        return ()
+    axis = size[chosen].argmax(axis=1)
+    Q = _residual_cofactor(work, state, chosen, axis)
+    s = np.sqrt(np.maximum(np.diagonal(Q), 1e-300))
+    rho = np.abs(Q / np.outer(s, s))
+    np.fill_diagonal(rho, 0)
+    block = system.block
+    w = np.abs(statistics.w[system.rows])
+    rows = system.rows[chosen]
+    return tuple(
+        (
+            block.images.ids[block.observations.image[r]],
+            block.points.ids[block.observations.point[r]],
+            float(w[k, a]),
+            float(rho[i].max()) if len(chosen) > 1 else 0.0,
+        )
+        for i, (r, k, a) in enumerate(zip(rows, chosen, axis, strict=True))
+    )
+
+
+def _residual_cofactor(work: Work, state: State, chosen: Array, axis: Array) -> Array:
+    """Cofactors (k, k) of whitened residuals: I - A Q A'."""
+    normals: Normals = work.normals
+    system = work.system
+    nodes = np.zeros((int(system.offsets[-1]), len(chosen)))
+    points = np.zeros((*state.xyz.shape, len(chosen)))
+    for k, (row, a) in enumerate(zip(chosen, axis, strict=True)):
+        at, values, point, by_point = design_row(system, state, int(row), int(a))
+        nodes[at, k] = values
+        points[point, :, k] = by_point
+    result = np.eye(len(chosen))
+    for start in range(0, len(chosen), TOGETHER):
+        part = slice(start, start + TOGETHER)
+        x, y = normals.solve(state, np.ascontiguousarray(nodes[:, part]), np.ascontiguousarray(points[:, :, part]))
+        result[:, part] -= nodes.T @ x + np.einsum("pek,pel->kl", points, y)
+    return result
+
+
+def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array, Array, int, Array]:
+    """One whitened row of the design matrix: node unknowns (k,), their derivatives (k,), point, derivatives (3,).
+
+    Derivatives of a retained point stand with the point here; `Normals.solve` moves them to its node.
+    """
+    block = system.block
+    o = system.rows[row]
+    image, point = int(block.observations.image[o]), int(block.observations.point[o])
+    interior = system.interior[int(system.interior_of_image[image])]
+    model = interior.sensor
+    values = state.interior[int(system.interior_of_image[image]), : len(model.symbols)]
+    R = state.rotation[image]
+    P = sensor_from_object(R[None], state.centre[image][None], state.xyz[point][None])[:, 0]
+    xy = system.xy_mm[row]
+    if not system.corrected[block.images.camera[image]]:
+        # a grossly wrong point may lie where the lens has no image: its row is then that of the place observed
+        with suppress(ProjectionDiverged):
+            xy = model.solve(P[:, None], values[:, None], xy[:, None].copy())[0][:, 0]
+    _, J = model.condition_and_jacobian(*xy, *P, *values)
+    B = np.eye(2) if system.corrected[block.images.camera[image]] else J[:, :2]
+    D = -np.linalg.solve(B, J[:, 2:])
+    w = system.whiten[row]
+    D = np.array([[w[0], 0.0], [w[1], w[2]]])[axis] @ D
+    by_station, by_point = station_partials(R, P, D[:3])
+    columns: list[Array] = []
+    unknowns: list[Array] = []
+    if system.exterior_free[image]:
+        unknowns.append(image_unknowns(system, image))
+        columns.append(by_station)
+    if interior.node >= 0:
+        unknowns.append(interior_unknowns(system, interior))
+        columns.append(D[3:][list(interior.free)])
+    parent = system.interior[interior.parent] if interior.parent >= 0 else None
+    if parent is not None and parent.node >= 0:
+        unknowns.append(interior_unknowns(system, parent))
+        columns.append(D[3:][list(parent.free)])
+    at = np.concatenate(unknowns) if unknowns else np.zeros(0, int)
+    return at, np.concatenate(columns) if columns else np.zeros(0), point, np.where(system.held[point], 0.0, by_point)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NamedCovariance:
+    """A covariance matrix and what its rows are."""
+
+    names: tuple[str, ...]
+    """(k,) "point:7:X", "image:DSC01:kappa", "camera:1:c" """
+    matrix: Array
+    """(k, k) a-posteriori, in the result's datum; rad, units of the block and of the parameters"""
+
+    @property
+    def std(self) -> dict[str, float]:
+        """Standard deviations by name."""
+        return dict(zip(self.names, np.sqrt(np.maximum(np.diag(self.matrix), 0)).tolist(), strict=True))
+
+
+def covariance(result: Adjustment, names: Sequence[str]) -> NamedCovariance:
+    """The joint covariance of several objects of an adjustment, with the names of its rows.
+
+    names   "point:7", "image:DSC01", "camera:1", as `covariance_between` takes them
+    raises  InputError for names that took no part
+    """
+    blocks = [[covariance_between(result, a, b) for b in names[k:]] for k, a in enumerate(names)]
+    full = [[blocks[i][j - i] if j >= i else blocks[j][i - j].T for j in range(len(names))] for i in range(len(names))]
+    matrix = np.block(full) if names else np.zeros((0, 0))
+    rows = [f"{name}:{c}" for k, name in enumerate(names) for c in _components(result, name, len(blocks[k][0]))]
+    return NamedCovariance(names=tuple(rows), matrix=matrix)
+
+
+def _components(result: Adjustment, name: str, count: int) -> Sequence[str]:
+    """What the components of a named object are called."""
+    kind, _, identity = name.partition(":")
+    if kind == "point":
+        return "XYZ"
+    if kind == "image":
+        return ("X0", "Y0", "Z0", "omega", "phi", "kappa")
+    if kind == "camera":
+        work, _ = _work(result)
+        row = next(r for r in work.system.interior if r.key(work.system.block) == identity)
+        return [row.model.parameters[k].symbol for k in row.free]
+    return [str(k) for k in range(count)]

@@ -1,0 +1,1 @@
+"""Data that all parts of an adjustment share: settings, notices, statistics as plain data."""

@@ -1,0 +1,271 @@
+"""The normal equations of a block with the columns of its fields: nothing is estimated with them.
+
+Each image's node is widened by the coefficients of its field; the project's own reduction then gives, object points
+eliminated, how fields couple with the unknowns (H) and with one another, and how errors of this kind go on into every
+unknown (J = Q U: nodes Q H, points behind them).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from raybundle.adjustment.statistics.fields import WithFields
+from raybundle.adjustment.system.assemble import InteriorRow, State, System
+from raybundle.adjustment.system.images_numpy import inverse2
+from raybundle.adjustment.system.normals import Normals
+from raybundle.errors import phrase
+from raybundle.numerics.arrays import Array, Index
+from raybundle.platforms.station import sensor_from_object
+
+BLOCKS = 20_000
+"""Blocks of a normal matrix whose entries are numbered together: of 16 by 16, 40 MB each time."""
+
+
+@dataclass(slots=True)
+class FieldSystem:
+    """A block's normal equations beside those with fields, in the datum of the factor."""
+
+    base: Normals
+    state: State
+    wide: Normals
+    wide_state: State
+    images: Index
+    """(f,) images that have a field, in the order of its columns"""
+    unknowns: Array
+    """(N,) places of the block's own unknowns of nodes among the wide ones"""
+    columns: Array
+    """(10 f,) places of the fields' coefficients"""
+    H: Any
+    """(N, 10 f) sparse: unknowns of nodes with fields, points eliminated"""
+    own: Any
+    """(10 f, 10 f) sparse: fields with fields, points eliminated"""
+    scores: Array
+    """(10 f,) right sides of the fields, all unknowns eliminated: F' W v"""
+
+    @property
+    def is_finite(self) -> bool:
+        """False where some image points determine nothing of their object points by themselves."""
+        return all(bool(np.isfinite(part).all()) for part in (self.scores, self.H.data, self.own.data))
+
+    def of_nodes(self, chosen: Array) -> Array:
+        """J (N, k) of the nodes: influence of these fields (k,) on the unknowns."""
+        return self.base.solved(self.H[:, chosen].toarray())
+
+    def left(self, chosen: Array) -> Array:
+        """Columns (10 f, k) of F' W R F: what is left of the fields when all unknowns are eliminated."""
+        return self.own[:, chosen].toarray() - self.H.T @ self.of_nodes(chosen)
+
+    def points_of(self, nodes: Array, coefficients: Array) -> Array:
+        """J c of the points (p, 3, k) for coefficients (10 f, k) whose J c of the nodes (N, k) is known."""
+        wide = np.ascontiguousarray(self.wide_nodes(nodes, -coefficients))
+        return self.wide.solve_points(self.wide_state, wide, np.zeros((*self.state.xyz.shape, wide.shape[1])))
+
+    def wide_nodes(self, nodes: Array, fields: Array) -> Array:
+        """(wide N, k) of the block's own unknowns (N, k) and of the fields (10 f, k)."""
+        whole = np.zeros((len(self.unknowns) + len(self.columns), fields.shape[1]))
+        whole[self.unknowns], whole[self.columns] = nodes, fields
+        return whole
+
+    def influence(self, coefficients: Array) -> tuple[Array, Array]:
+        """J c for coefficients (10 f, k): nodes (N, k) and points (p, 3, k)."""
+        nodes = self.base.solved(self.H @ coefficients)
+        return nodes, self.points_of(nodes, coefficients)
+
+    def projected(self, nodes: Array, given: Array) -> Array:
+        """J' a (10 f, k) for right sides a.
+
+        given  (p, 3, k) a of the points;  nodes  (N, k) what `Normals.solve` made of the whole a
+        """
+        k = nodes.shape[1]
+        free = np.ascontiguousarray(given * ~self.base.system.held[:, :, None])
+        condensed = self.wide.solver.condense(*self.wide.arguments(self.wide_state), self.wide.threads, free, k)
+        return self.H.T @ nodes - condensed[self.columns]
+
+
+def reason_against(system: System) -> str:
+    """Why no fields are looked for in this block; "" where they can be."""
+    nodes = system.image_node[system.images_used]
+    nodes = nodes[nodes >= 0]
+    if len(np.unique(nodes)) < len(nodes):
+        return phrase("noise.rig")
+    images = np.flatnonzero(system.images_used)
+    names = sorted({_model(system, int(i)).name for i in images if not _carries(system, int(i))})
+    if names and not any(_carries(system, int(i)) for i in images):
+        return phrase("noise.no_format", models=names)
+    return ""
+
+
+def _model(system: System, image: int) -> Any:
+    return system.interior[int(system.interior_of_image[image])].model
+
+
+def _carries(system: System, image: int) -> bool:
+    """Whether an image has a field: a sensor with one format whose parameters all count at every place."""
+    model = _model(system, image)
+    scene = system.block.cameras[int(system.block.images.camera[image])].is_scene
+    return bool(model.one_format and not model.local_width and not scene)
+
+
+def field_system(base: Normals, state: State, kind: type[WithFields] = WithFields) -> FieldSystem:
+    """The wide normal equations at the state at which the block's own are factored.
+
+    kind  what each image has of its own: a smooth field, or an interior orientation
+    """
+    system = base.system
+    images = np.array([i for i in np.flatnonzero(system.images_used) if _carries(system, int(i))], np.int32)
+    wide_system, unknowns, columns = _widened(system, images, kind)
+    wide_state = _widened_state(system, wide_system, state)
+    wide = Normals.of(wide_system, base.threads)
+    _evaluate(wide, wide_state, base, state, images, kind)
+    wide.reduce(wide_state)
+    order = sparse_normals(wide, columns)
+    wide.values = np.zeros(0)
+    H, own = order[unknowns], order[columns]
+    del order
+    found = FieldSystem(
+        base=base, state=state, wide=wide, wide_state=wide_state, images=images, unknowns=unknowns, columns=columns,
+        H=H, own=own, scores=np.zeros(0),
+    )  # fmt: skip
+    found.scores = wide.right[columns] - H.T @ base.solved(wide.right[unknowns])
+    return found
+
+
+def _widened(system: System, images: Index, kind: type[WithFields]) -> tuple[System, Array, Array]:
+    """The system whose images carry fields, the places of its own unknowns and of the fields' coefficients."""
+    interior, of_image = list(system.interior), system.interior_of_image.copy()
+    image_node, sizes = system.image_node.copy(), system.sizes.astype(np.int64).tolist()
+    models: dict[int, WithFields] = {}
+    first = np.zeros(len(images), np.int64)
+    for k, i in enumerate(images.tolist()):
+        r = int(of_image[i])
+        row = system.interior[r]
+        model = models.setdefault(row.camera, kind(system.block.cameras[row.camera]))
+        if image_node[i] < 0:
+            image_node[i] = len(sizes)
+            sizes.append(0)
+        node = int(image_node[i])
+        alone = row.node == node
+        start = 6 * int(system.exterior_free[i])
+        first[k] = sizes[node]
+        fields = tuple(len(row.model.symbols) + c for c in range(kind.columns))
+        of_image[i] = len(interior)
+        interior.append(
+            InteriorRow(
+                camera=row.camera, image=i, model=model, free=(row.free if alone else ()) + fields, node=node,
+                start=start, parent=row.parent if alone or row.node < 0 or row.parent >= 0 else r,
+            )
+        )  # fmt: skip
+        sizes[node] += kind.columns
+    offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
+    nodes = np.repeat(np.arange(len(system.sizes)), system.sizes)
+    unknowns = offsets[nodes] + np.arange(len(nodes)) - system.offsets[nodes]
+    columns = ((offsets[image_node[images]] + first)[:, None] + np.arange(kind.columns)).ravel()
+    stride = max(system.stride, *(len(m.symbols) for m in models.values()))
+    wide = replace(
+        system, interior=tuple(interior), interior_of_image=of_image, stride=stride, sizes=np.array(sizes, np.int32),
+        image_node=image_node, offsets=offsets, parents=np.array([row.parent for row in interior], np.int32),
+    )  # fmt: skip
+    return wide, unknowns, columns
+
+
+def _widened_state(system: System, wide: System, state: State) -> State:
+    interior = np.zeros((len(wide.interior), wide.stride))
+    interior[: len(system.interior), : system.stride] = state.interior
+    for i in np.flatnonzero(wide.interior_of_image != system.interior_of_image):
+        interior[wide.interior_of_image[i], : system.stride] = state.interior[system.interior_of_image[i]]
+    return State(state.rotation, state.centre, interior, state.xyz, state.own)
+
+
+def _evaluate(
+    wide: Normals, wide_state: State, base: Normals, state: State, images: Index, kind: type[WithFields]
+) -> None:
+    """Hand the partial derivatives to the native solver, at the adjusted image points that it knows: no iteration.
+
+    Where this is not all that there is to say of a row (another form of the residual, other models that are not
+    compiled) the solver asks as always.
+    """
+    system, block = base.system, base.system.block
+    o = block.observations
+    rows = system.rows
+    image, point = o.image[rows], o.point[rows]
+    mine = np.isin(image, images)
+    if not np.array_equal(wide.external, mine) or system.corrected[block.images.camera[images]].any():
+        return
+    whitened, flags = base.residuals(state)
+    W = np.zeros((len(rows), 2, 2))
+    W[:, 0, 0], W[:, 1, 0], W[:, 1, 1] = system.whiten.T
+    v = np.linalg.solve(W, whitened[:, :, None])[:, :, 0]
+    if flags[mine].any():
+        return
+    w = max(len(row.model.symbols) for row in wide.system.interior[len(system.interior) :])
+    out = np.zeros((len(rows), 9 + 2 * w))
+    out[:, :2] = v
+    P = sensor_from_object(state.rotation[image], state.centre[image], state.xyz[point])
+    camera = block.images.camera[image]
+    for c in np.unique(camera[mine]):
+        k = np.flatnonzero(mine & (camera == c))
+        model, fields = block.cameras[c].sensor, kind(block.cameras[c])
+        n = len(model.symbols)
+        x, y = (system.xy_mm[k] + v[k]).T
+        values = state.interior[system.interior_of_image[image[k]], :n].T
+        _, J = model.condition_and_jacobian(x, y, *P[:, k], *values)
+        D = -inverse2(J[:, :2], J[:, 2:])
+        out[k, 2:8] = np.moveaxis(D[:, :3], 2, 0).reshape(len(k), 6)
+        shifts = fields.displacements(x, y)
+        for axis in (0, 1):
+            first = 8 + axis * w
+            out[k, first : first + n] = D[axis, 3:].T
+            out[k, first + n : first + n + kind.columns] = shifts[axis].T
+    wide.solver.set_external(out[mine], np.full((int(mine.sum()), w), -1, np.int32), w)
+    wide.evaluated = wide_state
+
+
+def entries(normals: Normals) -> tuple[Array, Array]:
+    """Rows and columns (values,) of the entries of the flat normal matrix, int32; -1 where the solver keeps its own."""
+    size = normals.solver.values_size
+    row, column = np.full(size, -1, np.int32), np.full(size, -1, np.int32)
+    for at, r, c in _pieces(normals):
+        row[at], column[at] = r, c
+    return row, column
+
+
+def _pieces(normals: Normals) -> Iterator[tuple[Index, Index, Index]]:
+    """The entries of some blocks of the flat normal matrix after those of others: places, rows and columns."""
+    sizes, offsets = normals.system.sizes.astype(np.int64), normals.system.offsets
+    first, second, starts = normals.solver.blocks()
+    for k in range(0, len(first), BLOCKS):
+        a, b = first[k : k + BLOCKS], second[k : k + BLOCKS]
+        count = sizes[a] * sizes[b]
+        of = np.repeat(np.arange(len(a)), count)
+        within = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+        yield (
+            starts[k : k + BLOCKS][of] + within,
+            offsets[a[of]] + within // sizes[b[of]],
+            (offsets[b[of]] + within % sizes[b[of]]),
+        )
+
+
+def sparse_normals(normals: Normals, columns: Index | None = None) -> Any:
+    """The normal matrix of the last `reduce`, sparse and symmetric; some of its columns alone, without the others."""
+    from scipy.sparse import coo_matrix  # noqa: PLC0415
+
+    N = int(normals.system.offsets[-1])
+    place = np.arange(N) if columns is None else np.full(N, -1)
+    if columns is not None:
+        place[columns] = np.arange(len(columns))
+    of_node = np.repeat(np.arange(len(normals.system.sizes)), normals.system.sizes)
+    rows, places, values = [np.zeros(0, np.int32)], [np.zeros(0, np.int32)], [np.zeros(0)]
+    for at, row, column in _pieces(normals):
+        value = normals.values[at]
+        apart = of_node[row] != of_node[column]
+        for r, c, there in ((row, column, value != 0), (column, row, apart & (value != 0))):
+            chosen = there & (place[c] >= 0)
+            rows.append(r[chosen].astype(np.int32))
+            places.append(place[c[chosen]].astype(np.int32))
+            values.append(value[chosen])
+    shape = N, N if columns is None else len(columns)
+    return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(places))), shape=shape).tocsr()

@@ -1,0 +1,1 @@
+"""From a block to its normal equations and their solution: unknowns, observations, datum, factor."""

@@ -1,0 +1,1 @@
+"""Files of heights: read, checked, written, drawn."""

@@ -1,0 +1,1 @@
+"""Heights on a grid: differences, displacements, volumes, areas, sections, contours with standard deviations."""

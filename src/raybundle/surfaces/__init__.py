@@ -1,1 +1,0 @@
-"""The surface of what photographs show: a depth and its standard deviation for every pixel."""

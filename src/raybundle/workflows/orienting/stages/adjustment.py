@@ -1,0 +1,262 @@
+"""Stage: the tie points in object space, and the final adjustment of what is placed together and of parts apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block
+from raybundle.block.relative import relative_control
+from raybundle.calibration.several_cameras import several_cameras
+from raybundle.errors import Message, NotSolvable, message, phrase
+from raybundle.io.photos.cameras import CameraGroup
+from raybundle.io.photos.photo import Photo
+from raybundle.matching.features import FeatureMethod
+from raybundle.pipeline.stage import Means, Stage
+from raybundle.placing.georeference import Georeferenced
+from raybundle.placing.marks import Given
+from raybundle.placing.positions import GPS_M, flight_lines, without_idle
+from raybundle.placing.recorded_positions import with_relative_precision
+from raybundle.ties.points import FeatureStore
+from raybundle.workflows.final_adjustment import adjusted_component, final_adjustment, undetermined_component
+from raybundle.workflows.orienting.connected_components import (
+    ConnectedComponent,
+    apart_notice,
+    component_folder,
+    joined_notice,
+    place_components,
+)
+from raybundle.workflows.orienting.excluded_features import Dropped
+from raybundle.workflows.orienting.options import OrientOptions
+from raybundle.workflows.orienting.previous_names import Earlier, named_as_before
+from raybundle.workflows.orienting.read_out import rolling_shutters, with_cause
+from raybundle.workflows.orienting.same_camera import shared_sensors
+from raybundle.workflows.orienting.state import ORIENT, OrientState, SceneState
+from raybundle.workflows.scenes.placing import place_with_scenes
+from raybundle.workflows.stage_arrays import Reasons
+from raybundle.workflows.stage_memory import room_of
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What the final adjustment depends on."""
+
+    name: str
+    """of the project"""
+    options: OrientOptions
+    given: Given
+    photos: tuple[Photo, ...]
+    blocks: tuple[Block, ...]
+    groups: tuple[CameraGroup, ...]
+    features: FeatureStore
+    method: FeatureMethod
+    remarks: tuple[str, ...]
+    notices: tuple[Notice, ...]
+    dropped: Dropped | None
+    scenes: SceneState | None
+    earlier: Earlier | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Adjusted:
+    """What came of the photographs."""
+
+    adjustment: Adjustment
+    other_components: tuple[ConnectedComponent, ...]
+    groups: tuple[CameraGroup, ...]
+    placed: Georeferenced
+    lost: Reasons
+    """scenes that nothing places"""
+
+
+def _inputs(state: OrientState) -> Inputs:
+    return Inputs(
+        name=state.asked.name, options=state.asked.options, given=state.given, photos=state.photos,
+        blocks=state.blocks, groups=state.groups, features=state.found, method=state.method,
+        remarks=(*state.remarks, *state.reported), notices=state.notices, dropped=state.dropped, scenes=state.scenes,
+        earlier=state.asked.earlier,
+    )  # fmt: skip
+
+
+def adjust(i: Inputs, means: Means) -> Adjusted:
+    """Bring everything to object space, adjust it, and say what there is to say."""
+    lost: Reasons = ()
+    if i.scenes is None:
+        placed, apart = place_components(i.blocks, i.photos, i.given)
+    else:
+        placed, apart, lost = place_with_scenes(i.scenes, i.options, i.blocks, i.photos, i.given, i.features, i.method)
+    placed, *apart = (replace(p, block=replace(p.block, name=i.name)) for p in (placed, *apart))
+    placed = replace(placed, block=named_as_before(placed.block, i.earlier, placed.marked))
+    placed = _relative(placed, i.photos, i.options.relative)
+    with room_of(means, max(len(p.block.observations) for p in (placed, *apart))) as room:
+        done = _adjusted(i, placed, apart, means)
+    rows = sum(len(a.given.observations) for a in (done.adjustment, *(p.adjustment for p in done.other_components)))
+    reported = (*i.notices, *incomplete_notice(i, done), *([] if i.dropped is None else [i.dropped.notice(rows)]))
+    adjustment = replace(done.adjustment, notices=(*reported, *done.adjustment.notices, *room.notices()))
+    return replace(done, adjustment=adjustment, lost=lost)
+
+
+def _relative(placed: Georeferenced, photos: Sequence[Photo], kind: Literal["", "shift", "drift"]) -> Georeferenced:
+    """Observed positions and attitudes as relative aerial control of the flight lines, where that is asked for."""
+    if not kind or not len(placed.block.stations):
+        return placed
+    of_name = dict(zip([p.name for p in photos], flight_lines(photos).tolist(), strict=True))
+    line = np.array([of_name.get(name, -1) for name in placed.block.images.ids], np.int32)
+    known = np.asarray(placed.block.points.is_control.any(axis=0), bool)
+    place = tuple(np.where(known, np.nan, GPS_M).tolist())
+    block = without_idle(relative_control(placed.block, line, drift=kind == "drift", shift_sigma=place))
+    lines = len(np.unique(line[block.stations.image]))
+    left = len(placed.block.stations) - len(block.stations)
+    details = list[Message]()
+    if left:
+        details.append(message("relative_control.excluded", n=left))
+    if not known.all():
+        axes = [a for a, k in zip("XYZ", known, strict=True) if not k]
+        details.append(message("relative_control.open", axes=axes, plan_m=GPS_M[0], height_m=GPS_M[2]))
+    values = {"photographs": len(block.stations), "lines": lines, "drift": kind == "drift"}
+    notice = Notice(code="relative_control", values=values, details=tuple(details))
+    return replace(placed, block=block, notices=(*placed.notices, notice))
+
+
+def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], means: Means) -> Adjusted:
+    """The final adjustments of what is placed together and of the parts that nothing joins to it, and the cameras.
+
+    Photographs that turn out to be of one sensor, stored differently, are adjusted once more as of one camera.
+    """
+    groups, noise = i.groups, i.options.noise
+    weights: Literal["given", "residuals"] = "residuals" if i.options.precise else "given"
+    parts, kept, lost = list[ConnectedComponent](), list[Georeferenced](), list[Notice]()
+    for part in apart:
+        try:
+            parts.append(adjusted_component(part, groups, means.jobs, means.progress, noise, weights=weights))
+            kept.append(part)
+        except NotSolvable as error:
+            lost += undetermined_component(part, error)
+    first = replace(placed, notices=(*lost, *placed.notices))
+    adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    largest = largest_component(adjustment, parts)
+    if largest is not None and not first.fixed:  # adjustments leave photographs out
+        names = tuple(
+            n for n, o in zip(adjustment.given.images.ids, adjustment.given.images.oriented, strict=True) if o
+        )
+        parts[largest] = ConnectedComponent(adjustment=adjustment, photographs=names)
+        first, kept[largest] = replace(kept[largest], notices=(*lost, *kept[largest].notices)), first
+        placed = first
+        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    shared = shared_sensors(adjustment, groups, i.photos)
+    if shared:
+        groups = shared.grouped(groups)
+        first = replace(first, block=shared.applied(first.block))
+        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    several = several_cameras(adjustment)
+    moving = rolling_shutters(adjustment, first.block, i.photos, i.options.read_out_s)
+    if moving.block is not None:
+        first = replace(first, block=moving.block)
+        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    weighted = with_target_weights(first.block, adjustment, i.given)
+    if weighted is not None:
+        first = replace(first, block=weighted)
+        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    adjustment = with_relative_precision(with_cause(adjustment, i.photos))
+    notices = (
+        *joined_notice(first.joined, adjustment.given),
+        *shared.notices,
+        *(several.notices if several else ()),
+        *moving.notices,
+    )
+    if kept:  # of what is left in the end: the adjustments leave photographs out
+        left = [replace(k, block=p.adjustment.given) for k, p in zip(kept, parts, strict=True)]
+        notices = (apart_notice(adjustment.given, left, [component_folder(k) for k in range(len(kept))]), *notices)
+    return Adjusted(
+        adjustment=replace(adjustment, notices=(*notices, *adjustment.notices)), other_components=tuple(parts),
+        groups=groups, placed=placed, lost=(),
+    )  # fmt: skip
+
+
+MOST = 0.5
+"""Share of the photographs that are oriented below which a result is none of them: a test of a set, not of its figures.
+
+What is oriented by chance, or is another object, is found among the few."""
+
+
+def incomplete_notice(i: Inputs, done: Adjusted) -> tuple[Notice, ...]:
+    """The fault of a result, with its parts, that holds less than half of the photographs."""
+    if i.scenes is not None or not i.photos:
+        return ()
+    blocks = [done.adjustment.given, *(p.adjustment.given for p in done.other_components)]
+    oriented, whole = sum(int(b.images.oriented.sum()) for b in blocks), len(i.photos)
+    if oriented >= MOST * whole:
+        return ()
+    values = {"oriented": oriented, "photographs": whole, "limit": MOST}
+    return (Notice(code="incomplete", values=values),)
+
+
+def largest_component(main: Adjustment, parts: Sequence[ConnectedComponent]) -> int | None:
+    """Number of the part that has more photographs than the main result, or as many and more points; None: no part."""
+
+    def size(a: Adjustment) -> tuple[int, int]:
+        return int(a.given.images.oriented.sum()), len(np.unique(a.given.observations.point))
+
+    sizes = [size(p.adjustment) for p in parts]
+    best = max(range(len(sizes)), key=lambda k: sizes[k], default=None)
+    return None if best is None or sizes[best] <= size(main) else best
+
+
+def with_target_weights(block: Block, result: Adjustment, given: Given) -> Block | None:
+    """The block with standard deviations of the targets as their residuals show them beside those of all; None: as is.
+
+    What grey values show of a target's centre is not what photographs hold of it: with its own weight it would bend
+    tie points, or be rejected.  From residuals as the weights of tie points are, for all targets together.
+    """
+    names = {
+        c.ids[int(k)] for c in given.control
+        for k in np.unique(c.measurements.point[np.isfinite(c.measurements.covariances).all(axis=1)])
+    }  # fmt: skip
+    if not names or result.redundancy <= 0 or not result.options.statistics:
+        return None
+    mine = np.isin(np.array(result.given.points.ids), sorted(names))
+    o, s = result.given.observations, result.image_observations
+    rows = mine[o.point] & s.used
+    v = s.residuals_px[rows] / np.sqrt(o.cov_px2[rows, :2])
+    r = float(np.nansum(s.redundancy[rows]))
+    if r < LEAST_REDUNDANCY:
+        return None
+    ratio = float(np.nansum(v**2)) / r / result.sigma0**2
+    if abs(ratio - 1) < np.sqrt(2 / r) * 3:  # as precise as all others, by what so many show
+        return None
+    own = np.isin(np.array(block.points.ids), sorted(names))[block.observations.point]
+    cov = np.where(own[:, None], ratio, 1.0) * block.observations.cov_px2
+    return replace(block, observations=replace(block.observations, cov_px2=cov))
+
+
+LEAST_REDUNDANCY = 20.0
+"""Redundancy of the targets from which on their residuals show a standard deviation, to a sixth."""
+
+
+def _put(state: OrientState, done: Adjusted) -> OrientState:
+    scenes = state.scenes
+    if scenes is not None and done.lost:
+        scenes = replace(scenes, lost=done.lost)
+    return replace(
+        state,
+        adjustment=done.adjustment,
+        other_components=done.other_components,
+        groups=done.groups,
+        placed=done.placed,
+        scenes=scenes,
+    )
+
+
+def _outcome(state: OrientState) -> str:
+    assert state.adjustment is not None
+    return phrase("stage_summary.adjustment", sigma0=state.adjustment.sigma0)
+
+
+STAGE = ORIENT.register(
+    Stage(name="adjustment", after=("scene_precision",), inputs=_inputs, function=adjust, put=_put, reported=_outcome)
+)
