@@ -90,7 +90,8 @@ if TYPE_CHECKING:
     from raybundle.commands.scenes.batch import Batch, RpcBatchSettings, rpc_batch
     from raybundle.commands.scenes.correct import RpcCorrectSettings, rpc_correct
     from raybundle.commands.scenes.ortho import Orthophoto, RpcOrthoSettings, rpc_ortho
-    from raybundle.commands.sheet import DrawingSheet, DrawingSheetSettings, drawing_sheet
+    from raybundle.commands.sheet import DrawingSheet, drawing_sheet
+    from raybundle.commands.sheet_settings import DrawingSheetSettings
     from raybundle.commands.show import show
     from raybundle.commands.spreadsheet import Spreadsheet, SpreadsheetSettings, spreadsheet
     from raybundle.commands.surface import MeasuredSurface, SurfaceSettings, surface
@@ -187,7 +188,7 @@ _HOME = {
     "Recorded": "commands.record",
     "RecordSettings": "commands.record",
     "drawing_sheet": "commands.sheet",
-    "DrawingSheetSettings": "commands.sheet",
+    "DrawingSheetSettings": "commands.sheet_settings",
     "DrawingSheet": "commands.sheet",
     "RectifySettings": "commands.rectify",
     "SurfaceSettings": "commands.surface",
