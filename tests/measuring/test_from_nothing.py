@@ -223,7 +223,7 @@ def test_adjusting_names_a_mistaken_mark_in_place_of_the_camera(tmp_path):
 def test_a_mark_far_off_is_named_with_its_test_value(tmp_path):
     """It tears its point off, which is intersected anew from the other rays."""
     scene = Scene(seed=0)
-    photos = photographs(tmp_path, scene.images)
+    photos = photographs(tmp_path / "photos", scene.images)
     clicked(scene, photos, seed=0, wrong=(1, 5, (64.0, 48.0)))
     (notice,) = named(rb.adjust_marks(photos)[0])
     assert notice.ids == (scene.names[5], "old_2.jpg")
