@@ -70,7 +70,7 @@ def test_doctor_finds_what_is_required_and_the_compiled_kernels(tmp_path):
 
 def test_a_simulated_field_is_adjusted_from_the_command_line(tmp_path):
     done = json.loads(raybundle(tmp_path, "demo", "--out", "demo", "--json"))
-    assert "summary.accuracy" in {m["code"] for m in done["summary"]}
+    assert "demo.points" in {m["code"] for m in done["summary"]}
     page = (tmp_path / "demo/result/report.html").read_text(encoding="utf-8")
     assert "</html>" in page
     raybundle(tmp_path, "adjust", "demo/block", "--out", "german", "--language", "de")

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, code_of
 from raybundle.io.geo.coordinate_systems import height_remarks, local_frame, parse_crs
 from raybundle.io.geo.rasters import (
     METRES_IN,
@@ -198,7 +198,7 @@ def _ground(
     if len(own.axis_info) == 3 and not own.is_compound:
         reported = ()  # it states that they are ellipsoidal
     if reported or geoid is not None:  # each states it
-        remarks = [r for r in remarks if "taken in metres" not in r]
+        remarks = [r for r in remarks if code_of(r) != "raster.unit_assumed"]
     ground = Ground(
         file=path, plan=plan.to_wkt(), heights=heights, undulation_m=undulation, metres=metres, shape=shape,
         transform=(a, b, c, d, e, f), window=window, remarks=(*remarks, *(f"{path.name}: {r}" for r in reported)),
