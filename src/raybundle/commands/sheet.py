@@ -13,7 +13,7 @@ from raybundle.io.folders import check_free
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.languages import checked_language, language_codes
 from raybundle.results.record import Record
-from raybundle.settings import ANY, NOT_NEGATIVE, Range, made, other_than_usual, path_of, setting
+from raybundle.settings import ANY, NOT_NEGATIVE, Range, keywords, made, other_than_usual, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
@@ -93,6 +93,7 @@ class DrawingSheet:
     """why what is drawn is not to be used yet; empty: nothing states it"""
 
 
+@keywords(DrawingSheetSettings)
 def drawing_sheet(
     sources: str | Path | Sequence[str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
 ) -> DrawingSheet:
