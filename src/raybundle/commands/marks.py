@@ -59,7 +59,7 @@ def query(
 ) -> list[Answer]:  # fmt: skip
     """Coordinates, distances, angles, areas, lengths, planes and lines with sigmas from the full covariance.
 
-    result       an adjustment, or a result, project or block folder, whose block is adjusted again under the options
+    result       an adjustment, or a result, project or block folder; its block is adjusted again under the options
                  of the result (at once, since it holds adjusted values)
     coordinates  names of points; distance (A, B) or several; angle (A, B, C) at B or several; area, length, plane,
                  line: points in order; to_plane, to_line: a point, then those of the plane or line
