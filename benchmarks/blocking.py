@@ -31,10 +31,12 @@ from runs import peak_mb
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import connected_components
 
-from raybundle.adjustment.engine import adjust_block, adjusted_block, carry_out
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.estimation import carry_out
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.statistics.precision import cofactors
 from raybundle.adjustment.statistics.system_state import Work
+from raybundle.adjustment.system.adjusted_values import adjusted_block
 from raybundle.adjustment.system.assemble import assemble
 from raybundle.adjustment.system.datum import analyse, hold_minimal
 from raybundle.adjustment.system.factoring import made_by

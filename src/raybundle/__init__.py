@@ -81,7 +81,7 @@ _HOME = {
     "Recorded": "commands.record",
     "RecordSettings": "commands.record",
     "drawing_sheet": "commands.sheet",
-    "DrawingSheetSettings": "commands.sheet",
+    "DrawingSheetSettings": "commands.sheet_settings",
     "DrawingSheet": "commands.sheet",
     "RectifySettings": "commands.rectify",
     "SurfaceSettings": "commands.surface",

@@ -76,7 +76,7 @@ from raybundle.commands.scenes.correct import RpcCorrectSettings as RpcCorrectSe
 from raybundle.commands.scenes.ortho import Orthophoto as Orthophoto
 from raybundle.commands.scenes.ortho import RpcOrthoSettings as RpcOrthoSettings
 from raybundle.commands.sheet import DrawingSheet as DrawingSheet
-from raybundle.commands.sheet import DrawingSheetSettings as DrawingSheetSettings
+from raybundle.commands.sheet_settings import DrawingSheetSettings as DrawingSheetSettings
 from raybundle.commands.show import show as show
 from raybundle.commands.spreadsheet import Spreadsheet as Spreadsheet
 from raybundle.commands.spreadsheet import SpreadsheetSettings as SpreadsheetSettings

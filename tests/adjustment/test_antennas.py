@@ -7,7 +7,8 @@ import pytest
 from scipy.stats import chi2
 
 from raybundle import AdjustmentOptions, adjust
-from raybundle.adjustment.engine import adjust_block, open_datum
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.estimation import open_datum
 from raybundle.adjustment.readjust import block_again
 from raybundle.adjustment.statistics.interior import plausible_std
 from raybundle.block import Instrument, Stations

@@ -1,12 +1,8 @@
 """What a command reports with --json: its messages by code, and those of an error."""
 
 import json
-from contextlib import contextmanager
-
-import pytest
 
 from raybundle.cli.main import main
-from raybundle.errors import InputError
 
 PARTS = ("summary", "details", "faults", "warnings", "notes")
 
@@ -37,12 +33,3 @@ def codes_of(found, parts=PARTS):
 def texts_of(found, parts=PARTS):
     """Their texts: of what has no code of its own."""
     return "\n".join(m["text"] for part in parts for m in found.get(part, ()))
-
-
-@contextmanager
-def refuses(code, **values):
-    """What is within ends with an InputError of this code and these values."""
-    with pytest.raises(InputError) as caught:
-        yield
-    assert caught.value.code == code
-    assert {name: caught.value.message.values[name] for name in values} == values

@@ -6,7 +6,8 @@ import re
 import numpy as np
 import pytest
 from PIL import Image
-from tests.cli.reported import codes_of, refusal, refuses, reported, texts_of, values_of
+from tests.cli.reported import codes_of, refusal, reported, texts_of, values_of
+from tests.messages import refused
 
 from raybundle import adjust
 from raybundle.block.frames import stored_turned
@@ -218,7 +219,7 @@ def test_add_by_words_and_its_refusals(ours, tmp_path, capsys):
     table = json.loads(capsys.readouterr().out)
     assert (table[0]["model"], table[0]["date"], table[0]["source"]) == ("One", "2026-05-01", "ours.toml")
     sizes = {"width_px": 300, "height_px": 200, "camera_width_px": 600, "camera_height_px": 400}
-    with refuses("photograph.size_of_calibration", **sizes):
+    with refused("photograph.size_of_calibration", **sizes):
         run("add", ours, "--photo", exif_photo(tmp_path / "s.jpg", size=(300, 200)), "--library", library)
 
 
@@ -229,7 +230,7 @@ def test_several_cameras_in_a_file(ours, tmp_path):
     run("convert", tmp_path / "two.toml", "--camera", "right", "--to", "opencv", "--out", tmp_path / "c.yaml")
     run("convert", tmp_path / "two.toml", "--to", "kalibr", "--out", tmp_path / "chain.yaml")
     assert "cam1:" in (tmp_path / "chain.yaml").read_text()
-    with refuses("camera.unknown", camera="up", known=["left", "right"]):
+    with refused("camera.unknown", camera="up", known=["left", "right"]):
         run("convert", tmp_path / "two.toml", "--camera", "up", "--to", "opencv", "--out", tmp_path / "d.yaml")
 
 

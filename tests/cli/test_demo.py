@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from tests.cli.reported import reported, values_of
 
-from raybundle.cli.demo import rigid_difference, together
+from raybundle.cli.demo_errors import rigid_difference, together
 from raybundle.cli.main import main
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.synthetic_networks import brown_camera

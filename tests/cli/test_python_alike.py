@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.cli.reported import refuses
+from tests.messages import refused
 from tests.targets.test_cli_targets import photographs
 
 import raybundle as rb
@@ -45,7 +45,7 @@ def test_empirical(control, tmp_path, capsys):
     assert rb.empirical(control, model="dlt-brown", without="K3,P1").advice is None
     with pytest.raises(InputError, match=r'without=.*model="dlt-brown".*empirical\.excluded_needs_model'):
         rb.empirical(control, without=("K3",))
-    with refuses("setting.not_one_of", name="model", given="'cubic'"):
+    with refused("setting.not_one_of", name="model", given="'cubic'"):
         rb.empirical(control, model="cubic")
 
 
@@ -91,5 +91,5 @@ def test_sheets(tmp_path):
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b/a.svg").read_bytes()
     with pytest.raises(InputError, match=r"codes=.*count=.*option\.one_of"):
         rb.write_target_sheet("aicon12", tmp_path / "c.svg")
-    with refuses("setting.too_small", name="dot_radius", given="0", least=0, above=True):
+    with refused("setting.too_small", name="dot_radius", given="0", least=0, above=True):
         rb.write_target_sheet("aicon12", tmp_path / "c.svg", count=3, dot_radius=0)

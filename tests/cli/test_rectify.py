@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PIL import Image
-from tests.cli.reported import refuses, reported, values_of
+from tests.cli.reported import reported, values_of
+from tests.messages import refused
 
 import raybundle as rb
 from raybundle import adjust
@@ -173,7 +174,7 @@ def test_python_makes_the_same_pictures(wall, tmp_path):
     assert {"a.tif", "a.tfw", "a.toml", "b.png", "b.pgw", "b.toml"} == names
     for name in names:
         assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "line" / name).read_bytes(), name
-    with refuses("setting.too_small", name="pixel", given="0", least=0):
+    with refused("setting.too_small", name="pixel", given="0", least=0):
         rb.rectify(folder / "result", tmp_path / "python" / "c.tif", pixel=0)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from scipy.spatial import KDTree
-from tests.cli.reported import refuses
+from tests.messages import refused
 
 import raybundle as rb
 from raybundle import adjust
@@ -130,7 +130,7 @@ def test_an_area_is_one_of_the_map(ground, tmp_path):
     rectified(folder, tmp_path / "g.tif", horizontal=True, extent=area)
     with rasterio.open(tmp_path / "g.tif") as picture:
         assert tuple(picture.bounds) == pytest.approx(area, abs=1e-6)
-    with refuses("picture.area_far_away", west=-0.5, east=0.5, south=-0.5, north=0.5):
+    with refused("picture.area_far_away", west=-0.5, east=0.5, south=-0.5, north=0.5):
         rectified(folder, tmp_path / "h.tif", horizontal=True, extent=(-0.5, -0.5, 0.5, 0.5))  # of the plane
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 import pytest
 from click.testing import CliRunner
-from tests.cli.reported import refuses
+from tests.messages import refused
 
 import raybundle as rb
 from raybundle.adjustment.records.options import AdjustmentOptions
@@ -273,7 +273,7 @@ def test_a_conversion_from_python_is_that_of_the_command_line(tmp_path):
     assert len(done.block.observations) == len(block.observations)
     with pytest.raises(InputError, match=r"format\.unknown"):
         rb.convert(tmp_path / "block", tmp_path / "other", to="colmapp")
-    with refuses("setting.unknown", name="crsystem"):
+    with refused("setting.unknown", name="crsystem"):
         rb.convert(tmp_path / "block", tmp_path / "other", to="ply", crsystem="EPSG:25832")
 
 
@@ -281,7 +281,7 @@ def test_a_folder_that_looks_like_two_formats_is_asked_for(tmp_path):
     rb.write_block(simulate(field_scene(TargetField(stations=3)), Survey()).truth, tmp_path / "block")
     rb.convert(tmp_path / "block", tmp_path / "model", to="colmap-text", approximate=True)
     (tmp_path / "model" / "transforms.json").write_text("{}")
-    with refuses("format.ambiguous", names=["colmap", "nerfstudio"]):
+    with refused("format.ambiguous", names=["colmap", "nerfstudio"]):
         rb.convert(tmp_path / "model", tmp_path / "again", to="block")
     assert rb.convert(tmp_path / "model", tmp_path / "again", to="block", read_as="colmap").files == 1
 

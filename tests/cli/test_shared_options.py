@@ -214,7 +214,7 @@ def test_every_option_of_every_command_can_stand_in_a_file(tmp_path):
             )
         name = " ".join(words)
         (tmp_path / "s.toml").write_text(f"[{'.'.join(words)}]\n" + "\n".join(rows) + "\n")
-        assert defaults_of(tmp_path / "s.toml", command, name) == expected, name
+        assert defaults_of(tmp_path / "s.toml", command, name, cli) == expected, name
 
 
 def test_a_file_is_not_overwritten_unless_that_is_asked_for(ring, tmp_path, capsys):

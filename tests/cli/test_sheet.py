@@ -15,7 +15,8 @@ import pyogrio
 import pytest
 from PIL import Image
 from pypdf import PdfReader
-from tests.cli.reported import codes_of, refuses, reported, texts_of, values_of
+from tests.cli.reported import codes_of, reported, texts_of, values_of
+from tests.messages import refused
 
 import raybundle as rb
 from raybundle import adjust
@@ -124,7 +125,7 @@ def test_a_drawing_in_the_axes_of_a_picture_lies_on_it_within_a_pixel(wall, tmp_
 def test_a_geopackage_takes_these_axes_and_other_formats_say_that_they_do_not(wall, tmp_path):
     done = rb.convert(wall / "result", tmp_path / "wall.gpkg", to="gpkg", within=wall / "wall.toml")
     assert any(" axes " in r for r in done.remarks)
-    with refuses("format.not_in_plane", format="ply"):
+    with refused("format.not_in_plane", format="ply"):
         rb.convert(wall / "result", tmp_path / "wall.ply", to="ply", within=wall / "wall.toml")
     (tmp_path / "turned.toml").write_text((wall / "wall.toml").read_text().replace("right = [", "right = [0.5, ", 1))
     with pytest.raises(InputError, match=r"3.*value\.count"):
@@ -291,7 +292,7 @@ def test_a_sheet_is_in_the_language_of_its_project(wall, tmp_path):
     for left in ("landscape", "client", "Plumb plane", "degrees", "Standard deviation", "X right"):
         assert left not in german
     assert "landscape" in words("again.pdf", language="en")
-    with refuses("report.unknown_language", language="xx"):
+    with refused("report.unknown_language", language="xx"):
         rb.drawing_sheet(project / "result", tmp_path / "x.pdf", language="xx", **asked)
 
 

@@ -220,6 +220,16 @@ def test_adjusting_names_a_mistaken_mark_in_place_of_the_camera(tmp_path):
     assert "[mark_contradicts]" in done.output
 
 
+def test_a_mark_far_off_is_named_with_its_test_value(tmp_path):
+    """It tears its point off, which is intersected anew from the other rays."""
+    scene = Scene(seed=0)
+    photos = photographs(tmp_path / "photos", scene.images)
+    clicked(scene, photos, seed=0, wrong=(1, 5, (64.0, 48.0)))
+    (notice,) = named(rb.adjust_marks(photos)[0])
+    assert notice.ids == (scene.names[5], "old_2.jpg")
+    assert 100 < notice.wrong.tau < 200
+
+
 @pytest.mark.bench
 @pytest.mark.parametrize(("size", "least", "most"), [(0, 0, 0), (25, 10, 12), (80, 10, 12)])
 def test_mistaken_marks_are_named_and_right_ones_are_not(tmp_path, size, least, most):

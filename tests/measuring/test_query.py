@@ -215,7 +215,7 @@ def test_measuring_on_the_command_line(folder, capsys):
     status, out, _ = run(capsys, "mark", "list", folder, "--history", "--json")
     assert len(out.splitlines()) == len(rows) + 6
     status, out, _ = run(capsys, "mark", "export", folder, folder.parent / "marks.csv", "--verbose")
-    assert (status, "1 scale bar" in out) == (0, True)
+    assert (status, "scale bars: 1" in out) == (0, True)
     status, out, err = run(capsys, "mark", "adjust", folder, "--no-report")
     assert status == 0, err
     read = read_result(folder.parent / "ring-measured")

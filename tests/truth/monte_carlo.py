@@ -10,7 +10,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import carry_out, free_parameters
+from raybundle.adjustment.engine import free_parameters
+from raybundle.adjustment.estimation import carry_out
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns, node_cofactor
 from raybundle.adjustment.system.assemble import assemble

@@ -9,11 +9,13 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.adjustment.decision.decide import Decisions, decisions
-from raybundle.adjustment.engine import Extent, Start, adjusted_block, reject_single_rays
+from raybundle.adjustment.estimation import Start, reject_single_rays
 from raybundle.adjustment.records.figures import ObservationStatistics
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.result_figures import Extent
 from raybundle.adjustment.statistics.interior import interior_results
+from raybundle.adjustment.system.adjusted_values import adjusted_block
 from raybundle.block import Block
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.blocking import answers
@@ -29,7 +31,7 @@ from raybundle.pipeline.executors import Executor
 from raybundle.pipeline.store import Folder
 
 TRIES = 6
-"""Adjustments until no point ends behind its camera or at infinity, as in one piece (`engine.carry_out`)."""
+"""Adjustments until no point ends behind its camera or at infinity, as in one piece (`estimation.carry_out`)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import UNENDING
+from raybundle.adjustment.estimation import UNENDING
 from raybundle.adjustment.records.figures import ObservationGroup, Precision
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import variance_factor

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import carry_out
+from raybundle.adjustment.estimation import carry_out
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.statistics.reliability import image_statistics

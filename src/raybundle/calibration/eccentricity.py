@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import adjust_block, as_start
+from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.adjustment.system.predict import projected
 from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array, Index, Mask

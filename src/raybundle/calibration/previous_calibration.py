@@ -15,12 +15,13 @@ import numpy as np
 from scipy.special import chdtri, fdtri
 
 from raybundle.adjustment.decision.previous_knowledge import LEVEL
-from raybundle.adjustment.engine import adjust_block, as_start, free_parameters
+from raybundle.adjustment.engine import adjust_block, free_parameters
 from raybundle.adjustment.records.figures import InteriorResult
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.severity import NEARLY, Severity
 from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.statistics.interior import image_shifts
+from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.block import Camera
 from raybundle.block.stored import joint_covariance
 from raybundle.errors import Message, NotSolvable, Value, message, plain

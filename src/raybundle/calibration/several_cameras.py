@@ -14,11 +14,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import adjust_block, as_start
+from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.evaluation.image_interiors import LEVEL, Groups, groups_of, own_interiors
 from raybundle.adjustment.evaluation.joint_interior import JointInterior, joint_interior, smooth_errors
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.block import Block, Camera
 from raybundle.errors import NotSolvable, Value, message
 from raybundle.numerics.arrays import Array

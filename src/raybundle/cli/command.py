@@ -8,7 +8,7 @@ import io
 import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import click
 
@@ -256,7 +256,8 @@ def _settings_read(ctx: click.Context, _: click.Parameter, value: Path | None) -
     if value is not None and not ctx.resilient_parsing:
         from raybundle.cli.settings_file import defaults_of  # noqa: PLC0415  (TOML is read where it is asked for)
 
-        ctx.default_map = {**(ctx.default_map or {}), **defaults_of(value, ctx.command, _name(ctx))}
+        root = cast("click.Group", ctx.find_root().command)
+        ctx.default_map = {**(ctx.default_map or {}), **defaults_of(value, ctx.command, _name(ctx), root)}
 
 
 def _name(ctx: click.Context) -> str:

@@ -11,14 +11,13 @@ from typing import TYPE_CHECKING
 import click
 
 from raybundle.cli.common import NEW_FOLDER, Command, common_options, facts
+from raybundle.cli.demo_errors import interior_errors, interior_lines, rigid_difference
 from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.demonstrations import make_set, set_names
 from raybundle.errors import InputError, Message, note
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
-    from raybundle.block import Block
-    from raybundle.numerics.arrays import Array
     from raybundle.planning.simulate import Simulation
 
 
@@ -108,45 +107,6 @@ def _given(simulation: Simulation, sigma: float) -> Message:
     return note("demo.given", length_m=length, sigma_mm=sigma * 1000, c_mm=start, error=start / truth - 1)
 
 
-def interior_errors(truth: Block, a: Adjustment) -> list[Message]:
-    """The largest error of an interior orientation in units of its standard deviation."""
-    true = truth.cameras[0].values
-    ratios = {
-        p.symbol: (p.value - true[p.symbol]) / p.std
-        for interior in a.interior
-        for p in interior.parameters.values()
-        if p.std is not None and p.std > 0
-    }
-    if not ratios:
-        return []
-    worst = max(ratios, key=lambda symbol: abs(ratios[symbol]))
-    return [note("demo.interior", n=len(ratios), ratio=abs(ratios[worst]), symbol=worst)]
-
-
-def interior_lines(truth: Block, a: Adjustment) -> list[str]:
-    """Truth, estimate, sigma and their ratio for each parameter."""
-    true = truth.cameras[0].values
-    lines = [f" {'parameter':12}{'truth':>16}{'estimate':>16}{'sigma':>12}{'error / sigma':>16}"]
-    for interior in a.interior:
-        for p in interior.parameters.values():
-            if p.std is None or not p.std > 0:
-                continue
-            texts = together((true[p.symbol], p.value, p.std), p.std)
-            ratio = (p.value - true[p.symbol]) / p.std
-            lines.append(f" {p.symbol:4}{p.unit:8}{texts[0]:>16}{texts[1]:>16}{texts[2]:>12}{ratio:>16.2f}")
-    return lines
-
-
-def together(values: tuple[float, ...], std: float) -> tuple[str, ...]:
-    """Numbers written down to the second digit of a standard deviation, small ones with one common exponent."""
-    decimals = 1 - math.floor(math.log10(std))
-    if decimals <= 7:
-        return tuple(f"{v:.{max(decimals, 0)}f}" for v in values)
-    largest = max(abs(v) for v in values)
-    exponent = math.floor(math.log10(largest))
-    return tuple(f"{v / 10.0**exponent:.{max(decimals + exponent, 0)}f}e{exponent:+03d}" for v in values)
-
-
 def _point_errors(simulation: Simulation, adjustment: Adjustment) -> list[Message]:
     """Errors of object points after a rigid motion onto the truth, beside what is stated."""
     import numpy as np  # noqa: PLC0415
@@ -157,15 +117,3 @@ def _point_errors(simulation: Simulation, adjustment: Adjustment) -> list[Messag
     std = np.sqrt(np.trace(adjustment.precision.object_points, axis1=1, axis2=2).mean() / 3)
     rms = 1000 * float(np.sqrt((error**2).mean()))
     return [note("demo.points", kind="targets", rms_mm=rms, stated_mm=1000 * float(std))]
-
-
-def rigid_difference(estimate: Array, truth: Array) -> tuple[Array, Array]:
-    """Estimate minus truth (n, 3) after the best rigid motion onto the truth, and its rotation (3, 3).
-
-    Least squares without weights (Arun, Huang and Blostein 1987); the scale is left as it is.
-    """
-    from raybundle.numerics.rotation import nearest_rotation  # noqa: PLC0415
-
-    a, b = estimate - estimate.mean(axis=0), truth - truth.mean(axis=0)
-    turn = nearest_rotation(b.T @ a)
-    return a @ turn.T - b, turn

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raybundle.cli.common import facts, significant
-from raybundle.cli.demo import interior_lines, rigid_difference
+from raybundle.cli.demo_errors import interior_lines, rigid_difference
 from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.demonstrations import set_names
 from raybundle.errors import InputError, Message, note
@@ -87,7 +87,7 @@ def given_of(folder: Path, truth: Block) -> Given:
 
 def compared(truth: Block, a: Adjustment) -> list[Message]:
     """Errors against the truth: of the interior orientation and of the targets."""
-    from raybundle.cli.demo import interior_errors  # noqa: PLC0415
+    from raybundle.cli.demo_errors import interior_errors  # noqa: PLC0415
 
     name, error, covariance = errors(truth, a)[0]
     rms = 1000 * math.sqrt(float((error**2).mean()))

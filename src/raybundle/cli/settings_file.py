@@ -22,14 +22,14 @@ TYPED = ("settings", "json", "quiet", "overwrite", "traceback", "help", "version
 """Options that are typed alone: what a run prints and replaces is stated where it is begun"""
 
 
-def defaults_of(path: Path, command: click.Command, name: str) -> dict[str, Any]:
+def defaults_of(path: Path, command: click.Command, name: str, root: click.Group) -> dict[str, Any]:
     """Values of a command's parameters by their names, as click takes defaults.
 
     raises  InputError for what is no TOML, for tables that are no commands, for names that no option has, with what
             may be meant, and for values that cannot be typed
     """
     file = read_toml(path)
-    tables = dict(_tables(file))
+    tables = dict(_tables(file, root))
     options = {_plain(n): p for p in command.params if isinstance(p, click.Option) for n in _names(p)}
     found: dict[str, Any] = {}
     for table, own in ((EVERY, False), (name, True)):
@@ -40,8 +40,8 @@ def defaults_of(path: Path, command: click.Command, name: str) -> dict[str, Any]
                     "settings_file.flag_only", flag=f"--{_plain(key)}", file=path, line=where, column=value.at
                 )
             option = options.get(_plain(key))
-            if option is None and (own or _plain(key) not in _everywhere()):
-                _unknown(file, table, key, options if own else _everywhere())
+            if option is None and (own or _plain(key) not in _everywhere(root)):
+                _unknown(file, table, key, options if own else _everywhere(root))
             if option is not None and option.name:
                 try:
                     found[option.name] = _value(option, key, value.value, path.parent)
@@ -50,15 +50,13 @@ def defaults_of(path: Path, command: click.Command, name: str) -> dict[str, Any]
     return found
 
 
-def _tables(file: Toml) -> Iterator[tuple[str, dict[str, Json]]]:
+def _tables(file: Toml, root: click.Group) -> Iterator[tuple[str, dict[str, Json]]]:
     """The words of each command that has a table, and its rows; raises InputError for what is no command."""
-    from raybundle.cli.main import cli  # noqa: PLC0415  (it loads this module)
-
     for word, value in file.tree().mapping().items():
         if word == EVERY:
             yield EVERY, dict(value.mapping())
         else:
-            yield from _of_command(file, cli, (), word, value)
+            yield from _of_command(file, root, (), word, value)
 
 
 def _of_command(
@@ -121,11 +119,9 @@ def _word(value: Any, folder: Path | None) -> str:
     return repr(value)
 
 
-def _everywhere() -> frozenset[str]:
+def _everywhere(root: click.Group) -> frozenset[str]:
     """Names of the options of all commands."""
-    from raybundle.cli.main import cli  # noqa: PLC0415  (only where a name is not known here)
-
-    return frozenset(_plain(n) for p in _all(cli) for n in _names(p))
+    return frozenset(_plain(n) for p in _all(root) for n in _names(p))
 
 
 def _names(parameter: click.Parameter) -> tuple[str, ...]:

@@ -10,7 +10,8 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, of_texts, report
-from raybundle.commands.sheet import DrawingSheetSettings, run_drawing_sheet
+from raybundle.commands.sheet import run_drawing_sheet
+from raybundle.commands.sheet_settings import DrawingSheetSettings
 from raybundle.errors import Severity, note
 from raybundle.settings import made
 

@@ -30,7 +30,7 @@ from raybundle.workflows.object_plane import Lean, MapLevel, Plane
 from raybundle.workflows.sources import read_source, result_within
 
 if TYPE_CHECKING:
-    from raybundle.commands.sheet import DrawingSheetSettings
+    from raybundle.commands.sheet_settings import DrawingSheetSettings
     from raybundle.numerics.progress import Progress
 
 METRES = {"m": 1000.0, "mm": 1.0}
@@ -352,7 +352,7 @@ def _extent(
 def _record(s: DrawingSheetSettings, folder: Path | None) -> Record:
     """What is stated of the delivery: with the sheet, else with the result."""
     from raybundle.commands.record import known_record  # noqa: PLC0415  (needed only here)
-    from raybundle.commands.sheet import record_of_sheet  # noqa: PLC0415  (which imports this)
+    from raybundle.commands.sheet_settings import record_of_sheet  # noqa: PLC0415  (which imports this)
 
     return record_of_sheet(s, Record() if folder is None else known_record(folder))
 

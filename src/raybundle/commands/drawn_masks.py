@@ -7,18 +7,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from raybundle.commands.orient import OrientSettings
     from raybundle.io.photos.photo import Photo
 
 
-def masks_of_run(settings: OrientSettings) -> Path | None:
+def masks_of_run(photos: Sequence[Path], given: Path | None, project: Path) -> Path | None:
     """The folder of masks that a run of `orient` takes: as it was given, with what was drawn by hand in the project.
 
     Where something is drawn, both are written together into PROJECT/measured-masks; the journal stays what counts.
     """
     from raybundle.io.photos.photo import find_photos  # noqa: PLC0415  (loaded after the help)
 
-    return _with_drawn(settings.out, settings.masks, lambda: find_photos(settings.photos).photos, settings.out)
+    return _with_drawn(project, given, lambda: find_photos(photos).photos, project)
 
 
 def masks_of_result(source: Path, given: Path | None, folders: Sequence[Path], into: Path) -> Path | None:

@@ -248,8 +248,8 @@ def _adjusted(s: MeasureSettings, block: Block, progress: Progress) -> tuple[Adj
 
     from raybundle.adjustment.decision.decide import decide  # noqa: PLC0415
     from raybundle.adjustment.decision.variance_groups import by_groups  # noqa: PLC0415
-    from raybundle.adjustment.engine import started  # noqa: PLC0415
     from raybundle.adjustment.records.options import AdjustmentOptions, noise_of_photographs  # noqa: PLC0415
+    from raybundle.adjustment.system.adjusted_values import started  # noqa: PLC0415
     from raybundle.metrology.lengths import KnownLength  # noqa: PLC0415
     from raybundle.metrology.notices import bar_notices  # noqa: PLC0415
 

@@ -238,7 +238,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     begins = not out.exists()
     try:
         keep_settings(settings)
-        options = replace(options, masks=masks_of_run(settings))
+        options = replace(options, masks=masks_of_run(settings.photos, settings.masks, out))
         done = oriented(
             settings.photos, out, options, calibration=cameras, given=given, progress=progress,
             positions=None if settings.positions is None else read_trajectory(settings.positions),

@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
+from raybundle.commands.pages import Pages
+from raybundle.commands.record_settings import Recorded
 from raybundle.errors import phrase
 from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
     from raybundle.adjustment.records.notice import Notice
-    from raybundle.commands.surface import SurfaceSettings
     from raybundle.io.formats import Export
     from raybundle.report.chapters import Occasion
     from raybundle.surface.depths.summary import SurfaceSummary
@@ -30,6 +31,10 @@ OF_ALL = (
 """Cautions about all points alike, which are reported before those about single marks and photographs"""
 
 
+class SurfacePageSettings(Pages, Recorded, Protocol):
+    """What is asked of the pages, and the record of the recording."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SurfacePages:
     """What was written for people, and what it states."""
@@ -43,7 +48,7 @@ class SurfacePages:
 
 
 def write_pages(
-    done: Surface, result: Path, out: Path, context: Context, remarks: tuple[str, ...], settings: SurfaceSettings,
+    done: Surface, result: Path, out: Path, context: Context, remarks: tuple[str, ...], settings: SurfacePageSettings,
     others: Mapping[str, float | None], progress: Progress = silent,
 ) -> SurfacePages:  # fmt: skip
     """Write them.
@@ -87,7 +92,7 @@ def write_pages(
     )
 
 
-def _occasion(done: Surface, result: Path, context: Context, settings: SurfaceSettings) -> Occasion:
+def _occasion(done: Surface, result: Path, context: Context, settings: SurfacePageSettings) -> Occasion:
     """The adjustment as its report has it: its verdict, who it is for, in which system it stands."""
     from raybundle.commands.record_settings import record_of  # noqa: PLC0415
     from raybundle.report.chapters import Occasion  # noqa: PLC0415

@@ -13,10 +13,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.decision.decide import decide
-from raybundle.adjustment.engine import as_start
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.severity import Severity
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block.rejection import RejectionKind
 from raybundle.errors import NotSolvable, Text, Value, phrase

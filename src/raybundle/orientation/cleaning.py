@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import estimate_only
+from raybundle.adjustment.estimation import estimate_only
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block

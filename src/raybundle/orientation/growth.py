@@ -6,7 +6,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import estimate_only, free_parameters
+from raybundle.adjustment.engine import free_parameters
+from raybundle.adjustment.estimation import estimate_only
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block, Role
 from raybundle.errors import InputError, Text

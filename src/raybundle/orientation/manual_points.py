@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.engine import estimate_only
+from raybundle.adjustment.estimation import estimate_only
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block, Camera, Role

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raybundle.adjustment.engine import estimate_only
+from raybundle.adjustment.estimation import estimate_only
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.rigs import (
     MOUNTING,

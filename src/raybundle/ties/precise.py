@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from raybundle.adjustment.engine import adjust_block, as_start
+from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import Block, Camera, Observations
 from raybundle.block.rejection import Rejection, RejectionKind

@@ -25,6 +25,8 @@ WHOLE = {
 """Kinds of rejections that say of a point, not which of its rays is wrong"""
 MOST_PAIRS = 200
 """Pairs of rays of a point that are intersected: all of 20 rays"""
+LARGEST = 1e6
+"""Test value of what has no place in the image, as behind the camera"""
 
 
 def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Block, Rejections, set[int]] | None:
@@ -71,8 +73,11 @@ def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Blo
             continue
         found.add(p)
         xyz[p] = place
-        for i, fits in zip(rows.tolist(), meet.tolist(), strict=True):
-            reasons[i] = None if fits else Rejection(kind=RejectionKind.BLUNDER)
+        for i, fits, sizes in zip(rows.tolist(), meet.tolist(), _sizes(result, alone, rows, place), strict=True):
+            reasons[i] = None if fits else Rejection(
+                kind=RejectionKind.BLUNDER, tau=float(sizes.max()), limit=result.critical_tau,
+                axis="xy"[int(sizes.argmax())],
+            )  # fmt: skip
     if not found:
         return None
     return replace(block, points=replace(block.points, xyz=xyz)), tuple(reasons), found
@@ -94,7 +99,6 @@ def _meeting(result: Adjustment, block: Block, rows: Index) -> tuple[Array, Arra
     centre, direction = block.images.centre[o.image[rows]], directions(block, rows)
     P = np.eye(3) - direction[:, :, None] * direction[:, None, :]
     right = np.einsum("nij,nj->ni", P, centre)
-    limit = result.critical_tau * max(result.sigma0, 1.0) * np.sqrt(o.cov_px2[rows, :2])
 
     def fitting(inside: Index) -> tuple[Array, Array]:
         try:
@@ -102,9 +106,7 @@ def _meeting(result: Adjustment, block: Block, rows: Index) -> tuple[Array, Arra
         except np.linalg.LinAlgError:
             return none
         ahead = np.einsum("ni,ni->n", place - centre, direction) > 0
-        with np.errstate(all="ignore"):
-            v = np.nan_to_num(residuals_px(block, rows, np.tile(place, (len(rows), 1))), nan=np.inf)
-        return place, ahead & (np.abs(v) < limit).all(axis=1)
+        return place, ahead & (_sizes(result, block, rows, place) < result.critical_tau).all(axis=1)
 
     best = none
     for pair in list(combinations(range(len(rows)), 2))[:MOST_PAIRS]:
@@ -122,6 +124,14 @@ def _meeting(result: Adjustment, block: Block, rows: Index) -> tuple[Array, Arra
             if fitting(instead)[1][instead].all():
                 return none
     return best
+
+
+def _sizes(result: Adjustment, block: Block, rows: Index, place: Array) -> Array:
+    """Test values (k, 2) of rays by their distances from a place (3,) of their point, none above `LARGEST`."""
+    with np.errstate(all="ignore"):
+        v = np.abs(residuals_px(block, rows, np.tile(place, (len(rows), 1))))
+    scale = max(result.sigma0, 1.0) * np.sqrt(block.observations.cov_px2[rows, :2])
+    return np.minimum(np.nan_to_num(v / scale, nan=np.inf), LARGEST)
 
 
 def directions(block: Block, rows: Index) -> Array:

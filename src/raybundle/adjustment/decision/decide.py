@@ -35,10 +35,12 @@ from raybundle.adjustment.decision.wrong_control import (
     rejected_notice,
     suspected,
 )
-from raybundle.adjustment.engine import Start, adjust_block, as_start, free_parameters
+from raybundle.adjustment.engine import adjust_block, free_parameters
+from raybundle.adjustment.estimation import Start
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.adjustment.system.chosen_parameters import check_asked, with_asked
 from raybundle.block import Block
 from raybundle.block.rejection import Rejections, given_rejections

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.blunders.separability import FEWEST
-from raybundle.adjustment.engine import estimate_only
+from raybundle.adjustment.estimation import estimate_only
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.records.severity import POOR_FIT

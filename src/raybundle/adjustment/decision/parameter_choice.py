@@ -18,14 +18,17 @@ from typing import Protocol
 import numpy as np
 
 from raybundle.adjustment.blunders.pixel_shape import beyond_sensor, shape_limit, weak_shape
-from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.estimation import Start
 from raybundle.adjustment.evaluation.joint_interior import JointInterior, joint_interior, smooth_errors, with_joint
 from raybundle.adjustment.records.figures import InteriorResult, printed_unit
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.records.severity import Severity
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.result_figures import Extent
 from raybundle.adjustment.statistics.fields import Components
+from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.adjustment.system.chosen_parameters import with_asked
 from raybundle.block import Block, Camera
 from raybundle.block.rejection import Rejections

@@ -11,13 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from raybundle.adjustment.engine import started
 from raybundle.adjustment.records.figures import GroupFactor, VarianceComponent
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.records.severity import POOR_FIT, Severity
 from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.statistics.components import FARTHEST, LARGE, LEAST, LEVEL, NAMES, weighted, without_worst
+from raybundle.adjustment.system.adjusted_values import started
 from raybundle.block import Block
 from raybundle.errors import InputError, Message, message
 from raybundle.numerics.statistics import chi_square_tails

@@ -8,7 +8,7 @@ import numpy as np
 
 from raybundle.adjustment.blunders.control_notices import not_located
 from raybundle.adjustment.blunders.control_tests import ControlTests, WrongPoint
-from raybundle.adjustment.engine import open_datum
+from raybundle.adjustment.estimation import open_datum
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.system.datum import open_values

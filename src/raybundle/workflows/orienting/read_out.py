@@ -16,10 +16,11 @@ from datetime import datetime
 
 import numpy as np
 
-from raybundle.adjustment.engine import adjust_block, as_start
+from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.severity import Severity
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.block import Block, Camera, Distances
 from raybundle.errors import Message, NotSolvable, message
 from raybundle.io.photos.photo import Photo

@@ -15,10 +15,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import adjust_block, as_start
+from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.severity import Severity
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.block import Block
 from raybundle.block.block import Turn
 from raybundle.block.frames import joined, size_ratio, stored_turned

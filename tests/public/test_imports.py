@@ -1,0 +1,32 @@
+"""Modules import downward only: no circle, imports for types and within functions included."""
+
+import ast
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+SOURCE = Path(__file__).parents[2] / "src/raybundle"
+
+
+def imports():
+    """The modules of the package, and which of them each imports; the face of the package left out."""
+    modules = {}
+    for path in SOURCE.rglob("*.py"):
+        parts = ("raybundle", *path.relative_to(SOURCE).with_suffix("").parts)
+        modules[".".join(parts[: -1 if parts[-1] == "__init__" else None])] = path
+    found = {}
+    for name, path in modules.items():
+        named = set()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.module:
+                named |= {k if (k := f"{node.module}.{a.name}") in modules else node.module for a in node.names}
+        found[name] = {k for k in named & modules.keys() if k not in (name, "raybundle")}
+    return found
+
+
+def test_no_module_imports_itself_by_way_of_others():
+    found = imports()
+    assert len(found) > 1000
+    try:
+        TopologicalSorter(found).prepare()
+    except CycleError as error:
+        raise AssertionError(" -> ".join(error.args[1])) from None
