@@ -77,6 +77,7 @@ layers: setup-dev
 generated: setup-dev
 	$(BIN)/python tools/generate_kernels.py --check
 	$(BIN)/python tools/public_api.py --check
+	$(BIN)/python tools/generate_stubs.py --check
 	PYTHONPATH=benchmarks $(BIN)/python -m ledger --page --check
 
 writing: setup-dev

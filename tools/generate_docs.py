@@ -9,8 +9,10 @@ import inspect
 import sys
 import tomllib
 from pathlib import Path
+from typing import get_overloads
 
 import click
+import generate_stubs
 import sensor_pages
 
 import raybundle
@@ -71,7 +73,11 @@ def python() -> str:
     parts.append("| name | what it is |\n|---|---|")
     names = sorted(n for n in raybundle.__all__ if not n.startswith("_"))
     parts += [f"| `{n}` | {first_line(getattr(raybundle, n))} |" for n in names]
-    parts.append("\n## raybundle.orientation\n\n| name | what it is |\n|---|---|")
+    parts.append("\n## Signatures\n")
+    functions = [f for n in names if inspect.isfunction(f := getattr(raybundle, n))]
+    shapes = [shape for f in functions for shape in get_overloads(f) or [f]]
+    parts += [f"```py\n{generate_stubs.definition(shape)}\n```\n" for shape in shapes]
+    parts.append("## raybundle.orientation\n\n| name | what it is |\n|---|---|")
     from raybundle import orientation  # noqa: PLC0415
 
     parts += [f"| `{n}` | {first_line(getattr(orientation, n))} |" for n in orientation_names]

@@ -36,6 +36,7 @@ PLACE = ROOT / "build/wheel"
 LIMIT_MB = 500
 """Of an environment with the package and all that it requires, in units of 10^6 bytes."""
 NEEDED = (
+    "raybundle/__init__.pyi",
     "raybundle/py.typed",
     "raybundle/report/languages/de.txt",
     "raybundle/studio/static/index.html",

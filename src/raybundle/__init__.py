@@ -12,123 +12,16 @@
     rb.calibrate("board/", "calibration", target="chessboard-9x6")
     rb.convert("facade-project/result", "model", to="colmap")
     rb.rectify("facade-project", "facade.tif", pixel=0.002)
-    rb.film("fiducials.csv", "film", calibrated="certificate.csv", camera="rmk.toml")
-    rb.rpc_correct("scene.tif", "control.gpkg", bias="shift", out="corrected.tif")
+    rb.film("fiducials.csv", "film", calibrated="certificate.csv", calibration="rmk.toml")
+    rb.rpc_correct("scene.tif", "control.gpkg", scene_bias="shift", out="corrected.tif")
     rb.rpc_ortho("corrected.tif", "dem.tif", "ortho.tif", crs="EPSG:32654")
 
-Names are loaded when they are first used: `import raybundle` alone loads neither NumPy nor SciPy.
+Names are loaded when they are first used: `import raybundle` alone loads neither NumPy nor SciPy.  Editors and type
+checkers read __init__.pyi, which tools/generate_stubs.py writes.
 """
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from raybundle.adjustment.evaluation.matrices import Matrices, matrices
-    from raybundle.adjustment.evaluation.queries import NamedCovariance, covariance
-    from raybundle.adjustment.records.options import AdjustmentOptions
-    from raybundle.adjustment.result import Adjustment
-    from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
-    from raybundle.block.merge import merge_blocks
-    from raybundle.block.transform import transform_block
-    from raybundle.calibration.at_pixels import projection_uncertainty
-    from raybundle.cameras.opencv import OpenCVCamera
-    from raybundle.commands.calibrate import CalibrateSettings, calibrate
-    from raybundle.commands.calibrations import (
-        CalibrationAddSettings,
-        CalibrationCompareSettings,
-        CalibrationConvertSettings,
-        CalibrationFindSettings,
-        CalibrationListSettings,
-        ZoomSettings,
-        calibrate_zoom,
-        compare_calibrations,
-        convert_calibration,
-        find_calibration,
-        keep_calibration,
-        kept_calibrations,
-    )
-    from raybundle.commands.convert import Converted, ConvertSettings, convert
-    from raybundle.commands.empirical import (
-        Empirical,
-        EmpiricalSettings,
-        empirical,
-    )
-    from raybundle.commands.estimate_cost import EstimateCostSettings, estimate_cost
-    from raybundle.commands.film import (
-        FilmSettings,
-        StraightFilm,
-        film,
-    )
-    from raybundle.commands.marks import (
-        adjust_marks,
-        export_marks,
-        find_fiducials,
-        mark,
-        marks,
-        query,
-        transform_to_points,
-    )
-    from raybundle.commands.measure import MeasureSettings, measure
-    from raybundle.commands.merge import MergeSettings, merge_projects
-    from raybundle.commands.moved import MovedSettings, moved_points
-    from raybundle.commands.new_project import begin
-    from raybundle.commands.orient import OrientSettings, orient
-    from raybundle.commands.photos import (
-        FramesSettings,
-        PhotosSettings,
-        frames,
-        photos,
-    )
-    from raybundle.commands.planning.check import CheckedFlight, PlanCheckSettings, check_flight
-    from raybundle.commands.planning.mission import MissionSettings, PlannedMission, plan_mission
-    from raybundle.commands.planning.network import NetworkSettings, plan_network
-    from raybundle.commands.planning.next import NextSettings, plan_next
-    from raybundle.commands.planning.photograph_list import ListSettings, plan_list
-    from raybundle.commands.record import Recorded, RecordSettings, record
-    from raybundle.commands.rectify import Rectification, RectifySettings, rectify
-    from raybundle.commands.rpc import RpcFitSettings, RpcProjectSettings, rpc_fit, rpc_project
-    from raybundle.commands.scenes.batch import Batch, RpcBatchSettings, rpc_batch
-    from raybundle.commands.scenes.correct import RpcCorrectSettings, rpc_correct
-    from raybundle.commands.scenes.ortho import Orthophoto, RpcOrthoSettings, rpc_ortho
-    from raybundle.commands.sheet import DrawingSheet, drawing_sheet
-    from raybundle.commands.sheet_settings import DrawingSheetSettings
-    from raybundle.commands.show import show
-    from raybundle.commands.spreadsheet import Spreadsheet, SpreadsheetSettings, spreadsheet
-    from raybundle.commands.surface import MeasuredSurface, SurfaceSettings, surface
-    from raybundle.commands.target_settings import (
-        ChooseSettings,
-        DetectSettings,
-        SheetSettings,
-        choose_targets,
-        write_target_sheet,
-    )
-    from raybundle.commands.targets import detect_targets
-    from raybundle.errors import InputError, NotSolvable, RaybundleError
-    from raybundle.io.block.folder import read_block, write_block
-    from raybundle.io.folders import overwriting
-    from raybundle.numerics.transform import SimilarityTransform
-    from raybundle.planning.flight import plan_flight
-    from raybundle.planning.uav_networks import Flight
-    from raybundle.report.compare import write_comparison
-    from raybundle.report.network_page import write_network_page
-    from raybundle.report.plotting import (
-        plot_control,
-        plot_interior,
-        plot_network,
-        plot_reliability,
-        plot_residuals,
-    )
-    from raybundle.report.tables import table, table_names
-    from raybundle.report.write import write_result
-    from raybundle.report.writing import write_report
-    from raybundle.results.folder import read_result
-    from raybundle.results.matrices_file import write_matrices
-    from raybundle.workflows.adjust import adjust
-    from raybundle.workflows.calibrating.state import Calibration
-    from raybundle.workflows.costs.estimate import Estimate
-    from raybundle.workflows.orient import Orientation
-
-    __version__: str
+from typing import Any
 
 _HOME = {
     "Matrices": "adjustment.evaluation.matrices",
@@ -269,148 +162,10 @@ _HOME = {
     "write_target_sheet": "commands.target_settings",
 }
 
-__all__ = [
-    "Adjustment",
-    "AdjustmentOptions",
-    "Batch",
-    "Block",
-    "CalibrateSettings",
-    "Calibration",
-    "CalibrationAddSettings",
-    "CalibrationCompareSettings",
-    "CalibrationConvertSettings",
-    "CalibrationFindSettings",
-    "CalibrationListSettings",
-    "Camera",
-    "CheckedFlight",
-    "ChooseSettings",
-    "ConvertSettings",
-    "Converted",
-    "DetectSettings",
-    "Distances",
-    "DrawingSheet",
-    "DrawingSheetSettings",
-    "Empirical",
-    "EmpiricalSettings",
-    "Estimate",
-    "EstimateCostSettings",
-    "FilmSettings",
-    "Flight",
-    "FramesSettings",
-    "Images",
-    "InputError",
-    "Instrument",
-    "ListSettings",
-    "Matrices",
-    "MeasureSettings",
-    "MeasuredSurface",
-    "MergeSettings",
-    "MissionSettings",
-    "MovedSettings",
-    "NamedCovariance",
-    "NetworkSettings",
-    "NextSettings",
-    "NotSolvable",
-    "Observations",
-    "OpenCVCamera",
-    "OrientSettings",
-    "Orientation",
-    "Orthophoto",
-    "PhotosSettings",
-    "PlanCheckSettings",
-    "PlannedMission",
-    "Points",
-    "RaybundleError",
-    "RecordSettings",
-    "Recorded",
-    "Rectification",
-    "RectifySettings",
-    "Role",
-    "RpcBatchSettings",
-    "RpcCorrectSettings",
-    "RpcFitSettings",
-    "RpcOrthoSettings",
-    "RpcProjectSettings",
-    "SheetSettings",
-    "SimilarityTransform",
-    "Spreadsheet",
-    "SpreadsheetSettings",
-    "Stations",
-    "StraightFilm",
-    "SurfaceSettings",
-    "ZoomSettings",
-    "__version__",
-    "adjust",
-    "adjust_marks",
-    "begin",
-    "calibrate",
-    "calibrate_zoom",
-    "check_flight",
-    "choose_targets",
-    "compare_calibrations",
-    "convert",
-    "convert_calibration",
-    "covariance",
-    "detect_targets",
-    "drawing_sheet",
-    "empirical",
-    "estimate_cost",
-    "export_marks",
-    "film",
-    "find_calibration",
-    "find_fiducials",
-    "frames",
-    "keep_calibration",
-    "kept_calibrations",
-    "mark",
-    "marks",
-    "matrices",
-    "measure",
-    "merge_blocks",
-    "merge_projects",
-    "moved_points",
-    "orient",
-    "overwriting",
-    "photos",
-    "plan_flight",
-    "plan_list",
-    "plan_mission",
-    "plan_network",
-    "plan_next",
-    "plot_control",
-    "plot_interior",
-    "plot_network",
-    "plot_reliability",
-    "plot_residuals",
-    "projection_uncertainty",
-    "query",
-    "read_block",
-    "read_result",
-    "record",
-    "rectify",
-    "rpc_batch",
-    "rpc_correct",
-    "rpc_fit",
-    "rpc_ortho",
-    "rpc_project",
-    "show",
-    "spreadsheet",
-    "surface",
-    "table",
-    "table_names",
-    "transform_block",
-    "transform_to_points",
-    "write_block",
-    "write_comparison",
-    "write_matrices",
-    "write_network_page",
-    "write_report",
-    "write_result",
-    "write_target_sheet",
-]
+__all__ = [*_HOME, "__version__"]  # noqa: PLE0604  # pyright: ignore[reportUnsupportedDunderAll]
 
 
-def _loaded(name: str) -> Any:
+def __getattr__(name: str) -> Any:
     """The public name, from the module where it lives."""
     if name == "__version__":
         from importlib.metadata import version  # noqa: PLC0415
@@ -422,10 +177,6 @@ def _loaded(name: str) -> Any:
         raise AttributeError(f"module 'raybundle' has no attribute {name!r}")
     globals()[name] = value
     return value
-
-
-if not TYPE_CHECKING:  # a checker that saw it would take every name for a public one
-    __getattr__ = _loaded
 
 
 def __dir__() -> list[str]:

@@ -6,21 +6,24 @@ A message names a setting by `option`, never by its flag: who works in Python re
 from __future__ import annotations
 
 import dataclasses
+import inspect
 import json
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field
 from functools import cache
 from os import PathLike
 from pathlib import Path, PurePath
-from typing import Any, Literal, TypeVar, cast, get_args, get_origin, get_type_hints
+from types import UnionType
+from typing import Any, Literal, TypeVar, Union, cast, get_args, get_origin, get_type_hints
 
 from raybundle import words
 from raybundle.errors import InputError
 from raybundle.words.options import option_words
 
 T = TypeVar("T")
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -151,7 +154,8 @@ class Setting:
         if self.about.joined and isinstance(value, str):
             return tuple(word.strip() for word in value.split(",") if word.strip())
         if self.many:
-            values: list[Any] = [value] if isinstance(value, str | Path) else [*cast("Any", value)]
+            one = isinstance(value, str) or not isinstance(value, Iterable)
+            values: list[Any] = [value] if one else [*cast("Any", value)]
             return tuple(self._one(v) for v in values)
         return self._one(value)
 
@@ -206,6 +210,47 @@ def settings_of(kind: type) -> tuple[Setting, ...]:
         for f in dataclasses.fields(kind)
         if "about" in f.metadata
     )
+
+
+def accepted(kind: Any) -> str:
+    """The annotation of what `made` takes for a field of this type, as source code."""
+    parts = get_args(kind)
+    if get_origin(kind) is Literal:
+        return f"Literal[{', '.join(map(repr, parts))}]"
+    if get_origin(kind) in {Union, UnionType}:
+        return " | ".join(map(accepted, parts))
+    if get_origin(kind) is tuple and parts[-1] is Ellipsis:
+        one = accepted(parts[0])
+        return f"Sequence[{one}]" if get_origin(parts[0]) is tuple else f"{one} | Sequence[{one}]"
+    if get_origin(kind) is tuple:
+        each = [accepted(p) for p in parts]
+        return f"tuple[{', '.join(each)}] | list[{' | '.join(dict.fromkeys(each))}]"
+    return {Path: "str | Path", type(None): "None"}.get(kind) or kind.__name__
+
+
+def keywords(kind: type) -> Callable[[Function], Function]:
+    """Show the fields of a settings class as keywords in the signature of a function that takes them as `**settings`.
+
+    Fields that the function has as parameters are not repeated.  `settings` of the function is the class.
+    """
+
+    def with_signature(function: Function) -> Function:
+        signature, hints = inspect.signature(function), get_type_hints(kind)
+        own = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
+        more = [
+            inspect.Parameter(
+                f.name,
+                inspect.Parameter.KEYWORD_ONLY,
+                default=inspect.Parameter.empty if f.default is MISSING else f.default,
+                annotation=accepted(hints[f.name]),
+            )
+            for f in dataclasses.fields(kind)
+            if f.name not in signature.parameters
+        ]
+        vars(function).update(__signature__=signature.replace(parameters=[*own, *more]), settings=kind)
+        return function
+
+    return with_signature
 
 
 def made(kind: type[T], given: Mapping[str, Any]) -> T:

@@ -129,7 +129,7 @@ def scenes(scene: Path, out: Path) -> None:
     fitted = rb.rpc_fit(scene, out / "rpc.txt")
     assert_type(fitted.rms_px, Array)
     rb.rpc_project(scene, "points.csv", out / "image.csv")
-    corrected = rb.rpc_correct("scene.tif", "control.csv", bias="shift")
+    corrected = rb.rpc_correct("scene.tif", "control.csv", scene_bias="shift")
     assert_type(corrected.ids, tuple[str, ...])
     assert_type(corrected.size_px, tuple[int, int])
     if corrected.fit is not None:

@@ -14,7 +14,7 @@ from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError, NotSolvable, text_json
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, setting
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, keywords, setting
 
 if TYPE_CHECKING:
     from raybundle.calibration.quality import CalibrationQuality
@@ -85,6 +85,7 @@ class CalibrateSettings:
         )  # fmt: skip
 
 
+@keywords(CalibrateSettings)
 def calibrate(
     photos: str | Path | Sequence[str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
 ) -> Calibration:

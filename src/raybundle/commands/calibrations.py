@@ -21,7 +21,7 @@ from raybundle.commands.calibration_files import (
 from raybundle.commands.convert import APPROXIMATE_HELP
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, path_of, setting
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -186,6 +186,7 @@ class ZoomLens:
     """what the photographs of each say, in the order of the results"""
 
 
+@keywords(CalibrationConvertSettings)
 def convert_calibration(source: str | Path, out: str | Path, *, to: str, **settings: Any) -> ConvertedCalibrations:
     """Convert a calibration to the format of another program.
 
@@ -200,17 +201,19 @@ def convert_calibration(source: str | Path, out: str | Path, *, to: str, **setti
     return write_converted(asked, converted(asked))
 
 
+@keywords(CalibrationCompareSettings)
 def compare_calibrations(first: str | Path, second: str | Path, **settings: Any) -> ComparedCalibrations:
     """How far apart two calibrations place the image of the same ray, after the best rotation.
 
     first, second  files of any format, or result folders
-    settings       as of the command line, by the names of `CalibrationCompareSettings`: distance=5.0
+    settings       as of the command line, by the names of `CalibrationCompareSettings`: object_distance=5.0
     raises         InputError for what cannot be read, and for a file of several cameras where none is named
     """
     given = {"first": path_of("first", first), "second": path_of("second", second), **settings}
     return run_compare(made(CalibrationCompareSettings, given))
 
 
+@keywords(CalibrationAddSettings)
 def keep_calibration(source: str | Path, **settings: Any) -> KeptCalibration:
     """Store a calibration in the camera library.
 
@@ -221,6 +224,7 @@ def keep_calibration(source: str | Path, **settings: Any) -> KeptCalibration:
     return run_add(made(CalibrationAddSettings, {"source": path_of("source", source), **settings}))
 
 
+@keywords(CalibrationListSettings)
 def kept_calibrations(**settings: Any) -> Library:
     """The calibrations of the camera library.
 
@@ -229,6 +233,7 @@ def kept_calibrations(**settings: Any) -> Library:
     return run_list(made(CalibrationListSettings, settings))
 
 
+@keywords(CalibrationFindSettings)
 def find_calibration(photo: str | Path, **settings: Any) -> FoundCalibrations:
     """Which calibrations of the camera library serve a photograph, and why the others do not.
 
@@ -242,6 +247,7 @@ def find_calibration(photo: str | Path, **settings: Any) -> FoundCalibrations:
     return found
 
 
+@keywords(ZoomSettings)
 def calibrate_zoom(results: Sequence[str | Path], out: str | Path, **settings: Any) -> ZoomLens:
     """Combine calibrations of a zoom lens at several settings into one for every focal length in between.
 

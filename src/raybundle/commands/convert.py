@@ -12,7 +12,7 @@ from raybundle.commands.pages import TABLES_HELP
 from raybundle.errors import InputError, as_detail, message
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.record import STATE
-from raybundle.settings import ANY, made, path_of, setting
+from raybundle.settings import ANY, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Block
@@ -81,6 +81,7 @@ class Converted:
     """number of elements of INPUT that its reader passed over, by kind"""
 
 
+@keywords(ConvertSettings)
 def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress = silent, **settings: Any) -> Converted:
     """Convert a block folder, a result folder or the files of another program; what is written stands in `out`.
 

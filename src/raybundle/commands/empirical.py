@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free
-from raybundle.settings import PIXELS, made, path_of, setting
+from raybundle.settings import PIXELS, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array, Mask
@@ -67,6 +67,7 @@ class Empirical:
         return tuple(n for n, c in zip(self.points.ids, self.points.check.tolist(), strict=True) if not c)
 
 
+@keywords(EmpiricalSettings)
 def empirical(points: str | Path, **settings: Any) -> Empirical:
     """Fit an image of an unknown sensor to known points: affine, projective and DLT models.
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import POSITIVE, Range, made, path_of, setting
+from raybundle.settings import POSITIVE, Range, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.workflows.costs.constants import Constants
@@ -69,6 +69,7 @@ MEGAPIXELS = 20.0
 """Of a photograph where nothing states otherwise"""
 
 
+@keywords(EstimateCostSettings)
 def estimate_cost(photos: str | Path | None = None, *, progress: Progress = silent, **settings: Any) -> Estimate:
     """What an orientation and adjustment takes, stage by stage.
 

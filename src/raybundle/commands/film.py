@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError, Message, as_detail
 from raybundle.io.folders import check_free
-from raybundle.settings import POSITIVE, made, path_of, setting
+from raybundle.settings import POSITIVE, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -48,12 +48,13 @@ class StraightFilm:
     """as measured in the scans; None where none were given"""
 
 
+@keywords(FilmSettings)
 def film(marks: str | Path, out: str | Path, **settings: Any) -> StraightFilm:
     """Bring image points of scanned film into the camera's frame by its fiducial marks or reseau.
 
     marks     CSV image,mark,x_px,y_px[,sx_px,sy_px] of the marks measured in the scans
     out       new folder: film.csv (shrinkage and fit of each scan), residuals.csv, cameras.toml, observations.csv
-    settings  as of the command line, by the names of `FilmSettings`: calibrated="certificate.csv", camera="rmk.toml"
+    settings  as of the command line, by the names of `FilmSettings`: calibrated="marks.csv", calibration="rmk.toml"
     raises    InputError for what cannot be read, and where the marks of a scan do not fit the certificate
 
     Limits: with as many marks as unknowns a wrong mark is not noticed.

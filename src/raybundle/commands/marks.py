@@ -45,27 +45,28 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.project import masks_given, photographs_of
 from raybundle.results.folder import ResultFolder
 from raybundle.results.stored_options import made_as
-from raybundle.settings import made
+from raybundle.settings import keywords, made
 from raybundle.workflows.adjust import adjust
 
 LISTS: tuple[Quantity, ...] = tuple(q for q in QUANTITIES if q not in {"coordinates", "distance", "angle"})
 """Quantities of one list of points each"""
 
 
-def query(result: Adjustment | ResultFolder | str | Path, **given: Any) -> list[Answer]:
+@keywords(QuerySettings)
+def query(
+    result: Adjustment | ResultFolder | str | Path, *, distance: tuple[str, str] | Sequence[tuple[str, str]] = (),
+    angle: tuple[str, str, str] | Sequence[tuple[str, str, str]] = (), **given: Any,
+) -> list[Answer]:  # fmt: skip
     """Coordinates, distances, angles, areas, lengths, planes and lines with sigmas from the full covariance.
 
-    result       an adjustment, or a result, project or block folder, whose block is adjusted again under the options
+    result       an adjustment, or a result, project or block folder; its block is adjusted again under the options
                  of the result (at once, since it holds adjusted values)
     coordinates  names of points; distance (A, B) or several; angle (A, B, C) at B or several; area, length, plane,
                  line: points in order; to_plane, to_line: a point, then those of the plane or line
     raises       InputError for points that are not there, and where nothing is asked
     """
-    pairs = {"distance": 2, "angle": 3}
-    for name in pairs.keys() & given.keys():
-        one = given[name]
-        if one and isinstance(one[0], str):
-            given[name] = (tuple(one),)
+    for name, points in {"distance": distance, "angle": angle}.items():
+        given[name] = (points,) if points and isinstance(points[0], str) else points
     s = made(QuerySettings, given)
     questions: list[tuple[Quantity, Sequence[str]]] = [
         *(("coordinates", (p,)) for p in s.coordinates),
@@ -94,6 +95,7 @@ def _check_named(folder: Path, block: Block, points: Sequence[str]) -> None:
         raise InputError("mark.not_in_result", point=waiting[0], adjusted=made.is_dir(), folder=str(made))
 
 
+@keywords(DatumSettings)
 def transform_to_points(result: Adjustment | str | Path, out: str | Path, **given: Any) -> Path:
     """Write the points of a result in a coordinate system by points: OUT/points.csv and transformation.json.
 
@@ -217,6 +219,7 @@ def _standing(folder: str | Path) -> Path:
     return standing_folder(folder) or Path(folder)
 
 
+@keywords(AdjustmentOptions)
 def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) -> tuple[Adjustment, Mapping[str, str]]:
     """Adjust the block of a folder with its manual measurements; also returns omitted ones with reasons.
 

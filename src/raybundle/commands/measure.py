@@ -25,7 +25,7 @@ from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, setting
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, keywords, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.records.notice import Notice
@@ -122,6 +122,7 @@ class Measured:
     """Those that take no part, and why"""
 
 
+@keywords(MeasureSettings)
 def measure(
     photos: str | Path | Sequence[str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
 ) -> Measured:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from raybundle.errors import InputError, Message, NotSolvable, as_detail, note
 from raybundle.io.folders import check_free
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import Range, made, setting
+from raybundle.settings import Range, keywords, made, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Block
@@ -34,6 +34,7 @@ class MergeSettings:
     )  # fmt: skip
 
 
+@keywords(MergeSettings)
 def merge_projects(
     sources: Sequence[str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
 ) -> Joined:

@@ -15,7 +15,7 @@ from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_o
 from raybundle.errors import InputError, Message
 from raybundle.numerics.natural import natural_order
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import Range, made, setting
+from raybundle.settings import Range, keywords, made, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -68,6 +68,7 @@ class MovedSettings:
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
 
+@keywords(MovedSettings)
 def moved_points(
     epochs: Sequence[Adjustment | str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
 ) -> Congruence:

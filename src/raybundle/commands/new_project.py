@@ -14,7 +14,7 @@ from raybundle.io.reading.trees import read_toml
 from raybundle.measuring.journal import named_folder
 from raybundle.measuring.session import block_folder, holds_block
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import asked
+from raybundle.settings import asked, keywords
 
 if TYPE_CHECKING:
     from raybundle.block import Block
@@ -24,6 +24,7 @@ Notify = Callable[[str], object]
 """Gets lines for people"""
 
 
+@keywords(BeginSettings)
 def begin(
     photos: str | Path | Sequence[str | Path], out: str | Path | None = None, *, notify: Notify = str,
     progress: Progress = silent, **settings: Any,

@@ -23,6 +23,7 @@ from raybundle.settings import (
     Range,
     asked,
     in_words,
+    keywords,
     other_than_usual,
     setting,
     settings_of,
@@ -195,6 +196,7 @@ class OrientSettings:
         )  # fmt: skip
 
 
+@keywords(OrientSettings)
 def orient(
     photos: str | Path | Sequence[str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
 ) -> Orientation:

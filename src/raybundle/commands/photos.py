@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import POSITIVE, Range, made, path_of, setting
+from raybundle.settings import POSITIVE, Range, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.io.photos.cameras import CameraGroup
@@ -50,6 +50,7 @@ class FramesSettings:
     )  # fmt: skip
 
 
+@keywords(PhotosSettings)
 def photos(photos: str | Path | Sequence[str | Path], *, progress: Progress = silent, **settings: Any) -> KnownPhotos:
     """What is known about some photographs: cameras, starting values, positions, files left out.
 
@@ -72,6 +73,7 @@ def run_photos(settings: PhotosSettings, progress: Progress = silent) -> KnownPh
     return KnownPhotos(found=found, cameras=tuple(camera_groups(found.photos, stored)))
 
 
+@keywords(FramesSettings)
 def frames(video: str | Path, out: str | Path, *, progress: Progress = silent, **settings: Any) -> Frames:
     """Choose sharp frames of a video by image motion and write them as photographs, with frames.csv beside them.
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from raybundle.commands.record_settings import record_in
 from raybundle.errors import InputError
 from raybundle.results.record import NAMES, RECORD, RECORD_FILE, Record, checked
-from raybundle.settings import made, path_of, setting
+from raybundle.settings import keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.results.recording_sheet import KnownByPhotographs
@@ -61,6 +61,7 @@ class Recorded:
     """that were written"""
 
 
+@keywords(RecordSettings)
 def record(project: str | Path, **entries: Any) -> Recorded:
     """The recording sheet of a project, with these entries written into project.toml, table [record].
 

@@ -12,7 +12,7 @@ from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings, plane_in
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.record import STATE
-from raybundle.settings import ANY, POSITIVE, Range, made, other_than_usual, path_of, setting
+from raybundle.settings import ANY, POSITIVE, Range, keywords, made, other_than_usual, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -77,6 +77,7 @@ class Rectification:
     remarks: tuple[str, ...] = ()
 
 
+@keywords(RectifySettings)
 def rectify(source: str | Path, out: str | Path, *, progress: Progress = silent, **settings: Any) -> Rectification:
     """Bring photographs of a plane object to scale; beside the picture stand a world file and NAME.toml.
 

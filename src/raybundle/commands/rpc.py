@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from raybundle.commands.scenes.common import HEIGHTS_HELP, beyond, check_near, check_new, heights_of, size_of
 from raybundle.commands.scenes.inputs import scene_input
 from raybundle.errors import InputError, RaybundleError
-from raybundle.settings import ANY, made, path_of, setting
+from raybundle.settings import ANY, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
@@ -62,6 +62,7 @@ class Projected:
     """points without coordinates"""
 
 
+@keywords(RpcProjectSettings)
 def rpc_project(scene: str | Path, points: str | Path, out: str | Path, **settings: Any) -> Projected:
     """Image points of ground points by the model of a scene, or the other way, as a table.
 
@@ -77,6 +78,7 @@ def rpc_project(scene: str | Path, points: str | Path, out: str | Path, **settin
     return run_project(made(RpcProjectSettings, {**given, **settings}))
 
 
+@keywords(RpcFitSettings)
 def rpc_fit(scene: str | Path, out: str | Path, **settings: Any) -> RpcFit:
     """Make an RPC that stands for the rigorous model of a scene.
 

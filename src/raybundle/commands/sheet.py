@@ -13,7 +13,7 @@ from raybundle.errors import InputError
 from raybundle.io.folders import check_free
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.languages import checked_language
-from raybundle.settings import made, other_than_usual, path_of
+from raybundle.settings import keywords, made, other_than_usual, path_of
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
@@ -49,6 +49,7 @@ class DrawingSheet:
     """why what is drawn is not to be used yet; empty: nothing states it"""
 
 
+@keywords(DrawingSheetSettings)
 def drawing_sheet(
     sources: str | Path | Sequence[str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
 ) -> DrawingSheet:

@@ -15,7 +15,7 @@ from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE
 from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP, store_of
 from raybundle.errors import InputError, as_detail
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, POSITIVE, Range, made, other_than_usual, path_of, setting, toml_lines
+from raybundle.settings import ANY, POSITIVE, Range, keywords, made, other_than_usual, path_of, setting, toml_lines
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -127,6 +127,7 @@ class MeasuredSurface:
         return dict(self.written)[""].files[0]
 
 
+@keywords(SurfaceSettings)
 def surface(
     source: str | Path, out: str | Path | None = None, *, progress: Progress = silent, **settings: Any
 ) -> MeasuredSurface:

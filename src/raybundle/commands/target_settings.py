@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
-from raybundle.settings import NOT_NEGATIVE, Range, made, path_of, setting
+from raybundle.settings import NOT_NEGATIVE, Range, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Index
@@ -116,6 +116,7 @@ class DetectSettings(FamilySettings):
     jobs: int = setting(0, "Number of processors; 0: all.", limits=NOT_NEGATIVE)
 
 
+@keywords(SheetSettings)
 def write_target_sheet(target: str | None, out: str | Path, **settings: Any) -> Sheet:
     """Write targets at true size, with a scale bar to verify the printer, and FILE.toml with ids, radii, positions.
 
@@ -127,6 +128,7 @@ def write_target_sheet(target: str | None, out: str | Path, **settings: Any) -> 
     return run_sheet(made(SheetSettings, {"target": target, "out": path_of("out", out), **settings}))[0]
 
 
+@keywords(ChooseSettings)
 def choose_targets(target: str | None = None, *, count: int, **settings: Any) -> Choice:
     """Choose targets that stay distinct when an arc of their ring is hidden.
 

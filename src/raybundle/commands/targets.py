@@ -19,7 +19,7 @@ from raybundle.io.photos.photo import Photo, find_photos, read_grey
 from raybundle.io.tables import write_table
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import made
+from raybundle.settings import keywords, made
 from raybundle.targets.marks import MarkOptions, Marks, Target, detect
 
 
@@ -34,6 +34,7 @@ class Detected:
     """files left out, with the reason"""
 
 
+@keywords(DetectSettings)
 def detect_targets(
     photos: str | Path | Sequence[str | Path], target: str | Target | None = None, *, progress: Progress = silent,
     **settings: Any,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from raybundle.errors import InputError, phrase
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import POSITIVE, Range, made, setting
+from raybundle.settings import POSITIVE, Range, keywords, made, setting
 
 if TYPE_CHECKING:
     from raybundle.io.photos.photo import Photo
@@ -58,6 +58,7 @@ class CheckedFlight:
     files: tuple[Path, ...]
 
 
+@keywords(PlanCheckSettings)
 def check_flight(
     plan: str | Path, photos: str | Path | Sequence[str | Path], *, progress: Progress = silent, **settings: Any
 ) -> CheckedFlight:

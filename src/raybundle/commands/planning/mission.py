@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError, Text, phrase, warning
 from raybundle.missions.defaults import OVERLAP
-from raybundle.settings import ANY, METRES, POSITIVE, Range, made, setting, settings_of
+from raybundle.settings import ANY, METRES, POSITIVE, Range, keywords, made, setting, settings_of
 
 if TYPE_CHECKING:
     from raybundle.errors import Message
@@ -146,6 +146,7 @@ class PlannedMission:
     """What it will determine, where that was asked for"""
 
 
+@keywords(MissionSettings)
 def plan_mission(area: str | Path, out: str | Path, **settings: Any) -> PlannedMission:
     """Plan a flight and write it: mission.toml, a picture, and a file for each battery and format.
 

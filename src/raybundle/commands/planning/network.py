@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError, phrase
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import METRES, PIXELS, POSITIVE, Range, made, setting
+from raybundle.settings import METRES, PIXELS, POSITIVE, Range, keywords, made, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -115,6 +115,7 @@ class NetworkSettings(PlannedCamera):
     )
 
 
+@keywords(NetworkSettings)
 def plan_network(object: str, out: str | Path, *, progress: Progress = silent, **settings: Any) -> NetworkPlan:  # noqa: A002
     """Plan a network round an object and write it.
 

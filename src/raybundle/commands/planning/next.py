@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError, NotSolvable, Text, joined_texts, note, phrase
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, setting
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, keywords, made, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -75,6 +75,7 @@ class NextSettings:
     )
 
 
+@keywords(NextSettings)
 def plan_next(
     result: Adjustment | str | Path, out: str | Path | None = None, *, photographs: int = 1,
     progress: Progress = silent, **settings: Any,

@@ -17,7 +17,7 @@ from raybundle.commands.planning.network import (
 )
 from raybundle.errors import InputError, Text, note, phrase
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import METRES, Range, made, setting
+from raybundle.settings import METRES, Range, keywords, made, setting
 
 if TYPE_CHECKING:
     from raybundle.planning.assistants import Shots, Task
@@ -71,6 +71,7 @@ class ListSettings(PlannedCamera):
     )
 
 
+@keywords(ListSettings)
 def plan_list(
     kind: str,
     object: str,  # noqa: A002

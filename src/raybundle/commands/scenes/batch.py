@@ -17,7 +17,7 @@ from raybundle.commands.scenes.correct import (
 from raybundle.commands.scenes.inputs import RASTERS, scene_input
 from raybundle.errors import InputError, Message, RaybundleError, Severity, as_detail, message
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import made, path_of, setting
+from raybundle.settings import keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.io.digits import Digits
@@ -77,6 +77,7 @@ class Batch:
         return tuple(s for s in self.scenes if s.correction is None)
 
 
+@keywords(RpcBatchSettings)
 def rpc_batch(
     scenes: str | Path | Sequence[str | Path], control: str | Path, out: str | Path, *, progress: Progress = silent,
     **settings: Any,

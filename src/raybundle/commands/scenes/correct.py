@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from raybundle.commands.scenes.common import HEIGHTS_HELP, beyond, check_near, check_new, heights_of, size_of
 from raybundle.commands.scenes.inputs import SceneInput, is_object, path_of_object, scene_input
 from raybundle.errors import InputError
-from raybundle.settings import ANY, PIXELS, made, path_of, setting
+from raybundle.settings import ANY, PIXELS, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
@@ -101,6 +101,7 @@ class Correction:
     written: tuple[Path, ...] = ()
 
 
+@keywords(RpcCorrectSettings)
 def rpc_correct(scene: Any, points: str | Path, *, rpc: Any = None, **settings: Any) -> Correction:
     """Correct an RPC on control points; with `out` it is written with the correction built in.
 
@@ -108,7 +109,7 @@ def rpc_correct(scene: Any, points: str | Path, *, rpc: Any = None, **settings: 
               DataArray that rioxarray opened
     points    CSV, GeoJSON, GeoPackage or gcp_list.txt with ground and image points (see the how-to page)
     rpc       RPC instead of that of the scene: a path, an `Rpc`, or a `rasterio.rpc.RPC`
-    settings  as of the command line, by the names of `RpcCorrectSettings`: bias="shift", out="corrected.tif"
+    settings  as of the command line, by the names of `RpcCorrectSettings`: scene_bias="shift", out="corrected.tif"
     returns   `corrected` is the RPC with the correction and its ERR_BIAS and ERR_RAND; `corrected.to_rasterio()` the
               same for rasterio
     raises    InputError for what cannot be read; NotSolvable where the points contradict the correction

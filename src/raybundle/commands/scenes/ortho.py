@@ -14,7 +14,7 @@ from raybundle.commands.scenes.common import check_new
 from raybundle.commands.scenes.inputs import SceneInput, is_object, path_of_object, scene_input
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, POSITIVE, made, path_of, setting
+from raybundle.settings import ANY, POSITIVE, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.io.scenes.pictures import Picture
@@ -117,6 +117,7 @@ def _counted(n: int) -> Array:
     return np.arange(n)
 
 
+@keywords(RpcOrthoSettings)
 def rpc_ortho(
     scene: Any, dem: Any, out: str | Path | None = None, *, rpc: Any = None, progress: Progress = silent,
     **settings: Any,
