@@ -28,7 +28,7 @@ sys.path.insert(0, str(ROOT))
 from tests.surface import portal  # noqa: E402
 
 from raybundle.numerics import native  # noqa: E402
-from raybundle.surface.depths.refine import PixelGrid, refine  # noqa: E402
+from raybundle.surfaces.depths.refine import PixelGrid, refine  # noqa: E402
 
 PART = PixelGrid(x0=500, y0=350, stride=1, rows=80, columns=400)
 NOISE = 1.0

@@ -26,12 +26,12 @@ sys.path.insert(0, str(ROOT))
 
 from tests.surface.truth import Portal  # noqa: E402
 
-from raybundle.surface.files.heights import HeightFile, read_heights  # noqa: E402
-from raybundle.surface.files.input import on_same_grid, opened  # noqa: E402
-from raybundle.surface.heights.displacement import movements  # noqa: E402
-from raybundle.surface.heights.height_model import HeightModel  # noqa: E402
-from raybundle.surface.heights.resampling import difference  # noqa: E402
-from raybundle.surface.heights.steps import alike  # noqa: E402
+from raybundle.surfaces.files.heights import HeightFile, read_heights  # noqa: E402
+from raybundle.surfaces.files.input import on_same_grid, opened  # noqa: E402
+from raybundle.surfaces.heights.displacement import movements  # noqa: E402
+from raybundle.surfaces.heights.height_model import HeightModel  # noqa: E402
+from raybundle.surfaces.heights.resampling import difference  # noqa: E402
+from raybundle.surfaces.heights.steps import alike  # noqa: E402
 
 SIDE = 0.2
 """Of the squares whose means are compared [m]"""

@@ -27,9 +27,9 @@ sys.path.insert(0, str(ROOT))
 from tests.surface.truth import Portal  # noqa: E402
 
 from raybundle.adjustment.system.predict import predicted_px  # noqa: E402
-from raybundle.surface.depths.rays import ReferenceRays  # noqa: E402
-from raybundle.surface.files.heights import read_heights  # noqa: E402
-from raybundle.surface.heights.interpolation import closed, height_at  # noqa: E402
+from raybundle.surfaces.depths.rays import ReferenceRays  # noqa: E402
+from raybundle.surfaces.files.heights import read_heights  # noqa: E402
+from raybundle.surfaces.heights.interpolation import closed, height_at  # noqa: E402
 from raybundle.workflows.sources import read_source, result_within  # noqa: E402
 
 EVERY = 3

@@ -34,7 +34,7 @@ DEMO, WORK = ROOT / "demo_data/portal", ROOT / "benchmarks/work/relief"
 
 from raybundle.block import Role  # noqa: E402
 from raybundle.io.block.folder import read_block  # noqa: E402
-from raybundle.surface.files.heights import read_heights  # noqa: E402
+from raybundle.surfaces.files.heights import read_heights  # noqa: E402
 
 RELIEFS = ((-1.95, 1.05, 0.3, 0.003), (1.55, 0.75, 0.3, -0.003))
 """Lower left corner in x and z of the wall, side, movement outwards [m]"""

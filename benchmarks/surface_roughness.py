@@ -1,4 +1,4 @@
-"""Constants of the local variance of depths (src/raybundle/surface/depths/roughness.py), from rendered sets.
+"""Constants of the local variance of depths (src/raybundle/surfaces/depths/roughness.py), from rendered sets.
 
     python benchmarks/surface_roughness.py FOLDER PROJECT [FOLDER PROJECT ...] [--maps 2] [--density 2]
 
@@ -26,10 +26,10 @@ from renderer.judging import robust_chi_square  # noqa: E402
 from renderer.truth import read_surface  # noqa: E402
 
 from raybundle.io.block.folder import read_block  # noqa: E402
-from raybundle.surface.depths import roughness  # noqa: E402
-from raybundle.surface.depths.depth_map import DepthOptions, depth_map  # noqa: E402
-from raybundle.surface.depths.pairs import sources_of_each  # noqa: E402
-from raybundle.surface.depths.rays import ReferenceRays  # noqa: E402
+from raybundle.surfaces.depths import roughness  # noqa: E402
+from raybundle.surfaces.depths.depth_map import DepthOptions, depth_map  # noqa: E402
+from raybundle.surfaces.depths.pairs import sources_of_each  # noqa: E402
+from raybundle.surfaces.depths.rays import ReferenceRays  # noqa: E402
 
 HALF_PX = 4.0
 LOG_OF_NORMAL = -1.2704

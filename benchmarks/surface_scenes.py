@@ -32,8 +32,8 @@ from raybundle.block import Block  # noqa: E402
 from raybundle.block.select import selected  # noqa: E402
 from raybundle.io.block.folder import read_block, write_block  # noqa: E402
 from raybundle.io.raster_library import raster_library  # noqa: E402
-from raybundle.surface.files.heights import HeightFile, read_heights  # noqa: E402
-from raybundle.surface.heights.height_model import HeightModel  # noqa: E402
+from raybundle.surfaces.files.heights import HeightFile, read_heights  # noqa: E402
+from raybundle.surfaces.heights.height_model import HeightModel  # noqa: E402
 
 REACH, FEWEST = 64, 500
 """Cells by which another's heights may be moved, and cells in common that tell whether they fit."""

@@ -13,9 +13,9 @@ peers      OpenCV's three-way SGBM, and with --pandora (figures apart; six minut
            20 mm, share of the visible pixels
 neighbours correlation of normalised errors by distance along the rows, beside the one that is stated
 spread     variance of the logarithm of squared normalised errors, less that of normal ones: what the exponents of the
-           local variance leave (src/raybundle/surface/depths/roughness.py, LEFT)
+           local variance leave (src/raybundle/surfaces/depths/roughness.py, LEFT)
 between    --between DENSITY: of all pairs of maps, orientation exact, the correlation of their errors at one place, and
-           the stated one (src/raybundle/surface/heights/heights.py, between_maps)
+           the stated one (src/raybundle/surfaces/heights/heights.py, between_maps)
 union      --union DENSITY: maps of all photographs, and doubtful depths that others confirm: share of each map's
            visible pixels, their errors; of the object's surface that three or more photographs see (by rays to points
            spread evenly over it) the share at which a map has a depth within 20 mm of the truth
@@ -49,14 +49,14 @@ from raybundle.adjustment.evaluation.queries import joint_orientation  # noqa: E
 from raybundle.adjustment.system.predict import image_points  # noqa: E402
 from raybundle.measuring.session import adjusted_again  # noqa: E402
 from raybundle.numerics import native  # noqa: E402
-from raybundle.surface.depths.depth_map import DepthMap, DepthOptions, depth_map  # noqa: E402
-from raybundle.surface.depths.fusion import WITNESSES, MapView, agreement  # noqa: E402
-from raybundle.surface.depths.orientation import shift_covariance  # noqa: E402
-from raybundle.surface.depths.pairs import PairOfImages, sources_of_each  # noqa: E402
-from raybundle.surface.depths.rays import ReferenceRays  # noqa: E402
-from raybundle.surface.depths.transfer import places_in  # noqa: E402
-from raybundle.surface.heights.heights import SHARED_PHOTOGRAPHS, SHARED_SURFACE, between_maps, between_two  # noqa: E402
-from raybundle.surface.stages.fusion import MOST_MAPS  # noqa: E402
+from raybundle.surfaces.depths.depth_map import DepthMap, DepthOptions, depth_map  # noqa: E402
+from raybundle.surfaces.depths.fusion import WITNESSES, MapView, agreement  # noqa: E402
+from raybundle.surfaces.depths.orientation import shift_covariance  # noqa: E402
+from raybundle.surfaces.depths.pairs import PairOfImages, sources_of_each  # noqa: E402
+from raybundle.surfaces.depths.rays import ReferenceRays  # noqa: E402
+from raybundle.surfaces.depths.transfer import places_in  # noqa: E402
+from raybundle.surfaces.heights.heights import SHARED_PHOTOGRAPHS, SHARED_SURFACE, between_maps, between_two  # noqa: E402
+from raybundle.surfaces.stages.fusion import MOST_MAPS  # noqa: E402
 
 WORK = ROOT / "benchmarks/work"
 FOUNTAIN = ROOT.parent / "shared/data/photos/fountain-p11/images"

@@ -34,11 +34,11 @@ from renderer.judging import robust_chi_square, statistics
 from renderer.truth import Surface, read_surface
 from scipy.ndimage import label
 
-from raybundle.surface.files.heights import HeightFile, read_heights
-from raybundle.surface.files.input import on_same_grid, opened
-from raybundle.surface.heights.height_model import HeightModel, SumOfHeights
-from raybundle.surface.heights.resampling import difference
-from raybundle.surface.heights.volumes import volume
+from raybundle.surfaces.files.heights import HeightFile, read_heights
+from raybundle.surfaces.files.input import on_same_grid, opened
+from raybundle.surfaces.heights.height_model import HeightModel, SumOfHeights
+from raybundle.surfaces.heights.resampling import difference
+from raybundle.surfaces.heights.volumes import volume
 
 Array = NDArray[np.float64]
 WINDOW_PX = 4.0

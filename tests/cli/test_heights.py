@@ -11,7 +11,7 @@ from tests.cli.reported import refusal, reported, values_of
 from tests.surface.height_models import folder_of, made, middles
 
 from raybundle.cli.main import main
-from raybundle.surface.files.heights import read_heights
+from raybundle.surfaces.files.heights import read_heights
 
 rasterio = pytest.importorskip("rasterio")
 SHAPE = (64, 96)

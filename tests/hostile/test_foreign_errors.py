@@ -16,7 +16,7 @@ from raybundle.io.missions.areas import read_shapes
 from raybundle.io.missions.wpml import read as read_wpml
 from raybundle.measuring.journal import state_of
 from raybundle.pipeline.clusters import cluster_at
-from raybundle.surface.files.heights import read_heights as read_height_model
+from raybundle.surfaces.files.heights import read_heights as read_height_model
 from tests.conftest import DATA
 
 KML = (

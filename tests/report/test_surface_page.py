@@ -11,8 +11,8 @@ from raybundle import words
 from raybundle.report.figures.raster import classed, shaded
 from raybundle.report.sigma_classes import sigma_classes
 from raybundle.report.text.numbers import unbroken
-from raybundle.surface.depths.summary import HeightSummary, MapSummary, OrthophotoSummary, SurfaceSummary, reduced
-from raybundle.surface.page import write_surface_page
+from raybundle.surfaces.depths.summary import HeightSummary, MapSummary, OrthophotoSummary, SurfaceSummary, reduced
+from raybundle.surfaces.page import write_surface_page
 from raybundle.words import Reader
 
 

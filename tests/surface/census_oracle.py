@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 
 from raybundle.numerics.arrays import Array
-from raybundle.surface.depths.sweep import FRACTION, NOWHERE
+from raybundle.surfaces.depths.sweep import FRACTION, NOWHERE
 
 ACROSS, DOWN = 4, 3
 """The window: 9 x 7 pixels."""

@@ -3,9 +3,9 @@
 import numpy as np
 from scipy.ndimage import gaussian_filter
 
-from raybundle.surface.heights.height_model import HeightModel
-from raybundle.surface.heights.heights import Heights, within
-from raybundle.surface.heights.nodes import at_cells, variances
+from raybundle.surfaces.heights.height_model import HeightModel
+from raybundle.surfaces.heights.heights import Heights, within
+from raybundle.surfaces.heights.nodes import at_cells, variances
 
 FINE = 4
 """Places along the side of a cell of which its mean is taken"""
@@ -48,7 +48,7 @@ def middles(shape, cell=0.01):
 
 def file_of(model, *, unit="m", left=0.0, top=None, plane=None, wkt=""):
     """What heights.toml would say."""
-    from raybundle.surface.files.heights import HeightFile
+    from raybundle.surfaces.files.heights import HeightFile
 
     rows, columns = model.shape
     wall = {"origin": [0.0, 0.0, 0.0], "right": [1.0, 0.0, 0.0], "up": [0.0, 0.0, 1.0], "normal": [0.0, -1.0, 0.0]}
@@ -60,7 +60,7 @@ def file_of(model, *, unit="m", left=0.0, top=None, plane=None, wkt=""):
 
 def folder_of(model, folder, **told):
     """Written as a surface with heights."""
-    from raybundle.surface.files.heights import write_model
+    from raybundle.surfaces.files.heights import write_model
 
     folder.mkdir(exist_ok=True)
     write_model(model, file_of(model, **told), folder)

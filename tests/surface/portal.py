@@ -9,9 +9,9 @@ import cv2
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.surface.depths.rays import ReferenceRays
-from raybundle.surface.depths.refine import PixelGrid, RefineOptions, Source, refine
-from raybundle.surface.depths.transfer import transfer
+from raybundle.surfaces.depths.rays import ReferenceRays
+from raybundle.surfaces.depths.refine import PixelGrid, RefineOptions, Source, refine
+from raybundle.surfaces.depths.transfer import transfer
 from tests.surface.truth import PORTAL, Depths, Portal
 
 REFERENCE, SOURCES = 1, (0, 2, 5, 8)

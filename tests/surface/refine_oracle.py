@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.surface.depths.refine import PixelGrid, Refined, RefineOptions, Source, cubic
-from raybundle.surface.depths.transfer import NODES, Transfer, lagrange
+from raybundle.surfaces.depths.refine import PixelGrid, Refined, RefineOptions, Source, cubic
+from raybundle.surfaces.depths.transfer import NODES, Transfer, lagrange
 
 LAG = 3
 BATCH = 2000

@@ -9,9 +9,9 @@ import numpy as np
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.platforms import sensor_models
-from raybundle.surface.depths.rays import ReferenceRays
-from raybundle.surface.depths.refine import PixelGrid, Source
-from raybundle.surface.depths.transfer import transfer
+from raybundle.surfaces.depths.rays import ReferenceRays
+from raybundle.surfaces.depths.refine import PixelGrid, Source
+from raybundle.surfaces.depths.transfer import transfer
 from tests.matching.scenes import Texture
 
 WIDTH, HEIGHT, PIXEL_MM = 160, 120, 0.02

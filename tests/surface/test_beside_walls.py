@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.surface.heights.hole_filling import filled
-from raybundle.surface.heights.terrain_filter import ground
-from raybundle.surface.heights.true_areas import true_area
-from raybundle.surface.heights.volumes import volume
+from raybundle.surfaces.heights.hole_filling import filled
+from raybundle.surfaces.heights.terrain_filter import ground
+from raybundle.surfaces.heights.true_areas import true_area
+from raybundle.surfaces.heights.volumes import volume
 from tests.surface.height_models import made
 
 SHAPE, CELL, HIGH = (60, 80), 0.2, 6.0

@@ -8,12 +8,12 @@ import pytest
 
 from raybundle.block import Observations, Points
 from raybundle.errors import InputError
-from raybundle.surface.depths import filters, planes, roughness
-from raybundle.surface.depths.depth_map import DepthMap, DepthOptions, depth_map, depth_range
-from raybundle.surface.depths.filters import Flag
-from raybundle.surface.depths.noise import autocovariance
-from raybundle.surface.depths.refine import PixelGrid, Refined, Source, refine
-from raybundle.surface.depths.sweep import Start
+from raybundle.surfaces.depths import filters, planes, roughness
+from raybundle.surfaces.depths.depth_map import DepthMap, DepthOptions, depth_map, depth_range
+from raybundle.surfaces.depths.filters import Flag
+from raybundle.surfaces.depths.noise import autocovariance
+from raybundle.surfaces.depths.refine import PixelGrid, Refined, Source, refine
+from raybundle.surfaces.depths.sweep import Start
 from tests.surface.scene import scene
 from tests.surface.tied import CHOSEN, robust, with_tie_points
 
@@ -81,7 +81,7 @@ def test_incidences_are_those_of_the_ground(block, measured):
     slope = np.stack(
         [-0.1 * np.cos(x / 1.5) * np.cos(y / 1.7), 0.15 / 1.7 * np.sin(x / 1.5) * np.sin(y / 1.7), np.ones(len(x))]
     )
-    from raybundle.surface.depths.rays import ReferenceRays
+    from raybundle.surfaces.depths.rays import ReferenceRays
 
     d = ReferenceRays.of(block, 0).rays(measured.grid.xy_px[known])[1].T
     cosine = -(slope * d).sum(axis=0) / np.linalg.norm(slope, axis=0) / np.linalg.norm(d, axis=0)
@@ -100,9 +100,9 @@ def test_a_map_is_kept_and_is_the_same_for_any_number_of_threads(block, greys):
 
 def test_a_map_by_strips_is_that_of_all_rows(block, greys, measured, monkeypatch):
     """To the last bit: growing reaches as far as strips overlap, and no local variance looks further."""
-    monkeypatch.setattr("raybundle.surface.depths.levels.STRIP_BYTES", 1.0)
+    monkeypatch.setattr("raybundle.surfaces.depths.levels.STRIP_BYTES", 1.0)
     for name in ("depth_map", "filters", "roughness"):
-        monkeypatch.setattr(f"raybundle.surface.depths.{name}.ROWS", 7)
+        monkeypatch.setattr(f"raybundle.surfaces.depths.{name}.ROWS", 7)
     parts = depth_map(block, CHOSEN, greys.__getitem__, DepthOptions(density=1)).sure()
     for name, values in measured.as_arrays().items():
         assert np.array_equal(values, parts.as_arrays()[name], equal_nan=values.dtype.kind == "f"), name
@@ -327,7 +327,7 @@ def test_planes_of_refined_pixels_go_on_between_them():
 
 @pytest.mark.long
 def test_a_map_of_the_portal_is_as_good_as_it_says(truth):
-    from raybundle.surface.depths.pairs import sources_of_each
+    from raybundle.surfaces.depths.pairs import sources_of_each
     from tests.surface.portal import grey
 
     chosen = sources_of_each(truth.block)[12]  # a rolled one

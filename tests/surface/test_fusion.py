@@ -8,10 +8,10 @@ from scipy.spatial import KDTree
 
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
-from raybundle.surface.depths.fusion import MapView, agreement, by_contrast
-from raybundle.surface.depths.rays import ReferenceRays
-from raybundle.surface.depths.refine import PixelGrid
-from raybundle.surface.depths.transfer import transfer
+from raybundle.surfaces.depths.fusion import MapView, agreement, by_contrast
+from raybundle.surfaces.depths.rays import ReferenceRays
+from raybundle.surfaces.depths.refine import PixelGrid
+from raybundle.surfaces.depths.transfer import transfer
 
 IMAGES, STRIDE, SIGMA = (3, 4, 5), 250, 1e-7
 

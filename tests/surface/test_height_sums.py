@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from raybundle.errors import InputError
-from raybundle.surface.heights.contours import contours, ring_lines, smoothed
-from raybundle.surface.heights.hole_filling import filled, spanned
-from raybundle.surface.heights.outlines import coverage
-from raybundle.surface.heights.sections import section
-from raybundle.surface.heights.steps import half_side, steps_of
-from raybundle.surface.heights.terrain_filter import ground, standing
-from raybundle.surface.heights.volumes import volume
+from raybundle.surfaces.heights.contours import contours, ring_lines, smoothed
+from raybundle.surfaces.heights.hole_filling import filled, spanned
+from raybundle.surfaces.heights.outlines import coverage
+from raybundle.surfaces.heights.sections import section
+from raybundle.surfaces.heights.steps import half_side, steps_of
+from raybundle.surfaces.heights.terrain_filter import ground, standing
+from raybundle.surfaces.heights.volumes import volume
 from tests.messages import refused
 from tests.surface.height_models import made, middles
 

@@ -7,10 +7,10 @@ import pytest
 from scipy.ndimage import gaussian_filter
 
 from raybundle.errors import InputError
-from raybundle.surface.depths.filters import Flag
-from raybundle.surface.depths.pairs import PairOfImages, Sources
-from raybundle.surface.heights.height_model import HeightModel
-from raybundle.surface.heights.heights import (
+from raybundle.surfaces.depths.filters import Flag
+from raybundle.surfaces.depths.pairs import PairOfImages, Sources
+from raybundle.surfaces.heights.height_model import HeightModel
+from raybundle.surfaces.heights.heights import (
     BETWEEN_MAPS,
     Heights,
     PointsOfCells,
@@ -19,7 +19,7 @@ from raybundle.surface.heights.heights import (
     on_grid,
     within,
 )
-from raybundle.surface.stages.heights import _alike
+from raybundle.surfaces.stages.heights import _alike
 
 FINE = 4
 """Points along the side of a cell"""

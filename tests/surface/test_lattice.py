@@ -7,10 +7,10 @@ import pytest
 from PIL import Image
 
 from raybundle.io.photos.quantisation import quantisation_tables
-from raybundle.surface.depths.jpeg_blocks import SHARE, _reach, quantisation_noise, share_of_blocks
-from raybundle.surface.heights.height_model import Blocks
-from raybundle.surface.heights.resampling import difference
-from raybundle.surface.heights.steps import edges
+from raybundle.surfaces.depths.jpeg_blocks import SHARE, _reach, quantisation_noise, share_of_blocks
+from raybundle.surfaces.heights.height_model import Blocks
+from raybundle.surfaces.heights.resampling import difference
+from raybundle.surfaces.heights.steps import edges
 from tests.surface.height_models import made
 
 GREY = np.full((16, 16), 120, np.uint8)

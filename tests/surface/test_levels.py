@@ -4,10 +4,10 @@ import cv2
 import numpy as np
 import pytest
 
-from raybundle.surface.depths import depth_map as maps
-from raybundle.surface.depths.depth_map import DepthOptions, depth_map
-from raybundle.surface.depths.filters import Flag
-from raybundle.surface.depths.levels import Level, halved, holes_of, nearest_of, on_level, rim_of, wanted_of
+from raybundle.surfaces.depths import depth_map as maps
+from raybundle.surfaces.depths.depth_map import DepthOptions, depth_map
+from raybundle.surfaces.depths.filters import Flag
+from raybundle.surfaces.depths.levels import Level, halved, holes_of, nearest_of, on_level, rim_of, wanted_of
 from tests.surface.scene import RANGE, scene
 from tests.surface.tied import CHOSEN, robust, with_tie_points
 
@@ -173,7 +173,7 @@ def test_good_texture_is_measured_in_the_photographs_alone(ground, block):
 def test_a_map_of_halves_is_the_same_for_any_number_of_threads_and_by_strips(ground, block, monkeypatch):
     weak = photographs(ground, 0.08, NOISE)
     whole = depth_map(block, CHOSEN, weak, DepthOptions(density=2))
-    monkeypatch.setattr("raybundle.surface.depths.levels.STRIP_BYTES", 1.0)
+    monkeypatch.setattr("raybundle.surfaces.depths.levels.STRIP_BYTES", 1.0)
     parts = depth_map(block, CHOSEN, weak, DepthOptions(density=2, threads=2))
     for name, values in whole.as_arrays().items():
         assert np.array_equal(values, parts.as_arrays()[name], equal_nan=values.dtype.kind == "f"), name

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.surface.heights.displacement import movements
-from raybundle.surface.heights.height_model import Holes
-from raybundle.surface.heights.nodes import variances
-from raybundle.surface.heights.resampling import difference, resampled
+from raybundle.surfaces.heights.displacement import movements
+from raybundle.surfaces.heights.height_model import Holes
+from raybundle.surfaces.heights.nodes import variances
+from raybundle.surfaces.heights.resampling import difference, resampled
 from tests.surface.height_models import made, middles
 
 SHAPE = (64, 96)
@@ -198,7 +198,7 @@ def test_what_lies_beside_a_region_is_no_region_by_windows_over_both(monkeypatch
     found = movements(d)
     hits = np.zeros((2, *SHAPE), bool)
     hits[0, 12:30, 22:30] = hits[0, 32:38, 36:42] = True
-    monkeypatch.setattr("raybundle.surface.heights.displacement._beyond", lambda *_: (found.peak, hits))
+    monkeypatch.setattr("raybundle.surfaces.heights.displacement._beyond", lambda *_: (found.peak, hits))
     (region,) = movements(d).regions
     assert region.cells.sum() == pytest.approx(600, abs=40)
 

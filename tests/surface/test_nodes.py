@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.surface.files.heights import read_heights
-from raybundle.surface.heights import node_sums as m
-from raybundle.surface.heights import nodes as n
+from raybundle.surfaces.files.heights import read_heights
+from raybundle.surfaces.heights import node_sums as m
+from raybundle.surfaces.heights import nodes as n
 from tests.surface.height_models import BLOCK, folder_of, made
 
 SHAPE = (70, 100)

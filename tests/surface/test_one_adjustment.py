@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.surface.heights.resampling import difference
+from raybundle.surfaces.heights.resampling import difference
 from tests.surface.height_models import made
 
 SHAPE = (64, 96)

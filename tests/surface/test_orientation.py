@@ -14,8 +14,8 @@ from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
-from raybundle.surface.depths.orientation import shift_covariance
-from raybundle.surface.depths.rays import ReferenceRays
+from raybundle.surfaces.depths.orientation import shift_covariance
+from raybundle.surfaces.depths.rays import ReferenceRays
 
 REFERENCE, SOURCES = 4, (3, 5, 10)
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from raybundle.surface.heights.interpolation import bends_of, beside_steps, closed, height_at, slopes_of
-from raybundle.surface.heights.orthophoto_error import displacement, gram
-from raybundle.surface.heights.seams import ROUNDS, chosen, gains, seam_costs, spread_of
-from raybundle.surface.heights.sight_lines import seen_from
+from raybundle.surfaces.heights.interpolation import bends_of, beside_steps, closed, height_at, slopes_of
+from raybundle.surfaces.heights.orthophoto_error import displacement, gram
+from raybundle.surfaces.heights.seams import ROUNDS, chosen, gains, seam_costs, spread_of
+from raybundle.surfaces.heights.sight_lines import seen_from
 
 
 def test_a_wall_hides_what_lies_in_its_shadow():

@@ -7,7 +7,7 @@ import pytest
 
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
-from raybundle.surface.depths.pairs import FLATTEST_DEG, LARGEST_SCALE, MOST_SOURCES, PairOfImages, sources_of_each
+from raybundle.surfaces.depths.pairs import FLATTEST_DEG, LARGEST_SCALE, MOST_SOURCES, PairOfImages, sources_of_each
 
 
 @pytest.fixture(scope="module")

@@ -7,8 +7,8 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.numerics import native
-from raybundle.surface.depths import refine as module
-from raybundle.surface.depths.refine import NUMBERS, PixelGrid, Reason, RefineOptions, Source, grow, refine
+from raybundle.surfaces.depths import refine as module
+from raybundle.surfaces.depths.refine import NUMBERS, PixelGrid, Reason, RefineOptions, Source, grow, refine
 from tests.surface import scene
 from tests.surface.refine_oracle import refine_rows
 

@@ -16,10 +16,10 @@ from raybundle.scenes.corrections import Fixes
 from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 from raybundle.scenes.trajectory import CorrectionModel
-from raybundle.surface.depths.orientation import shift_covariance
-from raybundle.surface.depths.pairs import LARGEST_SCALE, sources_of_each
-from raybundle.surface.depths.rays import ReferenceRays
-from raybundle.surface.depths.transfer import TOLERANCE_PX, transfer
+from raybundle.surfaces.depths.orientation import shift_covariance
+from raybundle.surfaces.depths.pairs import LARGEST_SCALE, sources_of_each
+from raybundle.surfaces.depths.rays import ReferenceRays
+from raybundle.surfaces.depths.transfer import TOLERANCE_PX, transfer
 from tests.scenes.render import ORIGIN, PLACE
 from tests.surface.scene_pair import SIZE, scene_block
 

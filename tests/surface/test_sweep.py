@@ -9,11 +9,11 @@ import pytest
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.numerics import native
-from raybundle.surface.depths import sweep
-from raybundle.surface.depths.pairs import sources_of_each
-from raybundle.surface.depths.rays import ReferenceRays
-from raybundle.surface.depths.sweep import NOWHERE, fixed
-from raybundle.surface.depths.transfer import transfer
+from raybundle.surfaces.depths import sweep
+from raybundle.surfaces.depths.pairs import sources_of_each
+from raybundle.surfaces.depths.rays import ReferenceRays
+from raybundle.surfaces.depths.sweep import NOWHERE, fixed
+from raybundle.surfaces.depths.transfer import transfer
 from tests.surface.census_oracle import ACROSS, DOWN, aggregate_twin, census_twin, costs_twin
 from tests.surface.transfer_oracle import places_of
 

@@ -8,9 +8,9 @@ import pytest
 from raybundle.adjustment.system.predict import predicted_px
 from raybundle.errors import InputError
 from raybundle.platforms import sensor_models
-from raybundle.surface.depths import transfer as module
-from raybundle.surface.depths.rays import ReferenceRays
-from raybundle.surface.depths.transfer import (
+from raybundle.surfaces.depths import transfer as module
+from raybundle.surfaces.depths.rays import ReferenceRays
+from raybundle.surfaces.depths.transfer import (
     MOST_NODES,
     TOLERANCE_PX,
     Projection,

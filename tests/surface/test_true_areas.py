@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from raybundle.missions.polygons import part_in_box, signed_area
-from raybundle.surface.heights import true_areas
-from raybundle.surface.heights.hole_filling import filled
-from raybundle.surface.heights.outlines import coverage
-from raybundle.surface.heights.true_areas import true_area
-from raybundle.surface.heights.volumes import volume
+from raybundle.surfaces.heights import true_areas
+from raybundle.surfaces.heights.hole_filling import filled
+from raybundle.surfaces.heights.outlines import coverage
+from raybundle.surfaces.heights.true_areas import true_area
+from raybundle.surfaces.heights.volumes import volume
 from tests.surface.height_models import made, middles
 
 FINE = 8

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from raybundle.surface.depths.refine import PixelGrid, refine
+from raybundle.surfaces.depths.refine import PixelGrid, refine
 
 pytestmark = pytest.mark.long
 

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.surface.heights.cell_factors import factors_of, slopes_of_surface
-from raybundle.surface.heights.displacement import movements
-from raybundle.surface.heights.hole_filling import spanned
-from raybundle.surface.heights.node_sums import NodeSums, moments
-from raybundle.surface.heights.nodes import at_cells, variances
-from raybundle.surface.heights.resampling import difference, resampled
-from raybundle.surface.heights.terrain_filter import ground
+from raybundle.surfaces.heights.cell_factors import factors_of, slopes_of_surface
+from raybundle.surfaces.heights.displacement import movements
+from raybundle.surfaces.heights.hole_filling import spanned
+from raybundle.surfaces.heights.node_sums import NodeSums, moments
+from raybundle.surfaces.heights.nodes import at_cells, variances
+from raybundle.surfaces.heights.resampling import difference, resampled
+from raybundle.surfaces.heights.terrain_filter import ground
 from tests.surface.height_models import BLOCK, made
 
 SHAPE, CELL = (96, 128), 0.01

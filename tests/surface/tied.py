@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block import Observations, Points
-from raybundle.surface.depths.pairs import Sources
+from raybundle.surfaces.depths.pairs import Sources
 
 CHOSEN = Sources(reference=0, sources=(1, 2, 3, 4), pairs=(), seen=1.0)
 

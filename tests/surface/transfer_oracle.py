@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from raybundle.surface.depths.transfer import NODES, lagrange
+from raybundle.surfaces.depths.transfer import NODES, lagrange
 
 
 def places_of(table, xy_px, t):

@@ -15,7 +15,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.objects.kinds.base import grid_triangles
 from raybundle.objects.sight import Sight
 from raybundle.objects.surface import Surface
-from raybundle.surface.depths.rays import ReferenceRays
+from raybundle.surfaces.depths.rays import ReferenceRays
 
 ROOT = Path(__file__).resolve().parents[2]
 PORTAL = ROOT / "demo_data/portal"

@@ -9,7 +9,7 @@ import pytest
 from raybundle.cli.main import main
 from raybundle.io.geo.parsed_names import plan_system, system_with_heights
 from raybundle.io.pictures.geotiff import system_text
-from raybundle.surface.files.heights import read_heights
+from raybundle.surfaces.files.heights import read_heights
 from tests.messages import failed
 from tests.surface.height_models import file_of, folder_of, made
 from tests.workflows.half_portal import PORTAL
@@ -170,7 +170,7 @@ def test_the_end_of_a_file_is_no_interruption(wall, capsys, monkeypatch):
     def ended(folder):
         raise EOFError("no more")
 
-    monkeypatch.setattr("raybundle.surface.files.input.read_heights", ended)
+    monkeypatch.setattr("raybundle.surfaces.files.input.read_heights", ended)
     assert main(["heights", "volume", str(wall), "--above", "0"]) == 1
     assert "EOFError: no more" in capsys.readouterr().err
 

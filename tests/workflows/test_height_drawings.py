@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from raybundle.surface.files.drawings import ATTRIBUTES, STYLE, contours_svg, sections_svg
-from raybundle.surface.heights.contours import Contour
+from raybundle.surfaces.files.drawings import ATTRIBUTES, STYLE, contours_svg, sections_svg
+from raybundle.surfaces.heights.contours import Contour
 
 HEIGHT = np.array([0.0, 0.1, np.nan, 0.2, 0.4])
 

@@ -15,9 +15,9 @@ from raybundle.commands.surface import surface
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics import native
-from raybundle.surface.files.heights import read_heights
-from raybundle.surface.run import surface as measured
-from raybundle.surface.state import SurfaceOptions
+from raybundle.surfaces.files.heights import read_heights
+from raybundle.surfaces.run import surface as measured
+from raybundle.surfaces.state import SurfaceOptions
 from tests.workflows.half_portal import NAMES, PORTAL, half_portal
 
 

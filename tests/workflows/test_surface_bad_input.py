@@ -20,8 +20,8 @@ from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.session import adjusted_again
 from raybundle.pipeline import store as stores
 from raybundle.report.write import write_result
-from raybundle.surface.files.heights import read_heights
-from raybundle.surface.photographs import photographs_there
+from raybundle.surfaces.files.heights import read_heights
+from raybundle.surfaces.photographs import photographs_there
 from raybundle.workflows.photograph_contents import contents_of, other_contents
 from tests.messages import failed
 from tests.workflows.half_portal import half_portal

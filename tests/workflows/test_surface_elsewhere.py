@@ -16,8 +16,8 @@ from raybundle.cli.main import main
 from raybundle.commands.heights.difference import COMMON
 from raybundle.commands.surface import surface
 from raybundle.pipeline.store import Folder
-from raybundle.surface.files.heights import read_heights
-from raybundle.surface.heights.resampling import difference
+from raybundle.surfaces.files.heights import read_heights
+from raybundle.surfaces.heights.resampling import difference
 from tests.barriers import HELD, kill_where_held
 from tests.pipeline.machines import Machines
 from tests.workflows.half_portal import half_portal

@@ -20,7 +20,7 @@ from raybundle.report.text.numbers import unbroken
 from raybundle.report.write import write_result
 from raybundle.results.notices import as_its_result
 from raybundle.results.record import Record
-from raybundle.surface.product_grids import Grids, area_of_points
+from raybundle.surfaces.product_grids import Grids, area_of_points
 from raybundle.words import COMMAND_LINE, Reader, headline, reading
 from raybundle.workflows.rectify import grid_over
 from tests.messages import reported

@@ -18,9 +18,9 @@ from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.formats import las as las_format
 from raybundle.io.formats.las import steps_for
 from raybundle.io.reading.trees import read_toml
-from raybundle.surface import product_grids
-from raybundle.surface.depths.rays import ReferenceRays
-from raybundle.surface.orthophoto_files import tiles_of
+from raybundle.surfaces import product_grids
+from raybundle.surfaces.depths.rays import ReferenceRays
+from raybundle.surfaces.orthophoto_files import tiles_of
 from tests.messages import refused
 from tests.workflows.half_portal import PORTAL, half_portal
 
@@ -281,7 +281,7 @@ def test_points_of_an_earlier_run_are_told_with_what_they_were_thinned_by(half, 
 @pytest.mark.long
 def test_a_pdf_of_the_same_points_stays_and_is_told(half, tmp_path, monkeypatch):
     monkeypatch.setattr("raybundle.report.paper.needed.check_typesetter", lambda: None)
-    monkeypatch.setattr("raybundle.surface.page.set_document", lambda *_: b"a page")
+    monkeypatch.setattr("raybundle.surfaces.page.set_document", lambda *_: b"a page")
 
     def run(**more):
         more = {"extent": WINDOW, **more}
@@ -362,7 +362,7 @@ def test_a_full_disk_is_told_and_leaves_nothing_half_written(made, half, monkeyp
         raise OSError(28, "No space left on device")
 
     before = (made[1] / "mesh.obj").read_bytes()
-    monkeypatch.setattr("raybundle.surface.products.mesh._write_glb", full)
+    monkeypatch.setattr("raybundle.surfaces.products.mesh._write_glb", full)
     with pytest.raises(InputError, match=r"No.*file\.not_writable"):
         surface(half / "block", made[1], photos=(half,), jobs=1, **{**ASKED, "mesh": 0.2})
     assert (made[1] / "mesh.obj").read_bytes() == before

@@ -12,17 +12,17 @@ from raybundle.commands.surface import surface
 from raybundle.errors import InputError, code_of, phrase
 from raybundle.numerics.progress import silent
 from raybundle.pipeline.store import Folder
-from raybundle.surface.depths.depth_map import DepthMap
-from raybundle.surface.depths.rays import ReferenceRays
-from raybundle.surface.depths.refine import Reason
-from raybundle.surface.grid import HeightPlane
-from raybundle.surface.region import SurfaceRegion
-from raybundle.surface.region_input import region_asked
-from raybundle.surface.stages.fusion import CONFIRMED
-from raybundle.surface.stages.sources import STAGE, choose
-from raybundle.surface.state import SurfaceOptions, SurfaceState
-from raybundle.surface.tiles import tile_of_number
-from raybundle.surface.without_points import pointless
+from raybundle.surfaces.depths.depth_map import DepthMap
+from raybundle.surfaces.depths.rays import ReferenceRays
+from raybundle.surfaces.depths.refine import Reason
+from raybundle.surfaces.grid import HeightPlane
+from raybundle.surfaces.region import SurfaceRegion
+from raybundle.surfaces.region_input import region_asked
+from raybundle.surfaces.stages.fusion import CONFIRMED
+from raybundle.surfaces.stages.sources import STAGE, choose
+from raybundle.surfaces.state import SurfaceOptions, SurfaceState
+from raybundle.surfaces.tiles import tile_of_number
+from raybundle.surfaces.without_points import pointless
 from tests.messages import refused
 from tests.workflows.half_portal import half_portal
 

@@ -5,9 +5,9 @@ import pytest
 from pyproj import CRS
 
 from raybundle.commands.surface import surface
-from raybundle.surface.depths.depth_map import DepthMap
-from raybundle.surface.depths.rays.scene import HEIGHT
-from raybundle.surface.files.heights import read_heights
+from raybundle.surfaces.depths.depth_map import DepthMap
+from raybundle.surfaces.depths.rays.scene import HEIGHT
+from raybundle.surfaces.files.heights import read_heights
 from tests.surface.scene_pair import write_scenes
 
 rasterio = pytest.importorskip("rasterio")

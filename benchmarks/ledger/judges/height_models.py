@@ -9,10 +9,10 @@ from tests.surface.height_models import made, middles
 
 from ledger.errors import Collected, Errors
 from ledger.sets import LedgerSet, Places
-from raybundle.surface.heights.displacement import movements
-from raybundle.surface.heights.outlines import coverage
-from raybundle.surface.heights.resampling import difference
-from raybundle.surface.heights.volumes import volume
+from raybundle.surfaces.heights.displacement import movements
+from raybundle.surfaces.heights.outlines import coverage
+from raybundle.surfaces.heights.resampling import difference
+from raybundle.surfaces.heights.volumes import volume
 
 SHAPE = (64, 96)
 SIGMA = 1e-3

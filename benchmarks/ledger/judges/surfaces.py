@@ -11,8 +11,8 @@ from renderer.truth import Surface, read_surface
 from ledger.errors import Array, Collected, Errors
 from ledger.judges.projects import called
 from ledger.sets import LedgerSet
-from raybundle.surface.files.heights import HeightFile, read_heights
-from raybundle.surface.heights.height_model import HeightModel
+from raybundle.surfaces.files.heights import HeightFile, read_heights
+from raybundle.surfaces.heights.height_model import HeightModel
 
 FINE = 5
 """Places along the side of a cell"""

@@ -62,7 +62,7 @@ def command(source: Path, progress: str, **given: Any) -> int:
 
 def _summary(done: MeasuredSurface, work: Path) -> Summary:
     """What the command reports."""
-    from raybundle.surface.photographs import lost_message  # noqa: PLC0415  (loaded after the help)
+    from raybundle.surfaces.photographs import lost_message  # noqa: PLC0415  (loaded after the help)
 
     s, written = done.surface, done.pages.summary.written
     points = note("surface.points", n=written or len(s), maps=sum(1 for n in s.counts if n))

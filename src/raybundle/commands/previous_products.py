@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from raybundle.surface.run import Surface
+    from raybundle.surfaces.run import Surface
 
 TABLE = "written"
 """Of project.toml: of which points each product is, and by which length they were thinned"""
@@ -41,7 +41,7 @@ def settle_earlier(
     noted as written (`note_written`): a run that is killed meanwhile has not written all that it was asked for.
     """
     from raybundle.errors import phrase  # noqa: PLC0415
-    from raybundle.surface.products import PRODUCTS  # noqa: PLC0415
+    from raybundle.surfaces.products import PRODUCTS  # noqa: PLC0415
 
     before, key, now = _written(work), _key(surface), _thinned(thin)
     reported, others = list[str](), dict[str, float | None]()
@@ -94,7 +94,7 @@ def all_written(work: Path) -> bool:
     """Whether all that the last run was asked for stands beside its work, of the same points, as it noted last."""
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
-    from raybundle.surface.products import PRODUCTS  # noqa: PLC0415
+    from raybundle.surfaces.products import PRODUCTS  # noqa: PLC0415
 
     try:
         asked = read_toml(work / "project.toml").tree().get("surface")

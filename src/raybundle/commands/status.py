@@ -133,7 +133,7 @@ def _stages(project: Path, made: Container[str], *, of_calibration: bool) -> tup
     """What the stages are called, in order; of a surface those that were made, and those that are to come."""
     asked = _asked(project, "surface")
     if asked is not None:
-        from raybundle.surface.stages import SURFACE  # noqa: PLC0415
+        from raybundle.surfaces.stages import SURFACE  # noqa: PLC0415
 
         gridded = any(asked.has(name) for name in ("dsm", "ortho", "mesh"))
         pictured = any(asked.has(name) for name in ("ortho", "mesh"))

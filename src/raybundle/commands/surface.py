@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     from raybundle.block import Block
     from raybundle.commands.surface_pages import SurfacePages
     from raybundle.io.formats import Export
-    from raybundle.surface.product import Written
-    from raybundle.surface.product_grids import Grids
-    from raybundle.surface.region import SurfaceRegion
-    from raybundle.surface.run import Surface
+    from raybundle.surfaces.product import Written
+    from raybundle.surfaces.product_grids import Grids
+    from raybundle.surfaces.region import SurfaceRegion
+    from raybundle.surfaces.run import Surface
     from raybundle.workflows.object_plane import Plane
 
 MOST_JOBS = 1024
@@ -173,7 +173,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     from raybundle.pipeline.place import ProductGone  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.results.fingerprint import fingerprint  # noqa: PLC0415
-    from raybundle.surface.products import PRODUCTS  # noqa: PLC0415
+    from raybundle.surfaces.products import PRODUCTS  # noqa: PLC0415
 
     s = settings
     result, export, folders = _source_of(s)
@@ -205,9 +205,9 @@ def _measured(a: _Asked) -> Surface:
     """The surface; a folder in which nothing was kept is removed where it cannot be measured."""
     from raybundle.commands.drawn_masks import masks_of_result  # noqa: PLC0415
     from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
-    from raybundle.surface.run import surface as measured  # noqa: PLC0415
-    from raybundle.surface.state import SurfaceOptions  # noqa: PLC0415
-    from raybundle.surface.tasks import PART  # noqa: PLC0415
+    from raybundle.surfaces.run import surface as measured  # noqa: PLC0415
+    from raybundle.surfaces.state import SurfaceOptions  # noqa: PLC0415
+    from raybundle.surfaces.tasks import PART  # noqa: PLC0415
 
     s, work = a.settings, a.out / WORK
     options = SurfaceOptions(
@@ -232,10 +232,10 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
     from raybundle.commands.previous_products import note_written, settle_earlier  # noqa: PLC0415
     from raybundle.commands.surface_pages import PDF, heights_files, outside_words, write_pages  # noqa: PLC0415
     from raybundle.io.folders import clear_left  # noqa: PLC0415
-    from raybundle.surface.product import Context  # noqa: PLC0415
-    from raybundle.surface.products import PRODUCTS  # noqa: PLC0415
-    from raybundle.surface.run import mended_words  # noqa: PLC0415
-    from raybundle.surface.thinning import thinned  # noqa: PLC0415
+    from raybundle.surfaces.product import Context  # noqa: PLC0415
+    from raybundle.surfaces.products import PRODUCTS  # noqa: PLC0415
+    from raybundle.surfaces.run import mended_words  # noqa: PLC0415
+    from raybundle.surfaces.thinning import thinned  # noqa: PLC0415
 
     s, out, wanted = a.settings, a.out, a.wanted
     # of what was adjusted, not of what a folder states
@@ -267,7 +267,7 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
 def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
     """The result folder, its block, and the folders of its photographs."""
     from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
-    from raybundle.surface.product import in_its_map  # noqa: PLC0415
+    from raybundle.surfaces.product import in_its_map  # noqa: PLC0415
     from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
 
     if not s.source.is_dir():
@@ -291,7 +291,7 @@ def _grid_of(
     """The plane, its cells and the pixels of an orthophoto that are asked for, and the part that is measured."""
     from raybundle.commands.plane_settings import plane_in  # noqa: PLC0415
     from raybundle.io.geo.parsed_names import plan_system  # noqa: PLC0415
-    from raybundle.surface.product_grids import Grids, grids_over  # noqa: PLC0415
+    from raybundle.surfaces.product_grids import Grids, grids_over  # noqa: PLC0415
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
     from raybundle.workflows.rectify import check_area  # noqa: PLC0415
 
@@ -321,8 +321,8 @@ def _grid_of(
 
 def _region_in(s: SurfaceSettings, block: Block, plane: Plane) -> SurfaceRegion:
     """The part of a plane that is asked for."""
-    from raybundle.surface.grid import HeightPlane  # noqa: PLC0415
-    from raybundle.surface.region_input import region_asked  # noqa: PLC0415
+    from raybundle.surfaces.grid import HeightPlane  # noqa: PLC0415
+    from raybundle.surfaces.region_input import region_asked  # noqa: PLC0415
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
     from raybundle.workflows.rectify import usual_pixel  # noqa: PLC0415
 
@@ -349,7 +349,7 @@ def _check_out(out: Path) -> None:
     """Raise InputError for a folder that holds anything but an earlier surface."""
     from raybundle.commands.surface_pages import PAGES  # noqa: PLC0415
     from raybundle.io.folders import names_in  # noqa: PLC0415
-    from raybundle.surface.product import files_of_all  # noqa: PLC0415
+    from raybundle.surfaces.product import files_of_all  # noqa: PLC0415
 
     if out.exists() and not out.is_dir():
         raise InputError("folder.is_a_file", file=out)
@@ -361,7 +361,7 @@ def _check_out(out: Path) -> None:
 def _check_needed(wanted: frozenset[str], *, pdf: bool) -> None:
     """Raise InputError for all packages at once that are missing for what is asked for."""
     from raybundle.report.paper.needed import check_typesetter  # noqa: PLC0415
-    from raybundle.surface.products import PRODUCTS  # noqa: PLC0415
+    from raybundle.surfaces.products import PRODUCTS  # noqa: PLC0415
 
     lacking = dict[str, InputError]()
     for check in (*(PRODUCTS[name].check for name in sorted(wanted)), *([check_typesetter] if pdf else [])):

@@ -7,7 +7,6 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
-from raybundle.commands.pages import Pages
 from raybundle.commands.record_settings import Recorded
 from raybundle.errors import phrase
 from raybundle.numerics.progress import Progress, silent
@@ -16,10 +15,10 @@ if TYPE_CHECKING:
     from raybundle.adjustment.records.notice import Notice
     from raybundle.io.formats import Export
     from raybundle.report.chapters import Occasion
-    from raybundle.surface.depths.summary import SurfaceSummary
-    from raybundle.surface.product import Context
-    from raybundle.surface.product_grids import Grids
-    from raybundle.surface.run import Surface
+    from raybundle.surfaces.depths.summary import SurfaceSummary
+    from raybundle.surfaces.product import Context
+    from raybundle.surfaces.product_grids import Grids
+    from raybundle.surfaces.run import Surface
 
 PAGE, IN_3D, PDF = "surface.html", "surface_3d.html", "surface.pdf"
 PAGES = (PAGE, IN_3D, PDF)
@@ -31,8 +30,18 @@ OF_ALL = (
 """Cautions about all points alike, which are reported before those about single marks and photographs"""
 
 
-class SurfacePageSettings(Pages, Recorded, Protocol):
+class SurfacePageSettings(Recorded, Protocol):
     """What is asked of the pages, and the record of the recording."""
+
+    @property
+    def pdf(self) -> bool:
+        """Whether surface.pdf is written."""
+        ...
+
+    @property
+    def language(self) -> str:
+        """Of the pages."""
+        ...
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,9 +72,9 @@ def write_pages(
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.report.network_page import write_network_page  # noqa: PLC0415
     from raybundle.report.text.front_words import verdict_sentence  # noqa: PLC0415
-    from raybundle.surface.files.heights import HeightFile  # noqa: PLC0415
-    from raybundle.surface.page import write_surface_page  # noqa: PLC0415
-    from raybundle.surface.summary import sample_of, summary_of  # noqa: PLC0415
+    from raybundle.surfaces.files.heights import HeightFile  # noqa: PLC0415
+    from raybundle.surfaces.page import write_surface_page  # noqa: PLC0415
+    from raybundle.surfaces.summary import sample_of, summary_of  # noqa: PLC0415
 
     file = None
     if done.heights is not None and context.plane is not None:
@@ -130,7 +139,7 @@ def heights_files(faults: tuple[str, ...], export: Export) -> tuple[str, ...]:
 
 def outside_words(done: Surface, grids: Grids) -> tuple[str, ...]:
     """How many points lie beside the area of heights, orthophoto and mesh, and how to have them."""
-    from raybundle.surface.product_grids import area_of_points  # noqa: PLC0415
+    from raybundle.surfaces.product_grids import area_of_points  # noqa: PLC0415
 
     if grids.heights is None or done.options.region is not None:
         return ()

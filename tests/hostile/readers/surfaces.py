@@ -27,7 +27,7 @@ def height_seeds(top: Path) -> None:
 
 
 def read_the_heights(folder: Path) -> list[str]:
-    from raybundle.surface.files.heights import read_heights
+    from raybundle.surfaces.files.heights import read_heights
 
     model, file = read_heights(folder)
     wrong = not_finite(sigma=model.sigma[model.known], place=[file.left, file.top, file.cell])

@@ -18,7 +18,7 @@ from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.commands.heights.difference import MeasuredDifference
-    from raybundle.surface.heights.displacement import Region
+    from raybundle.surfaces.heights.displacement import Region
 
 UNSURE = 2.0
 """Standard deviations below which the amount of a region is called unsure"""

@@ -11,8 +11,8 @@ from raybundle.errors import InputError
 from raybundle.settings import POSITIVE, setting
 
 if TYPE_CHECKING:
-    from raybundle.surface.files.input import Opened
-    from raybundle.surface.heights.contours import Contour
+    from raybundle.surfaces.files.input import Opened
+    from raybundle.surfaces.heights.contours import Contour
 
 FORMATS = (".gpkg", ".geojson", ".dxf", ".svg")
 
@@ -49,9 +49,9 @@ def run_contours(settings: HeightsContoursSettings) -> DrawnContours:
     import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
 
     from raybundle.io.folders import new_files  # noqa: PLC0415
-    from raybundle.surface.files.contours import write_contours  # noqa: PLC0415
-    from raybundle.surface.files.input import opened  # noqa: PLC0415
-    from raybundle.surface.heights.contours import contours, smoothed  # noqa: PLC0415
+    from raybundle.surfaces.files.contours import write_contours  # noqa: PLC0415
+    from raybundle.surfaces.files.input import opened  # noqa: PLC0415
+    from raybundle.surfaces.heights.contours import contours, smoothed  # noqa: PLC0415
 
     s = replace(settings, out=tuple(dict.fromkeys(settings.out)))
     if s.interval is None:

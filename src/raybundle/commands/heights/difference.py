@@ -10,8 +10,8 @@ from raybundle.errors import InputError
 from raybundle.settings import setting
 
 if TYPE_CHECKING:
-    from raybundle.surface.heights.displacement import Movements
-    from raybundle.surface.heights.level_of_detection import SmallestMovement
+    from raybundle.surfaces.heights.displacement import Movements
+    from raybundle.surfaces.heights.level_of_detection import SmallestMovement
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,10 +47,10 @@ class MeasuredDifference:
 def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     """The movements between two surfaces, written where that is asked for."""
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.surface.files.displacements import write_movements  # noqa: PLC0415
-    from raybundle.surface.files.input import on_same_grid, opened  # noqa: PLC0415
-    from raybundle.surface.heights.displacement import movements  # noqa: PLC0415
-    from raybundle.surface.heights.resampling import difference  # noqa: PLC0415
+    from raybundle.surfaces.files.displacements import write_movements  # noqa: PLC0415
+    from raybundle.surfaces.files.input import on_same_grid, opened  # noqa: PLC0415
+    from raybundle.surfaces.heights.displacement import movements  # noqa: PLC0415
+    from raybundle.surfaces.heights.resampling import difference  # noqa: PLC0415
 
     s = settings
     if s.out is not None:

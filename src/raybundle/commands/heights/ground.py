@@ -48,10 +48,10 @@ def run_ground(settings: HeightsGroundSettings) -> MadeGround:
     import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
 
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415
-    from raybundle.surface.files.heights import write_model  # noqa: PLC0415
-    from raybundle.surface.files.input import opened  # noqa: PLC0415
-    from raybundle.surface.heights.hole_filling import filled  # noqa: PLC0415
-    from raybundle.surface.heights.terrain_filter import ground  # noqa: PLC0415
+    from raybundle.surfaces.files.heights import write_model  # noqa: PLC0415
+    from raybundle.surfaces.files.input import opened  # noqa: PLC0415
+    from raybundle.surfaces.heights.hole_filling import filled  # noqa: PLC0415
+    from raybundle.surfaces.heights.terrain_filter import ground  # noqa: PLC0415
 
     s = settings
     o = opened(s.source, 0.0)

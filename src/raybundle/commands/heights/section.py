@@ -11,9 +11,9 @@ from raybundle.errors import InputError, Message, message
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, setting
 
 if TYPE_CHECKING:
-    from raybundle.surface.files.input import Opened
-    from raybundle.surface.heights.height_model import SumOfHeights
-    from raybundle.surface.heights.sections import Section
+    from raybundle.surfaces.files.input import Opened
+    from raybundle.surfaces.heights.height_model import SumOfHeights
+    from raybundle.surfaces.heights.sections import Section
 
 FORMATS = (".csv", ".svg", ".dxf")
 MOST = 1_000_000
@@ -65,8 +65,8 @@ class MeasuredSections:
 
 def run_section(settings: HeightsSectionSettings) -> MeasuredSections:
     """The sections that the settings ask for, written."""
-    from raybundle.surface.files.input import lines_of, opened  # noqa: PLC0415
-    from raybundle.surface.heights.sections import section  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.surfaces.files.input import lines_of, opened  # noqa: PLC0415
+    from raybundle.surfaces.heights.sections import section  # noqa: PLC0415  (what computes is loaded after the help)
 
     s = replace(settings, out=tuple(dict.fromkeys(settings.out)))
     if not s.line:
@@ -138,8 +138,8 @@ def _no_height(o: Opened, found: Section, both: Section, k: int, name: str) -> M
 
 def _write(s: HeightsSectionSettings, o: Opened, made: list[MeasuredSection]) -> None:
     from raybundle.io.folders import new_files  # noqa: PLC0415
-    from raybundle.surface.files.drawings import sections_svg  # noqa: PLC0415
-    from raybundle.surface.files.sections import sections_csv, write_sections_dxf  # noqa: PLC0415
+    from raybundle.surfaces.files.drawings import sections_svg  # noqa: PLC0415
+    from raybundle.surfaces.files.sections import sections_csv, write_sections_dxf  # noqa: PLC0415
 
     sections, names = [m.section for m in made], [m.name for m in made]
     for path in s.out:

@@ -13,9 +13,9 @@ from raybundle.settings import ANY, POSITIVE, setting
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
-    from raybundle.surface.files.input import Opened
-    from raybundle.surface.heights.height_model import HeightModel
-    from raybundle.surface.heights.volumes import Volume
+    from raybundle.surfaces.files.input import Opened
+    from raybundle.surfaces.heights.height_model import HeightModel
+    from raybundle.surfaces.heights.volumes import Volume
 
 RIM = "rim"
 
@@ -57,10 +57,10 @@ class MeasuredVolume:
 def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     """The volume that the settings ask for."""
     from raybundle.io.reading.words import number_of  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.surface.files.input import covered_by, on_same_grid, opened, outlined  # noqa: PLC0415
-    from raybundle.surface.heights.hole_filling import filled  # noqa: PLC0415
-    from raybundle.surface.heights.resampling import difference  # noqa: PLC0415
-    from raybundle.surface.heights.volumes import volume  # noqa: PLC0415
+    from raybundle.surfaces.files.input import covered_by, on_same_grid, opened, outlined  # noqa: PLC0415
+    from raybundle.surfaces.heights.hole_filling import filled  # noqa: PLC0415
+    from raybundle.surfaces.heights.resampling import difference  # noqa: PLC0415
+    from raybundle.surfaces.heights.volumes import volume  # noqa: PLC0415
 
     s = settings
     if s.outline and s.extent is not None:
@@ -107,7 +107,7 @@ def _no_height(o: Opened, before: HeightModel, model: HeightModel, covered: Arra
     """That cells within an outline have no height, where the widest hole is, and what to do."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.surface.heights.hole_filling import depths  # noqa: PLC0415
+    from raybundle.surfaces.heights.hole_filling import depths  # noqa: PLC0415
 
     lost = (covered > 0) & ~model.known
     depth = np.where(lost, depths(before), 0.0)
