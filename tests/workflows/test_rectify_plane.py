@@ -73,7 +73,7 @@ def pixels(xy, sign=1.0):
 def test_a_picture_from_behind_is_told(sign, mirrored):
     single = fit_photo(list("abcde"), SQUARE, pixels(SQUARE, sign), model="projective", sigma_px=0.5, camera=None)
     assert single.mirrored == mirrored
-    assert any("mirrored" in line for line in _of_photo(single, 0.5)) == mirrored
+    assert ("picture.mirrored" in [n.code for n in _of_photo(single, 0.5).notices]) == mirrored
 
 
 @pytest.mark.parametrize("off", [0.0, 2.0])
@@ -88,5 +88,5 @@ def test_a_wrong_mark_of_a_wall_is_told_in_words_of_walls():
     xy = pixels(SQUARE)
     xy[4] += 30
     single = fit_photo(list("abcde"), SQUARE, xy, model="projective", sigma_px=0.5, camera=None)
-    (found,) = [line for line in _of_photo(single, 0.5) if "warning" in line]
-    assert "[picture.residuals]" in found
+    (found,) = _of_photo(single, 0.5).notices
+    assert found.code == "picture.residuals"

@@ -208,7 +208,7 @@ def test_an_interrupted_run_says_that_it_can_be_continued(photos, tmp_path):
     ended = signalled("features", "SIGINT", photos, tmp_path / "project")
     assert ended.returncode == 130
     assert ended.stdout == ""
-    assert f" {tmp_path / 'project'}, " in ended.stderr.splitlines()[-1]
+    assert str(tmp_path / "project") in ended.stderr.splitlines()[-1]
 
 
 def test_two_runs_do_not_work_in_one_project(photos, tmp_path, capsys):
@@ -247,8 +247,8 @@ def test_from_a_stage_by_the_beginning_of_its_name(done, photos, tmp_path, capsy
     assert result_of(project) == result_of(done[0])
     capsys.readouterr()
     assert main(["status", str(project)]) == 0
-    stated = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()[1:]}
-    assert stated.pop("products:")
+    lines = capsys.readouterr().out.splitlines()
+    stated = {name: line for line in lines if line and (name := line.split()[0]) in stages()}
     assert not status_of(project).store
     assert list(stated) == list(stages())
     cached = {name for name, line in stated.items() if "from cache" in line}
