@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 
 from raybundle.cli.main import main
-from raybundle.commands.heights.difference import COMMON
 from raybundle.commands.surface import surface
 from raybundle.pipeline.store import Folder
 from raybundle.surfaces.files.heights import read_heights
 from raybundle.surfaces.heights.resampling import difference
 from tests.barriers import HELD, kill_where_held
+from tests.cli.reported import reported, values_of
 from tests.pipeline.machines import Machines
 from tests.workflows.half_portal import half_portal
 
@@ -176,9 +176,8 @@ def test_two_surfaces_of_one_adjustment_move_by_the_same_errors(half, tmp_path, 
     assert a.errors
     assert a.errors == b.errors
     assert a.moved.shape == b.moved.shape
-    capsys.readouterr()
-    assert main(["heights", "difference", str(tmp_path / "a"), str(tmp_path / "b")]) == 0
-    assert COMMON in capsys.readouterr().out
+    shown = values_of(reported(capsys, "heights", "difference", tmp_path / "a", tmp_path / "b"))
+    assert shown["heights.one_adjustment"]["common"] == "known"
     found = difference(a, b)
     some = found.known / found.known.sum()
     apart = difference(replace(a, errors=""), b)
