@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.adjustment import engine
+from raybundle.adjustment import estimation
 from raybundle.adjustment.engine import adjust_block, free_parameters
 from raybundle.adjustment.evaluation.joint_cofactors import Factored, joint_cofactors
 from raybundle.adjustment.evaluation.residual_structure import _neighbours
@@ -173,8 +173,8 @@ def test_free_networks_are_factored_once_where_they_will_stand(block, monkeypatc
     calls = []
 
     def counted(name):
-        true = getattr(engine, name)
-        monkeypatch.setattr(engine, name, lambda *a: (calls.append(name), true(*a))[1])
+        true = getattr(estimation, name)
+        monkeypatch.setattr(estimation, name, lambda *a: (calls.append(name), true(*a))[1])
 
     counted("_factor")
     counted("cofactors")
@@ -186,7 +186,7 @@ def test_free_networks_are_factored_once_where_they_will_stand(block, monkeypatc
     assert work.datum.kind == "inner"
     assert work.datum.defect > 0
     assert np.abs(work.state.xyz - work.solution.state.xyz).max() > 1e-4 * work.datum.extent
-    engine._factor(work.normals, work.solution.state, work.datum)
+    estimation._factor(work.normals, work.solution.state, work.datum)
     work.normals.reduce(work.state)
     assert work.normals.factorise() == 0
     twice = precision(work.normals, work.state, cofactors(work.normals, work.state, work.datum), result.sigma0**2)
