@@ -9,20 +9,7 @@ import { DecideRun } from "./decide_run";
 import { DecideSelect } from "./decide_select";
 import { DecideTargets } from "./decide_targets";
 import { Model } from "./model";
-
-export interface Ways {
-  /** Show the photographs, one of them in front. */
-  images(image: string): void;
-  space(): void;
-  /** Go to a point in an image. */
-  visit(point: string, image: string): void;
-}
-
-export interface Leaf {
-  readonly root: HTMLElement;
-  /** Read what it shows, anew. */
-  show(): Promise<void>;
-}
+import type { Leaf, Ways } from "./leaf";
 
 export class Decide {
   private readonly leaves: [name: string, words: string, leaf: Leaf][];

@@ -1,7 +1,7 @@
 // The last adjustments beside one another, two of them compared as `raybundle compare` does it.
 import { ask } from "./api";
 import { button, h } from "./dom";
-import { Ways } from "./decide";
+import type { Ways } from "./leaf";
 import { framed, nameOf } from "./decide_report";
 import { Model } from "./model";
 import { fixed, short, withUnit } from "./numbers";

@@ -2,7 +2,7 @@
 import { ask } from "./api";
 import { beyond } from "./beyond";
 import { afterPause, button, h } from "./dom";
-import { Ways } from "./decide";
+import type { Ways } from "./leaf";
 import { Model } from "./model";
 import { count, short, withUnit } from "./numbers";
 import { Criterion, Quantity, Selection } from "./types";

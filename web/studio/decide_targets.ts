@@ -1,6 +1,6 @@
 // Targets: how many each photograph shows and what became of them, those of one photograph, and the sheet to print.
 import { ask, tell } from "./api";
-import { Ways } from "./decide";
+import type { Ways } from "./leaf";
 import { button, h } from "./dom";
 import { Model } from "./model";
 import { fixed } from "./numbers";

@@ -1,14 +1,30 @@
 // Keys of a pane: moving, zooming, marking without a mouse.
 import { drawing } from "./drawing";
-import type { Pane } from "./pane";
+import type { Measuring } from "./measuring";
+import type { Model, Picture } from "./model";
+import type { View } from "./view";
 
 const ARROWS: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1],
 };
 const STEP = 40;
 
+/** What keys act on. */
+export interface KeyedPane {
+  readonly view: View;
+  readonly model: Model;
+  readonly measuring: Measuring;
+  readonly picture: Picture;
+  turn(by: number): void;
+  fit(): void;
+  zoom(factor: number): void;
+  pan(du: number, dv: number): void;
+  enter(): void;
+  pointHere(): string | null;
+}
+
 /** Do what a key says; false where it says nothing here. */
-export function paneKeys(pane: Pane, event: KeyboardEvent): boolean {
+export function paneKeys(pane: KeyedPane, event: KeyboardEvent): boolean {
   const arrow = ARROWS[event.key];
   if (arrow) return moved(pane, event, ...arrow);
   if (event.ctrlKey || event.metaKey || event.altKey) return false;
@@ -28,7 +44,7 @@ export function paneKeys(pane: Pane, event: KeyboardEvent): boolean {
   }
 }
 
-function moved(pane: Pane, event: KeyboardEvent, a: number, b: number): boolean {
+function moved(pane: KeyedPane, event: KeyboardEvent, a: number, b: number): boolean {
   const { view } = pane;
   if (event.shiftKey || event.altKey) {
     const [dx, dy] = view.along(a, b);
@@ -42,14 +58,14 @@ function moved(pane: Pane, event: KeyboardEvent, a: number, b: number): boolean 
   return true;
 }
 
-function chosen(pane: Pane): boolean {
+function chosen(pane: KeyedPane): boolean {
   const point = pane.pointHere();
   if (point) pane.model.choose(point);
   else pane.model.say("There is no image point here.");
   return true;
 }
 
-function rejected(pane: Pane): boolean {
+function rejected(pane: KeyedPane): boolean {
   const point = pane.pointHere();
   if (point) void pane.measuring.reject(pane.picture.id, point);
   else pane.model.say("There is no image point here: point at one, or bring the cross hair there.");
