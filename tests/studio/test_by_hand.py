@@ -69,16 +69,15 @@ def test_orient_again_heeds_what_was_drawn(project):
     """The project's own masks are taken without being named, and the journal's name of them is not kept as given."""
     import raybundle as rb
     from raybundle.commands.drawn_masks import masks_of_run
-    from raybundle.commands.orient import OrientSettings
 
     photos = tuple(sorted((project.parent / "photos").glob("*.jpg"))[:5])
-    settings = OrientSettings(photos=photos, out=project)
-    assert masks_of_run(settings) is None
+    taken = (photos, None, project)
+    assert masks_of_run(*taken) is None
     rb.mark(project, "mask", mask="top", image=photos[0].name, polygon=SQUARE, camera=True)
-    assert masks_of_run(settings) == project / "measured-masks"
+    assert masks_of_run(*taken) == project / "measured-masks"
     assert len([*(project / "measured-masks").glob("*.png")]) == 5
     rb.mark(project, "undo")
-    assert masks_of_run(settings) is None
+    assert masks_of_run(*taken) is None
 
 
 def test_three_hundred_tabs_are_told_at_once():

@@ -30,7 +30,7 @@ OF_ALL = (
 """Cautions about all points alike, which are reported before those about single marks and photographs"""
 
 
-class SurfacePageSettings(Recorded, Protocol):
+class RecordedPages(Recorded, Protocol):
     """What is asked of the pages, and the record of the recording."""
 
     @property
@@ -57,7 +57,7 @@ class SurfacePages:
 
 
 def write_pages(
-    done: Surface, result: Path, out: Path, context: Context, remarks: tuple[str, ...], settings: SurfacePageSettings,
+    done: Surface, result: Path, out: Path, context: Context, remarks: tuple[str, ...], settings: RecordedPages,
     others: Mapping[str, float | None], progress: Progress = silent,
 ) -> SurfacePages:  # fmt: skip
     """Write them.
@@ -101,7 +101,7 @@ def write_pages(
     )
 
 
-def _occasion(done: Surface, result: Path, context: Context, settings: SurfacePageSettings) -> Occasion:
+def _occasion(done: Surface, result: Path, context: Context, settings: RecordedPages) -> Occasion:
     """The adjustment as its report has it: its verdict, who it is for, in which system it stands."""
     from raybundle.commands.record_settings import record_of  # noqa: PLC0415
     from raybundle.report.chapters import Occasion  # noqa: PLC0415
