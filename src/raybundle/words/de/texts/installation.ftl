@@ -1,7 +1,7 @@
 installation-native = { $state ->
         [used] Übersetzte Kerne werden verwendet.
-        [off] RAYBUNDLE_NATIVE=0 schaltet sie ab; NumPy rechnet dasselbe langsamer.
-        *[missing] Nicht gebaut; NumPy rechnet dasselbe langsamer.
+        [off] RAYBUNDLE_NATIVE=0 schaltet sie ab: Orientierung und Ausgleichung sind langsamer, Oberflächen werden nicht gemessen.
+        *[missing] Nicht gebaut: Orientierung und Ausgleichung sind langsamer, Oberflächen werden nicht gemessen.
     }
     .do = { $state ->
             [missing] { $compiler ->

@@ -2,8 +2,8 @@
 # $compiler = "none"
 installation-native = { $state ->
         [used] Compiled kernels are used.
-        [off] RAYBUNDLE_NATIVE=0 switches them off; NumPy computes the same more slowly.
-        *[missing] Not built; NumPy computes the same more slowly.
+        [off] RAYBUNDLE_NATIVE=0 switches them off: orientation and adjustment are slower, surfaces are not measured.
+        *[missing] Not built: orientation and adjustment are slower, surfaces are not measured.
     }
     .do = { $state ->
             [missing] { $compiler ->
