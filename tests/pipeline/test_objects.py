@@ -117,6 +117,47 @@ def file_of(tmp_path, key):
     return found
 
 
+def raced(monkeypatch, race):
+    """What another process does to an object between the look at it and the way here."""
+    get = objects.Objects._get
+
+    def late(self, fs, path, size, here):
+        race(Path(path))
+        get(self, fs, path, size, here)
+
+    monkeypatch.setattr(objects.Objects, "_get", late)
+
+
+def test_an_object_that_another_process_removes_meanwhile_is_missing(tmp_path, url, copies, monkeypatch):
+    store = Folder(tmp_path / "s", url)
+    store.store(KEY, PRODUCT)
+    shutil.rmtree(copies)
+    raced(monkeypatch, lambda path: path.unlink())
+    assert store.load(KEY) is None
+    store.store(KEY, PRODUCT)
+    assert np.array_equal(store.load(KEY)["a"], PRODUCT["a"])
+
+
+def test_an_object_that_another_process_makes_again_meanwhile_is_got(tmp_path, url, copies, monkeypatch):
+    store = Folder(tmp_path / "s", url)
+    store.store(KEY, PRODUCT)
+    shutil.rmtree(copies)
+    whole = file_of(tmp_path, KEY).read_bytes()
+    file_of(tmp_path, KEY).write_bytes(whole[:-30])
+    raced(monkeypatch, lambda path: path.write_bytes(whole))
+    assert np.array_equal(store.load(KEY)["a"], PRODUCT["a"])
+
+
+def test_copies_that_vanish_meanwhile_are_no_missing_object(tmp_path, url, copies, monkeypatch):
+    store = Folder(tmp_path / "s", url)
+    store.store(KEY, PRODUCT)
+    shutil.rmtree(copies)
+    raced(monkeypatch, lambda path: shutil.rmtree(copies))
+    with pytest.raises(StoreLost):
+        store.load(KEY)
+    assert file_of(tmp_path, KEY).exists()
+
+
 @pytest.mark.parametrize("executor", [Threads(3), Processes(1), Processes(2)], ids=str)
 def test_the_same_bits_as_in_a_folder(tmp_path, expected, url, executor, copies):
     tasks, store = tasks_of(LEAVES), Folder(tmp_path / "s", url)
@@ -235,7 +276,7 @@ def test_what_fails_three_times_stops_everything_and_says_what_to_do(flaky, erro
 
 def test_an_object_of_which_a_part_comes_each_time_is_no_damaged_one(flaky, copies):
     flaky.place.damaged(KEY, again=False, which=None)
-    Flaky.plan = [1.0, 0.5, 0.5, 0.5]
+    Flaky.plan = [1.0, *(0.5, 1.0) * 3]  # its length is asked for before and after
     with pytest.raises(StoreLost, match=r"store\.lost"):
         flaky.load(KEY)
     assert flaky.has(KEY)

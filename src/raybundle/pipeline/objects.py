@@ -53,6 +53,10 @@ REFUSED = re.compile(r"credential|forbidden|unauthori[sz]ed|access ?denied|authe
 T = TypeVar("T")
 
 
+class _Removed(Exception):
+    """Another process removed an object while this one was getting it."""
+
+
 @dataclass(slots=True)
 class Objects:
     """Where products lie: at a URL that fsspec understands."""
@@ -113,16 +117,26 @@ class Objects:
         try:
             size = self._tried(lambda: int(fs.info(path)["size"]))
             return copies.make(key, size, lambda here: self._get(fs, path, size, here), lambda _: None)
-        except FileNotFoundError:
+        except (FileNotFoundError, _Removed):
             return None
 
     def _get(self, fs: Any, path: str, size: int, here: Path) -> None:
         def get() -> None:
             fs.get_file(path, str(here))
-            if here.stat().st_size != size:
-                raise ConnectionError(f"{here.stat().st_size} of {size} bytes came")
+            found = here.stat().st_size
+            if found == size:
+                return
+            fs.invalidate_cache()
+            now = int(fs.info(path)["size"])  # another process may have replaced it
+            if found != now:
+                raise ConnectionError(f"{found} of {now} bytes came")
 
-        self._tried(get, writes_here=True)
+        try:
+            self._tried(get, writes_here=True)
+        except FileNotFoundError:
+            if self._tried(lambda: _exists(fs, path)):
+                raise  # the folder of copies is gone
+            raise _Removed from None
 
     def damaged(self, key: str, again: bool, which: FileMark | None) -> None:  # noqa: FBT001
         """Remove the copy; where it was got anew and is damaged again, the object."""
