@@ -152,7 +152,7 @@ def test_copies_that_vanish_meanwhile_are_no_missing_object(tmp_path, url, copie
     store = Folder(tmp_path / "s", url)
     store.store(KEY, PRODUCT)
     shutil.rmtree(copies)
-    raced(monkeypatch, lambda path: shutil.rmtree(copies))
+    raced(monkeypatch, lambda _: shutil.rmtree(copies))
     with pytest.raises(StoreLost):
         store.load(KEY)
     assert file_of(tmp_path, KEY).exists()
