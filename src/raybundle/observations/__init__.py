@@ -22,10 +22,11 @@ from raybundle.observations.kind import (
     in_order,
     partials,
 )
+from raybundle.observations.residual import ResidualKind, Unknowns, length, wrapped
 from raybundle.observations.table import Table, Wrong, again, cells
 
 for _module in iter_modules(__path__):
-    if _module.name not in {"correlation", "kind", "table"}:
+    if _module.name not in {"correlation", "kind", "residual", "table"}:
         import_module(f"{__name__}.{_module.name}")
 
 observation_kinds = ObservationKind.registry
@@ -40,17 +41,21 @@ __all__ = [
     "Observed",
     "OfKinds",
     "Partials",
+    "ResidualKind",
     "Rows",
     "Scope",
     "Stuck",
     "Table",
+    "Unknowns",
     "Values",
     "Wrong",
     "again",
     "cells",
     "correlated",
     "in_order",
+    "length",
     "observation_kinds",
     "partials",
     "tables",
+    "wrapped",
 ]

@@ -10,7 +10,8 @@ import numpy as np
 
 from raybundle.errors import InputError, message
 from raybundle.numerics.arrays import Array, Index
-from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
+from raybundle.observations.kind import Scope
+from raybundle.observations.residual import ResidualKind, Unknowns, length
 from raybundle.observations.table import Table, Wrong, cells
 
 
@@ -30,7 +31,7 @@ class Distances(Table):
         return [Wrong(self.start == self.end, "to", lambda _: message("observation.same_point"))]
 
 
-class Distance(ObservationKind):
+class Distance(ResidualKind):
     """v = |X_end - X_start| - length, the shortest way between two points in the frame of the object."""
 
     name = "distance"
@@ -43,32 +44,12 @@ class Distance(ObservationKind):
     unit = "length"
     fixes_scale = True
     table = Distances
+    called = ("length",)
+    between = "-"
 
-    def points(self, table: Distances, scope: Scope) -> Index:
-        used = scope.points[table.start] & scope.points[table.end]
-        return np.unique(np.concatenate([table.start[used], table.end[used]]))
-
-    def rows(self, table: Distances, scope: Scope) -> Rows:
-        used = np.flatnonzero(scope.points[table.start] & scope.points[table.end])
-        for d in used[~(table.sigma[used] > 0)][:1]:
+    def check(self, table: Distances, scope: Scope) -> None:
+        for d in np.flatnonzero(self.used(table, scope) & ~(table.sigma > 0))[:1]:
             raise InputError("distance.sigma_not_positive", row=d + 1, sigma=float(table.sigma[d]))
-        return Rows.of(used, np.zeros(len(used)), table.length[used], table.sigma[used])
 
-    def observed(self, table: Distances, rows: Rows, scope: Scope, values: Values) -> Observed:
-        start, end = table.start[rows.item], table.end[rows.item]
-        d = values.xyz[end] - values.xyz[start]
-        length = np.linalg.norm(d, axis=1)
-        unit, k = d / np.maximum(length, 1e-300)[:, None], np.arange(len(rows))  # ends in one place: no direction
-        return Observed(
-            length - rows.value,
-            tuple(
-                partials("point", k, point, axis, sign * unit[:, axis])
-                for point, sign in ((start, -1.0), (end, 1.0))
-                for axis in range(3)
-            ),
-        )
-
-    def named(self, table: Distances, rows: Rows, scope: Scope) -> Named:
-        ids = scope.point_ids
-        ends = zip(table.start[rows.item].tolist(), table.end[rows.item].tolist(), strict=True)
-        return Named(tuple(f"{ids[a]}-{ids[b]}" for a, b in ends), ("length",) * len(rows))
+    def residual(self, row: Distances, at: Unknowns) -> Array:
+        return length(at.point(row.end) - at.point(row.start)) - row.length

@@ -7,10 +7,9 @@ the distance); longer sights are to be reduced before.  Angles count clockwise, 
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -18,8 +17,8 @@ from raybundle.errors import InputError, message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.records import Stuck
 from raybundle.numerics.transform import SimilarityTransform
-from raybundle.observations.correlation import correlated
-from raybundle.observations.kind import Named, ObservationKind, Observed, Partials, Rows, Scope, Values, partials
+from raybundle.observations.kind import Scope
+from raybundle.observations.residual import ResidualKind, Unknowns, length, wrapped
 from raybundle.observations.table import Table, Wrong, cells
 
 
@@ -138,48 +137,21 @@ class Differences(Sights):
         ]
 
 
-class _Sight(ObservationKind, registered=False):
+class _Sight(ResidualKind, registered=False):
     """v = f(X_target - X_station) - observed."""
 
     object = "from–to"
     carries_datum = True
     carries_points = True
 
-    def points(self, table: Sights, scope: Scope) -> Index:
-        used = self._used(table, scope)
-        return np.unique(np.concatenate([table.station[used], table.target[used]]))
-
-    def _used(self, table: Sights, scope: Scope) -> Mask:
-        return scope.points[table.station] & scope.points[table.target]
-
-    def _across(self, table: Sights, item: Index, values: Values) -> Array:
+    def _across(self, row: Any, at: Unknowns) -> Array:
         """(k, 3) from the axis of the instrument to what was sighted."""
-        d = values.xyz[table.target[item]] - values.xyz[table.station[item]]
-        for heights, sign in ((getattr(table, "reflector", None), 1.0), (getattr(table, "instrument", None), -1.0)):
+        d = at.point(row.target) - at.point(row.station)
+        up = np.zeros((len(row), 3))
+        for heights, sign in ((getattr(row, "reflector", None), 1.0), (getattr(row, "instrument", None), -1.0)):
             if heights is not None:
-                d[:, 2] += sign * heights[item]
-        return d
-
-    def _by_points(self, table: Sights, item: Index, by: Array) -> tuple[Partials, ...]:
-        """Partials of `by` (k, 3), those by the target."""
-        n = np.arange(len(item))
-        return tuple(
-            partials("point", n, point[item], axis, sign * by[:, axis])
-            for point, sign in ((table.station, -1.0), (table.target, 1.0))
-            for axis in range(3)
-        )
-
-    @abstractmethod
-    def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed: ...
-
-    def named(self, table: Sights, rows: Rows, scope: Scope) -> Named:
-        ids = scope.point_ids
-        ends = zip(table.station[rows.item].tolist(), table.target[rows.item].tolist(), strict=True)
-        names = self.called
-        return Named(tuple(f"{ids[a]}–{ids[b]}" for a, b in ends), tuple(names[c] for c in rows.component.tolist()))
-
-    called: ClassVar[tuple[str, ...]]
-    """Of the observed quantities"""
+                up[:, 2] += sign * heights
+        return d + up
 
 
 class Direction(_Sight):
@@ -193,13 +165,13 @@ class Direction(_Sight):
     quantities = "directions"
     unit = "angle"
     table = Directions
-    called = ("direction",)
+    thing = "set"
     own_width = 1
     left_open = "datum.directions_unknown"
     hides = (5,)
 
     def check(self, table: Directions, scope: Scope) -> None:
-        for k in np.flatnonzero(self._used(table, scope)):
+        for k in np.flatnonzero(self.used(table, scope)):
             d = (scope.xyz[table.target[k]] - scope.xyz[table.station[k]])[:2]
             if not np.hypot(*d) > 0:
                 ids = scope.point_ids
@@ -210,12 +182,8 @@ class Direction(_Sight):
                     target=ids[table.target[k]],
                 )
 
-    def own(self, table: Directions, scope: Scope) -> tuple[str, ...]:
-        used = self._used(table, scope).tolist()
-        return tuple(dict.fromkeys(s for s, u in zip(table.set, used, strict=True) if u))
-
     def own_start(self, table: Directions, scope: Scope) -> Array:
-        used, sets = self._used(table, scope), np.array(table.set)
+        used, sets = self.used(table, scope), np.array(table.set)
         d = scope.xyz[table.target] - scope.xyz[table.station]
         off = np.arctan2(d[:, 0], d[:, 1]) - table.angle
         found = [np.angle(np.exp(1j * off[used & (sets == name)]).sum()) for name in self.own(table, scope)]
@@ -229,26 +197,9 @@ class Direction(_Sight):
         by[:, 0, 5] = -1.0
         return by
 
-    def rows(self, table: Directions, scope: Scope) -> Rows:
-        used = np.flatnonzero(self._used(table, scope))
-        return Rows.of(used, np.zeros(len(used)), table.angle[used], table.sigma[used])
-
-    def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed:
-        assert isinstance(table, Directions)
-        sets = {name: k for k, name in enumerate(self.own(table, scope))}
-        at = np.array([sets[table.set[k]] for k in rows.item.tolist()], np.int32)
-        d = self._across(table, rows.item, values)
-        off = np.arctan2(d[:, 0], d[:, 1]) - values.own[self.name][at, 0] - rows.value
-        square = d[:, 0] ** 2 + d[:, 1] ** 2
-        by = np.stack([d[:, 1] / square, -d[:, 0] / square, np.zeros(len(d))], axis=1)
-        own = partials("own", np.arange(len(rows)), at, 0, -np.ones(1))
-        return Observed(np.arctan2(np.sin(off), np.cos(off)), (*self._by_points(table, rows.item, by), own))
-
-    def named(self, table: Sights, rows: Rows, scope: Scope) -> Named:
-        assert isinstance(table, Directions)
-        found = super().named(table, rows, scope)
-        ids = (f"{table.set[k]}: {name}" for k, name in zip(rows.item.tolist(), found.ids, strict=True))
-        return Named(tuple(ids), found.component)
+    def residual(self, row: Directions, at: Unknowns) -> Array:
+        d = self._across(row, at)
+        return wrapped(np.arctan2(d[:, 0], d[:, 1]) - at.own[:, 0] - row.angle)
 
 
 class ZenithAngle(_Sight):
@@ -262,19 +213,10 @@ class ZenithAngle(_Sight):
     quantities = "zenith angles"
     unit = "angle"
     table = ZenithAngles
-    called = ("zenith angle",)
 
-    def rows(self, table: ZenithAngles, scope: Scope) -> Rows:
-        used = np.flatnonzero(self._used(table, scope))
-        return Rows.of(used, np.zeros(len(used)), table.angle[used], table.sigma[used])
-
-    def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed:
-        d = self._across(table, rows.item, values)
-        level = np.hypot(d[:, 0], d[:, 1])
-        square = level**2 + d[:, 2] ** 2
-        safe = np.maximum(level, 1e-300)
-        by = np.stack([d[:, 2] * d[:, 0] / safe, d[:, 2] * d[:, 1] / safe, -level], axis=1) / square[:, None]
-        return Observed(np.arctan2(level, d[:, 2]) - rows.value, self._by_points(table, rows.item, by))
+    def residual(self, row: ZenithAngles, at: Unknowns) -> Array:
+        d = self._across(row, at)
+        return np.arctan2(length(d[:, :2]), d[:, 2]) - row.angle
 
 
 class SlopeDistance(_Sight):
@@ -291,14 +233,8 @@ class SlopeDistance(_Sight):
     called = ("length",)
     fixes_scale = True
 
-    def rows(self, table: SlopeDistances, scope: Scope) -> Rows:
-        used = np.flatnonzero(self._used(table, scope))
-        return Rows.of(used, np.zeros(len(used)), table.length[used], table.sigma[used])
-
-    def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed:
-        d = self._across(table, rows.item, values)
-        length = np.linalg.norm(d, axis=1)
-        return Observed(length - rows.value, self._by_points(table, rows.item, d / length[:, None]))
+    def residual(self, row: SlopeDistances, at: Unknowns) -> Array:
+        return length(self._across(row, at)) - row.length
 
 
 class Difference(_Sight):
@@ -315,12 +251,5 @@ class Difference(_Sight):
     table = Differences
     called = ("dX", "dY", "dZ")
 
-    def rows(self, table: Differences, scope: Scope) -> Rows:
-        item, axis = np.nonzero(self._used(table, scope)[:, None] & (np.nan_to_num(table.sigma) > 0))
-        return correlated(table, Rows.of(item, axis, table.xyz[item, axis], table.sigma[item, axis]))
-
-    def observed(self, table: Sights, rows: Rows, scope: Scope, values: Values) -> Observed:
-        n = np.arange(len(rows))
-        by = np.eye(3)[rows.component]
-        d = values.xyz[table.target[rows.item]] - values.xyz[table.station[rows.item]]
-        return Observed(d[n, rows.component] - rows.value, self._by_points(table, rows.item, by))
+    def residual(self, row: Differences, at: Unknowns) -> Array:
+        return self._across(row, at) - row.xyz
