@@ -42,7 +42,7 @@ from raybundle.adjustment.system.datum import analyse, hold_minimal
 from raybundle.adjustment.system.factoring import made_by
 from raybundle.adjustment.system.normals import Normals
 from raybundle.block import Block, Distances, Role, Stations
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.blocking.columns import InFiles
 from raybundle.blocking.cutting import PIECE
 from raybundle.blocking.graph import meeting
@@ -79,7 +79,7 @@ def read(kind: str, path: Path, *, truth: bool = False) -> Block:
     meets = csr_matrix((np.ones(len(o)), (o.image, n + o.point)), (size, size))
     _, part = connected_components(meets, directed=False)
     inside = part == np.bincount(part[:n]).argmax()
-    return selected(selected(block, "image", inside[:n]), "point", inside[n:])
+    return select_block(select_block(block, "image", inside[:n]), "point", inside[n:])
 
 
 def with_control(block: Block, truth: Block) -> Block:

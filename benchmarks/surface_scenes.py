@@ -29,7 +29,7 @@ sys.path.insert(0, str(ROOT))
 
 import raybundle as rb  # noqa: E402
 from raybundle.block import Block  # noqa: E402
-from raybundle.block.select import selected  # noqa: E402
+from raybundle.block.select import select_block  # noqa: E402
 from raybundle.io.block.folder import read_block, write_block  # noqa: E402
 from raybundle.io.raster_library import raster_library  # noqa: E402
 from raybundle.surfaces.files.heights import HeightFile, read_heights  # noqa: E402
@@ -106,13 +106,13 @@ def beside_ties(
         rb.orient(folder, work / "project", report=False)
     whole = read_block(work / "project/result/block")
     out = np.arange(len(whole.points)) % 2 == 1
-    kept = selected(whole, "point", ~out)
+    kept = select_block(whole, "point", ~out)
     if not (work / "kept").exists():
         write_block(kept, work / "kept")
     done = rb.surface(work / "kept", work / "surface", photos=(folder,), dsm=cell, density=density)
     model, file = read_heights(work / "surface")
     adjustment = done.surface.adjustment
-    xyz, C = intersected(adjustment.adjusted, selected(whole, "point", out), adjustment.variance_factor)
+    xyz, C = intersected(adjustment.adjusted, select_block(whole, "point", out), adjustment.variance_factor)
     grid = done.surface.heights.grid
     uvh, G = grid.plane.coordinates(xyz), grid.plane.jacobian(xyz.mean(axis=0))
     height, sigma, by_u, by_v = at(model, grid.cells(uvh[:, :2]))

@@ -84,7 +84,7 @@ def python() -> str:
     from raybundle.adjustment.evaluation import queries  # noqa: PLC0415
 
     parts.append("\n## raybundle.adjustment.evaluation.queries\n\n| name | what it is |\n|---|---|")
-    parts += [f"| `{n}` | {first_line(getattr(queries, n))} |" for n in ("covariance_between", "precision_in_datum")]
+    parts += [f"| `{n}` | {first_line(getattr(queries, n))} |" for n in ("own_values", "precision_in_datum")]
     return "\n".join(parts) + "\n"
 
 

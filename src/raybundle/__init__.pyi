@@ -18,8 +18,11 @@ from raybundle.block import Observations as Observations
 from raybundle.block import Points as Points
 from raybundle.block import Role as Role
 from raybundle.block import Stations as Stations
+from raybundle.block.boards import BoardViews as BoardViews
+from raybundle.block.boards import board_block as board_block
 from raybundle.block.joined import Joined
 from raybundle.block.merge import merge_blocks as merge_blocks
+from raybundle.block.select import select_block as select_block
 from raybundle.block.transform import transform_block as transform_block
 from raybundle.calibration.at_pixels import projection_uncertainty as projection_uncertainty
 from raybundle.cameras.opencv import OpenCVCamera as OpenCVCamera
@@ -133,6 +136,7 @@ __all__ = [
     "AdjustmentOptions",
     "Batch",
     "Block",
+    "BoardViews",
     "CalibrateSettings",
     "Calibration",
     "CalibrationAddSettings",
@@ -202,6 +206,7 @@ __all__ = [
     "adjust",
     "adjust_marks",
     "begin",
+    "board_block",
     "calibrate",
     "calibrate_zoom",
     "check_flight",
@@ -252,6 +257,7 @@ __all__ = [
     "rpc_fit",
     "rpc_ortho",
     "rpc_project",
+    "select_block",
     "show",
     "spreadsheet",
     "surface",
@@ -515,7 +521,7 @@ def compare_calibrations(
     """
 
 def convert(
-    source: str | Path,
+    source: str | Path | Block | Adjustment,
     out: str | Path,
     *,
     to: str,
@@ -531,9 +537,10 @@ def convert(
     approximate: bool = False,
     free_scale: bool = False,
 ) -> Converted:
-    """Convert a block folder, a result folder or the files of another program; what is written stands in `out`.
+    """Convert a block, a result or the files of another program; what is written stands in `out`.
 
-    source    of a result folder, or a project of `orient`, the adjusted values, without rejected observations
+    source    a folder or file, or a block or adjustment of this program; of a result, or a project of `orient`, the
+              adjusted values, without rejected observations
     out       new file or folder; nothing is overwritten
     to        "colmap", "opf", "ply" ..., "block", "rpc"; "gpkg,dxf" for files that begin with the name `out`
     settings  as of the command line, by the names of `ConvertSettings`: crs="EPSG:25832", undistort="inside"

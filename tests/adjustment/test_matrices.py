@@ -8,7 +8,6 @@ from scipy.io import mmread
 
 import raybundle as rb
 from raybundle import AdjustmentOptions, adjust
-from raybundle.adjustment.evaluation.queries import covariance_between
 from raybundle.block import Distances
 from raybundle.errors import InputError
 from tests.adjustment.test_antennas import SHIFT, flight
@@ -81,7 +80,7 @@ def test_what_nothing_fixes_is_the_null_space_of_n_and_distances_have_their_vari
     kept = value > 1e-11
     ours = float(((vector.T @ (g * s))[kept] ** 2 / value[kept]).sum()) * free.variance_factor
     names = [f"point:{ids[p]}" for p in (10, 30)]
-    C = np.block([[covariance_between(free, a, b) for b in names] for a in names])
+    C = np.block([[free.covariance(a, b) for b in names] for a in names])
     assert ours == pytest.approx(float(np.r_[-e, e] @ C @ np.r_[-e, e]), rel=1e-8)
 
 
@@ -101,7 +100,7 @@ def test_instruments_and_distances_have_their_rows():
     Ns, s = scaled_normal(m)
     Q = np.linalg.inv(Ns) * np.outer(s, s) * result.variance_factor
     k = [m.unknowns.index(f"camera line2:{c}") for c in SHIFT]
-    np.testing.assert_allclose(Q[np.ix_(k, k)], covariance_between(result, "camera:line2", "camera:line2"), rtol=1e-7)
+    np.testing.assert_allclose(Q[np.ix_(k, k)], result.covariance("camera:line2"), rtol=1e-7)
 
 
 def test_they_are_written_for_other_programs(fixed, tmp_path):

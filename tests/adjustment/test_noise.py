@@ -8,7 +8,7 @@ import pytest
 from numpy.polynomial import legendre
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.evaluation.queries import covariance_between, design_row, precision_in_datum
+from raybundle.adjustment.evaluation.queries import design_row, precision_in_datum
 from raybundle.adjustment.records.options import AdjustmentOptions, noise_of_photographs
 from raybundle.adjustment.result import Handle
 from raybundle.adjustment.statistics import field_system as field_system_module
@@ -264,7 +264,7 @@ def test_every_question_is_answered_by_the_same_covariance(name):
     for a, (i, Di) in rows.items():
         for b, (j, Dj) in rows.items():
             std = (np.sqrt(np.abs(np.diagonal(D @ C[np.ix_(k, k)] @ D.T))) for k, D in ((i, Di), (j, Dj)))
-            close(covariance_between(result, a, b) / result.sigma0**2, Di @ C[np.ix_(i, j)] @ Dj.T, *std)
+            close(result.covariance(a, b) / result.sigma0**2, Di @ C[np.ix_(i, j)] @ Dj.T, *std)
 
 
 def white_and_fields(name="bars", tau_px=0.3):
@@ -310,7 +310,7 @@ def test_standard_deviations_are_wider_and_those_of_white_noise_stand_beside():
         assert (h.adjusted_std >= g.adjusted_std * (1 - 1e-9)).all()
     bar = next(g for g in fields.groups if g.kind == "distance")
     ends = [f"point:{p}" for p in bar.ids[0].split("-")]
-    C = [[covariance_between(fields, a, b) for b in ends] for a in ends]
+    C = [[fields.covariance(a, b) for b in ends] for a in ends]
     d = fields.given.distances
     unit = np.diff(fields.adjusted.points.xyz[[d.start[0], d.end[0]]], axis=0)[0]
     unit /= np.linalg.norm(unit)
@@ -331,7 +331,7 @@ def test_a_length_that_one_bar_fixes_keeps_the_standard_deviation_of_the_bar():
     result = replace(result, handle=Handle(replace(w, under_noise=found, spread=spread)))
     start, end = (int(e[0]) for e in (one.distances.start, one.distances.end))
     a, b = (f"point:{one.points.ids[k]}" for k in (start, end))
-    aa, ab, bb = (covariance_between(result, *pair) / result.sigma0**2 for pair in ((a, a), (a, b), (b, b)))
+    aa, ab, bb = (result.covariance(*pair) / result.sigma0**2 for pair in ((a, a), (a, b), (b, b)))
     along = result.adjusted.points.xyz[end] - result.adjusted.points.xyz[start]
     along /= np.linalg.norm(along)
     assert np.sqrt(along @ (aa - ab - ab.T + bb) @ along) == pytest.approx(one.distances.sigma[0], rel=1e-6)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.evaluation.queries import covariance_between, design_row, own_values, precision_in_datum
+from raybundle.adjustment.evaluation.queries import design_row, own_values, precision_in_datum
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError
@@ -74,9 +74,9 @@ def test_every_covariance_equals_the_bordered_inverse(scale_bars):
             j = n + 3 * ids.index(b.split(":")[1])
             expected = Q[i : i + 3, j : j + 3] * result.sigma0**2
             np.testing.assert_allclose(
-                covariance_between(result, a, b), expected, rtol=1e-6, atol=1e-9 * np.abs(np.diagonal(Q)[n:]).max()
+                result.covariance(a, b), expected, rtol=1e-6, atol=1e-9 * np.abs(np.diagonal(Q)[n:]).max()
             )
-    own = covariance_between(result, "camera:1", "camera:1")
+    own = result.covariance("camera:1")
     np.testing.assert_allclose(own, result.precision.interior["1"], rtol=1e-8)
     row = system.interior[0]
     at = int(system.offsets[row.node])
@@ -84,12 +84,12 @@ def test_every_covariance_equals_the_bordered_inverse(scale_bars):
     np.testing.assert_allclose(own, Q[at : at + k, at : at + k] * result.sigma0**2, rtol=1e-6)
     image = result.given.images.ids[2]
     np.testing.assert_allclose(
-        covariance_between(result, f"image:{image}", f"image:{image}"),
+        result.covariance(f"image:{image}"),
         result.precision.images[2],
         rtol=1e-7,
         atol=1e-22,
     )
-    cross = covariance_between(result, "camera:1", f"image:{image}")
+    cross = result.covariance("camera:1", f"image:{image}")
     s = np.sqrt(np.outer(np.diagonal(own), np.diagonal(result.precision.images[2])))
     np.testing.assert_allclose(cross / s, result.precision.interior_exterior["1"][2], atol=1e-7)
 
@@ -99,7 +99,7 @@ def test_a_point_that_carries_a_scale_bar_has_its_covariance_too():
     d = result.given.distances
     name = result.given.points.ids[d.start[0]]
     np.testing.assert_allclose(
-        covariance_between(result, f"point:{name}", f"point:{name}"),
+        result.covariance(f"point:{name}"),
         result.precision.object_points[d.start[0]],
         rtol=1e-6,
     )
@@ -166,7 +166,7 @@ def test_two_suspects_on_one_weak_point_are_not_separable():
 
 def test_unknown_names_are_refused():
     with pytest.raises(InputError, match=r"query\.unknown"):
-        covariance_between(adjusted(), "point:nobody", "camera:1")
+        adjusted().covariance("point:nobody", "camera:1")
 
 
 def test_decisions_do_not_move_what_is_observed():
@@ -210,20 +210,20 @@ def test_what_a_kind_has_as_unknowns_is_told_in_the_frame_of_the_object(survey):
     values = own_values(result, "plane:wall")
     xyz = result.adjusted.points.xyz[points]
     np.testing.assert_allclose((xyz - values[6:]) @ values[:3], g.residual, atol=1e-9)
-    C = covariance_between(result, "plane:wall", "plane:wall")
+    C = result.covariance("plane:wall")
     assert C.shape == (3, 3)
     assert np.linalg.eigvalsh(C)[0] > 0
     level = Levels(figure=("water",) * 5, point=points, sigma=np.full(5, 1e-2))
     levelled = adjust_block(block.having(level), AdjustmentOptions())
     z = own_values(levelled, "level:water")[2]
     np.testing.assert_allclose(z, levelled.adjusted.points.xyz[points, 2].mean(), atol=1e-9)
-    own = covariance_between(levelled, "level:water", "level:water")[0, 0]
+    own = levelled.covariance("level:water")[0, 0]
     assert own > 0
     for k in points:  # as of any two unknowns
         name = f"point:{levelled.given.points.ids[k]}"
-        both = covariance_between(levelled, "level:water", name)[0, 2]
-        assert both**2 <= own * covariance_between(levelled, name, name)[2, 2]
+        both = levelled.covariance("level:water", name)[0, 2]
+        assert both**2 <= own * levelled.covariance(name, name)[2, 2]
     with pytest.raises(InputError, match=r"query\.unknown_own"):
         own_values(result, "plane:roof")
     with pytest.raises(InputError, match=r"KIND.*NAME.*query\.unknown"):
-        covariance_between(result, "plane:roof", "plane:wall")
+        result.covariance("plane:roof", "plane:wall")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.evaluation.queries import covariance_between, precision_in_datum
+from raybundle.adjustment.evaluation.queries import precision_in_datum
 from raybundle.adjustment.evaluation.tie_roughness import doubled
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.records.severity import Severity
@@ -179,9 +179,9 @@ def test_figures_of_windows_that_are_there_in_part_are_a_caution():
 
 def test_questions_hold_it(rough):
     names = rough.given.points.ids
-    C = covariance_between(rough, f"point:{names[3]}", f"point:{names[3]}")
+    C = rough.covariance(f"point:{names[3]}")
     np.testing.assert_allclose(C, rough.precision.object_points[3], rtol=1e-6)
-    apart = covariance_between(rough, f"point:{names[3]}", f"point:{names[4]}")
+    apart = rough.covariance(f"point:{names[3]}", f"point:{names[4]}")
     assert np.abs(apart).max() < np.abs(C).max() / 3
     again = precision_in_datum(rough, names[:12])
     alone = precision_in_datum(adjust_block(BLOCK, AdjustmentOptions()), names[:12])

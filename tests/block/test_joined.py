@@ -8,7 +8,7 @@ import pytest
 import raybundle as rb
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.joined import join_blocks, joint_messages
-from raybundle.block.select import selected, with_rows
+from raybundle.block.select import select_block, with_rows
 from raybundle.block.transform import transform_block
 from raybundle.cli.main import main
 from raybundle.errors import InputError
@@ -29,7 +29,7 @@ def whole():
 
 
 def part(block, images):
-    some = selected(block, "image", np.array(images))
+    some = select_block(block, "image", np.array(images))
     return with_rows(some, np.ones(len(some.observations), bool))
 
 

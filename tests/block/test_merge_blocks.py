@@ -10,7 +10,7 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import PixelFrame, Relation
 from raybundle.block.merge import SUBJECTS, merge_blocks
-from raybundle.block.select import selected, with_rows
+from raybundle.block.select import select_block, with_rows
 from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
 from raybundle.numerics.places import Local
@@ -35,7 +35,7 @@ def flights():
     block = replace(block, name="whole", rejected=((block.images.ids[0], block.points.ids[3]),))
     halves = []
     for k, mine in enumerate((np.arange(8) < 4, np.arange(8) >= 4)):
-        part = selected(block, "image", mine)
+        part = select_block(block, "image", mine)
         part = with_rows(part, np.ones(len(part.observations), bool))
         halves.append(replace(part, name=f"flight {k + 1}"))
     return block, halves
@@ -223,8 +223,8 @@ def test_what_no_file_may_hold_is_no_merged_block(flights):
 def test_instruments_and_relations_are_matched_by_id():
     block = EXAMPLES["airborne"]()
     half = np.arange(len(block.images)) % 2 == 0
-    one, two = (selected(block, "image", m) for m in (half, ~half))
-    turned = selected(two, "instrument", np.arange(len(two.instruments))[::-1])
+    one, two = (select_block(block, "image", m) for m in (half, ~half))
+    turned = select_block(two, "instrument", np.arange(len(two.instruments))[::-1])
     merged = merge_blocks([one, turned])
     assert merged.instruments == block.instruments
     found = dict(zip(merged.stations.image.tolist(), merged.stations.antenna.tolist(), strict=True))

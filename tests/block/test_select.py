@@ -9,11 +9,14 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from raybundle.block import Role
-from raybundle.block.select import selected, with_rows, without_images
+from raybundle.block.select import select_block, with_rows, without_images
 from raybundle.observations import tables
 from raybundle.placing.positions import without_idle
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.workflows.orienting.connected_components import merged
 from tests.block.any_blocks import blocks
+from tests.messages import refused
 
 CHECKED = settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 """Of each property."""
@@ -78,7 +81,7 @@ def named_points(block, table, k):
 def test_points_that_leave_take_their_rows_and_nothing_else(block, random):
     seen = set(block.observations.point.tolist())
     keep = np.array([k in seen or random.random() < 0.5 for k in range(len(block.points))], bool)
-    less = selected(block, "point", keep)
+    less = select_block(block, "point", keep)
     left = {n for n, k in zip(block.points.ids, keep, strict=True) if k}
     assert points_of(less) == {n: v for n, v in points_of(block).items() if n in left}
     assert observations_of(less) == observations_of(block)
@@ -171,3 +174,13 @@ def test_instruments_that_nobody_names_leave_alone(block):
     assert {i.id for i in less.instruments} == used
     for name, table in block.tables.items():
         assert rows_of(less, less.tables[name]) == rows_of(block, table)
+
+
+def test_ids_select_as_positions_do():
+    block = simulate(field_scene(TargetField(rows=3, columns=3, stations=3)), Survey()).observed
+    some = select_block(block, "image", ["3", "1"])
+    assert some.images.ids == ("3", "1")
+    assert set(some.observations.image.tolist()) == {0, 1}
+    assert select_block(block, "camera", ["1"]).images.ids == block.images.ids
+    with refused("cell.unknown_id", id="nobody", table="points"):
+        select_block(block, "point", ["1", "nobody"])

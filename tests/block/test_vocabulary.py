@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from raybundle.block import Images, Observations, Points
 from raybundle.block.merge import SUBJECTS, merge_blocks
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.errors import InputError
 from raybundle.numerics.records import REFERS, Records, column
 from raybundle.numerics.rotation import rotation_from_angles
@@ -93,8 +93,8 @@ def test_halves_appended_are_the_whole(block):
 def test_new_numbers_and_back_are_the_old(block, random):
     for what in ("point", "image", "camera", "instrument"):
         order = np.array(random.sample(range(n := len(getattr(block, f"{what}s"))), n), int)
-        turned = selected(block, what, order)
-        again = selected(turned, what, np.argsort(order))
+        turned = select_block(block, what, order)
+        again = select_block(turned, what, np.argsort(order))
         for one, two, three in zip(tables_of(block), tables_of(turned), tables_of(again), strict=True):
             assert rows(one) == rows(three)
             assert by_names(block, one) == by_names(turned, two)
@@ -147,10 +147,10 @@ def test_a_block_split_by_images_merges_to_the_block(block, random):
     half = np.array([random.random() < 0.5 for _ in block.images.ids], bool)
     if block.images.station is not None:  # a rig's images of one station have no name in common but their number
         half = half[block.images.station % len(half)]
-    parts = [selected(block, "image", m) for m in (half, ~half)]
+    parts = [select_block(block, "image", m) for m in (half, ~half)]
     whole = merge_blocks(parts)
     order = [whole.images.ids.index(name) for name in block.images.ids]
-    whole = selected(whole, "image", np.array(order))
+    whole = select_block(whole, "image", np.array(order))
     assert rows(whole.points) == rows(block.points)
     assert whole.tables.keys() == block.tables.keys()
     for one, two in zip(tables_of(block)[:3], tables_of(whole)[:3], strict=True):

@@ -410,3 +410,15 @@ def test_elements_passed_over_are_printed_and_data(tmp_path, capsys):
         assert found["not_read"] == {"frames.mask_path": 2, "rolling_shutter": 1}
     own = converted(capsys, tmp_path / "again.json", "--to", "colmap", "--out", tmp_path / "own")
     assert "rolling_shutter" not in texts_of(own)
+
+
+def test_blocks_and_results_in_memory_are_converted_as_their_folders(tmp_path):
+    block = simulate(field_scene(FIELD), Survey(scale_bars=1)).observed
+    result = adjust(block)
+    for name, thing in (("block", block), ("result", result)):
+        done = rb.convert(thing, tmp_path / f"{name}.ply", to="ply")
+        assert [p for _, p in done.written] == [tmp_path / f"{name}.ply"]
+    write_result(result, tmp_path / "folder", report="none")
+    rb.convert(tmp_path / "folder", tmp_path / "of-folder.ply", to="ply")
+    assert (tmp_path / "result.ply").read_bytes() == (tmp_path / "of-folder.ply").read_bytes()
+    assert (tmp_path / "result.ply").read_bytes() != (tmp_path / "block.ply").read_bytes()

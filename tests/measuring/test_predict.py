@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from raybundle.adjustment.evaluation.queries import covariance_between
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block.select import with_rows
@@ -58,14 +57,12 @@ def test_joint_covariances_are_those_of_the_adjustment(datum):
     a, p = session.adjustment, many_rays(block)[:2]
     names = [block.points.ids[k] for k in p]
     C = session.joint.of_points(p)
-    np.testing.assert_allclose(
-        C[:3, 3:], covariance_between(a, f"point:{names[0]}", f"point:{names[1]}"), rtol=1e-6, atol=1e-14
-    )
+    np.testing.assert_allclose(C[:3, 3:], a.covariance(f"point:{names[0]}", f"point:{names[1]}"), rtol=1e-6, atol=1e-14)
     np.testing.assert_allclose(C[:3, :3], a.precision.object_points[p[0]], rtol=1e-6, atol=1e-14)
     nodes, own = session.joint.point_columns(p[0])
     np.testing.assert_allclose(own, C[:3, :3], rtol=1e-9)
     unknown = session.joint.of_image(1)
-    across = covariance_between(a, f"point:{names[0]}", "image:" + block.images.ids[1])
+    across = a.covariance(f"point:{names[0]}", "image:" + block.images.ids[1])
     np.testing.assert_allclose(nodes[unknown.unknowns[:3]].T, across[:, :3], rtol=1e-6, atol=1e-14)
     own_image = session.joint.between_images(1, 1)
     np.testing.assert_allclose(own_image, own_image.T, rtol=1e-6, atol=1e-16)

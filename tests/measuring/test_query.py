@@ -9,7 +9,6 @@ import pytest
 from scipy.stats import chi2
 
 import raybundle as rb
-from raybundle.adjustment.evaluation.queries import covariance_between
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Distances, Role
 from raybundle.cli.main import main
@@ -39,7 +38,7 @@ def test_a_distance_has_the_sigma_of_both_ends_together(result):
     found = ask(result, "distance", (a, b))
     xyz = [result.adjusted.points.xyz[result.adjusted.points.ids.index(n)] for n in (a, b)]
     u = (xyz[1] - xyz[0]) / np.linalg.norm(xyz[1] - xyz[0])
-    C = {(p, q): covariance_between(result, f"point:{p}", f"point:{q}") for p in (a, b) for q in (a, b)}
+    C = {(p, q): result.covariance(f"point:{p}", f"point:{q}") for p in (a, b) for q in (a, b)}
     variance = u @ (C[a, a] + C[b, b] - C[a, b] - C[b, a]) @ u
     assert found.values[0] == pytest.approx(np.linalg.norm(xyz[1] - xyz[0]))
     assert found.sigma[0] == pytest.approx(np.sqrt(variance), rel=1e-6)
@@ -251,7 +250,7 @@ def test_held_coordinates_have_no_variance_even_at_the_end_of_a_scale_bar():
     answer = ask(found, "coordinates", (names[0],))
     assert answer.sigma[1:] == (0.0, 0.0)
     assert answer.sigma[0] == pytest.approx(std[0], rel=1e-6)
-    own = covariance_between(found, f"point:{names[0]}", f"point:{names[0]}")
+    own = found.covariance(f"point:{names[0]}")
     np.testing.assert_allclose(np.sqrt(np.diagonal(own)), std, rtol=1e-6, atol=1e-12)
     without = ask(
         adjust(replace(held, tables={k: t for k, t in held.tables.items() if k != "distances"})),

@@ -9,7 +9,7 @@ from tests.messages import refused
 import raybundle as rb
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.same_images import images_measured_alike
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.block.transform import transform_block
 from raybundle.cli.main import main
 from raybundle.errors import InputError, Severity
@@ -199,7 +199,7 @@ def test_photographs_with_the_same_image_points_count_once(flown, flown_again, t
     assert images_measured_alike(flown, flown_again) == ()
     with refused("join.same_measurement", n=8, first="project-1", second="project-2"):
         merged(tmp_path, flown, flown)
-    part = selected(flown, "image", np.arange(2))
+    part = select_block(flown, "image", np.arange(2))
     ids = tuple(f"again-{i}" for i in part.images.ids)
     part = replace(part, images=replace(part.images, ids=ids))
     both = rb.merge_blocks([flown_again, part], prefer={"point": 0})

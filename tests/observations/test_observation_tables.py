@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.block import Distances, Stations
-from raybundle.block.select import selected, without_images
+from raybundle.block.select import select_block, without_images
 from raybundle.io.block.arrays import arrays_of_records, records_of_arrays
 from raybundle.observations import observation_kinds, tables
 from raybundle.observations.table import Table
@@ -88,7 +88,7 @@ def test_what_leaves_a_block_takes_its_observations_along():
     o = block.observations
     rows = keep[o.point]
     fewer = replace(o, image=o.image[rows], point=o.point[rows], xy_px=o.xy_px[rows], cov_px2=o.cov_px2[rows])
-    left = selected(replace(block, observations=fewer), "point", keep)
+    left = select_block(replace(block, observations=fewer), "point", keep)
     gone = (block.distances.start == first) | (block.distances.end == first)
     assert len(left.distances) == 3 - gone.sum() < 3
     names = [left.points.ids[k] for k in left.distances.start]

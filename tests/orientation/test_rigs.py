@@ -11,7 +11,7 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.system import defects
 from raybundle.block import Role
 from raybundle.block.rigs import with_shared_orientation, without_rigs
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.errors import RankDefect
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation.rays import angular_residuals, rays_of
@@ -58,7 +58,7 @@ def test_cameras_that_share_no_points_are_joined_by_their_stations():
     control = np.isin(np.arange(p), np.flatnonzero(kept & by_first)[::8])
     role = np.where(control, Role.CONTROL, Role.TIE).astype(np.int32)
     sigma = np.where(control[:, None], 0.001, np.full((p, 3), np.nan))
-    block = selected(replace(block, points=replace(block.points, role=role, sigma=sigma)), "point", kept)
+    block = select_block(replace(block, points=replace(block.points, role=role, sigma=sigma)), "point", kept)
     assert len(defects.components(replace(block, images=replace(block.images, station=None)), no_rows(block))) == 2
     assert len(defects.components(block, no_rows(block))) == 1
     start = rough(block, 3, centre=NAN, degrees=0.0, points=None, mounting="unknown")
@@ -123,7 +123,7 @@ def test_one_station_of_a_calibrated_pair_is_adjusted():
     cameras = tuple(replace(c, estimate=()) for c in block.cameras)
     block = replace(block, cameras=cameras, observations=block.observations.rows(rows))
     rays = np.bincount(block.observations.point, minlength=len(block.points))
-    block = selected(selected(block, "point", rays > 1), "image", np.arange(len(block.images)) < 2)
+    block = select_block(select_block(block, "point", rays > 1), "image", np.arange(len(block.images)) < 2)
     assert adjust(block, OPTIONS).converged
 
 

@@ -11,7 +11,7 @@ import pytest
 from tests.cli.reported import reported, values_of
 
 import raybundle as rb
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.cli.main import main
 from raybundle.commands.planning.photograph_list import ListSettings, task_of
 from raybundle.errors import InputError
@@ -159,7 +159,7 @@ def test_a_result_is_ticked_off(tmp_path, capsys):
     assert main(["plan", "check", str(tmp_path / "list"), str(tmp_path / "taken"), "--progress", "none"]) == 0
     block = rb.read_block(tmp_path / "taken/block")
     some = np.arange(len(block.images)) != 4
-    rb.write_block(selected(block, "image", some), tmp_path / "some")
+    rb.write_block(select_block(block, "image", some), tmp_path / "some")
     capsys.readouterr()
     words = ["plan", "check", tmp_path / "list", tmp_path / "some", "--out", tmp_path / "checked"]
     found = values_of(reported(capsys, *words, status=4))

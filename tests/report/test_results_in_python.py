@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import raybundle as rb
-from raybundle.adjustment.evaluation.queries import covariance_between
 from raybundle.adjustment.records.notice import Notice
 from raybundle.commands.show import show
 from raybundle.errors import InputError, phrase
@@ -39,9 +38,50 @@ def test_a_result_is_plain_data(result):
         np.testing.assert_array_equal(again.precision.object_points, result.precision.object_points)
         assert again.handle.work is None
         with pytest.raises(InputError, match=r"adjustment\.no_statistics"):
-            covariance_between(again, "point:1", "point:2")
+            again.covariance("point:1", "point:2")
     assert result.handle.work is not None  # whoever copies it takes nothing from it
     assert len(pickle.dumps(result)) < 400_000
+
+
+def test_matrices_of_poses_bring_points_into_the_axes_of_opencv(result):
+    poses, camera = result.poses(), result.adjusted.cameras[0]
+    T, X = poses.matrices[2], result.points().xyz
+    x, y, z = (X @ T[:3, :3].T + T[:3, 3]).T
+    P = (X - poses.centre[2]) @ poses.rotation[2].T
+    assert camera.values["c"] > 0
+    np.testing.assert_allclose([x, -y, -z], P.T, atol=1e-12)
+    assert (z > 0).all()
+
+
+def test_arrays_have_the_covariances_of_the_result(result):
+    poses, points, (camera,) = result.poses(), result.points(), result.cameras()
+    for C, name in (
+        (poses.covariance[1], f"image:{poses.ids[1]}"), (points.covariance[3], f"point:{points.ids[3]}"),
+    ):  # fmt: skip
+        np.testing.assert_allclose(result.covariance(name), C, rtol=1e-6, atol=1e-9 * np.abs(C).max())
+    free = [camera.symbols.index(s) for s in result.interior[0].free]
+    inner = camera.covariance[np.ix_(free, free)]
+    np.testing.assert_allclose(result.covariance("camera:1"), inner, rtol=1e-6, atol=1e-9 * np.abs(inner).max())
+    assert not np.delete(camera.covariance, free, axis=0).any()
+    np.testing.assert_allclose(result.covariance("camera:1", "point:3"), result.covariance("point:3", "camera:1").T)
+
+
+def test_columns_of_arrays_have_their_units(result):
+    poses = result.poses().table("numpy")
+    assert poses.dtype.names == (
+        "image", "X_m", "Y_m", "Z_m", "omega_deg", "phi_deg", "kappa_deg",
+        "sX_m", "sY_m", "sZ_m", "somega_deg", "sphi_deg", "skappa_deg",
+    )  # fmt: skip
+    images = table(result, "images")
+    np.testing.assert_allclose(poses["skappa_deg"], images["skappa_deg"])
+    points, same = result.points().table("numpy"), table(result, "points")
+    np.testing.assert_array_equal(points["sZ_m"], same["sZ"])
+    camera = result.cameras().table("numpy")
+    assert camera["value"][camera["parameter"] == "c"] == result.interior[0].parameters["c"].value
+    free = replace(result, datum_defect=("scale",), given=replace(result.given, nominal_scale=None))
+    assert "X" in free.points().table("numpy").dtype.names
+    with pytest.raises(InputError, match=r"value\.not_one_of"):
+        result.points().table("excel")
 
 
 def test_nothing_of_a_solver_stands_in_it_but_behind_its_handle(result):

@@ -9,7 +9,7 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.evaluation.queries import covariance, joint_orientation
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.system.predict import predicted_px
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.simulate import Survey, simulate
@@ -144,7 +144,7 @@ def test_an_image_that_took_no_part_is_named(adjusted):
     o = block.observations
     without = replace(block, observations=o.rows(np.flatnonzero(o.image != 2)))
     rays = np.bincount(without.observations.point, minlength=len(block.points))
-    without = selected(without, "point", rays > 1)
+    without = select_block(without, "point", rays > 1)
     result = adjust_block(without, AdjustmentOptions(jobs=1, noise="white"))
     with pytest.raises(InputError, match=rf"{block.images.ids[2]}.*query\.image_without_part"):
         joint_orientation(result, (2, 3))

@@ -63,7 +63,7 @@ def assert_own_blocks(Q: np.ndarray, stated: np.ndarray) -> None:
 
 
 def joint_cofactor(work: Work, at: list[Unknown]) -> np.ndarray:
-    """Cofactors (k, k) of unknowns, all with all, in the datum of the result: `covariance_between` of many at once."""
+    """Cofactors (k, k) of unknowns, all with all, in the datum of the result, many at once."""
     system, state = work.system, work.state
     n = len(at)
     right, at_points = np.zeros((int(system.offsets[-1]), n)), np.zeros((*state.xyz.shape, n))

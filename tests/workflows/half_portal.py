@@ -6,7 +6,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.io.block.folder import read_block, write_block
 
 PORTAL = Path(__file__).parents[2] / "demo_data/portal"
@@ -19,9 +19,9 @@ def half_portal(folder: Path, by: int = 2) -> Path:
     by  how many times smaller photographs are
     """
     block = read_block(PORTAL / "truth")
-    block = selected(block, "image", np.isin(block.images.file, NAMES))
+    block = select_block(block, "image", np.isin(block.images.file, NAMES))
     rays = np.bincount(block.observations.point, minlength=len(block.points))
-    block = selected(block, "point", rays > 1)
+    block = select_block(block, "point", rays > 1)
     o, (camera,) = block.observations, block.cameras
     camera = replace(
         camera, width_px=camera.width_px // by, height_px=camera.height_px // by,

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 import pytest
 
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.cli.main import main
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError, phrase
@@ -87,7 +87,7 @@ def test_photographs_without_overlap_are_named(half, tmp_path, capsys):
     block = read_block(half / "block")
     rays = np.bincount(block.observations.point, minlength=len(block.points))
     few = np.isin(np.arange(len(rays)), np.flatnonzero(rays == 3)[::12][:10])  # hold the photographs, and no more
-    write_block(selected(block, "point", few), tmp_path / "block")
+    write_block(select_block(block, "point", few), tmp_path / "block")
     words = ["surface", str(tmp_path / "block"), "--photos", str(half), "--out", str(tmp_path / "s"), "--free-scale"]
     assert main(words) != 0
     assert "[surface.no_pair]" in capsys.readouterr().err
@@ -268,7 +268,7 @@ def test_lost_photographs_are_told_where_the_others_show_nothing_together(half, 
     block = read_block(half / "block")
     rays = np.bincount(block.observations.point, minlength=len(block.points))
     few = np.isin(np.arange(len(rays)), np.flatnonzero(rays == 3)[::12][:10])
-    write_block(selected(block, "point", few), tmp_path / "block")
+    write_block(select_block(block, "point", few), tmp_path / "block")
     (name,) = without(half, tmp_path / "photos", 1)
     words = ["surface", str(tmp_path / "block"), "--photos", str(tmp_path / "photos"), "--free-scale"]
     assert main([*words, "--out", str(tmp_path / "s")]) == 2

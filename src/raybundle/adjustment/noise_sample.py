@@ -15,7 +15,7 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.system.factoring import in_one_piece, made_by
 from raybundle.block import Block
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Mask
 
@@ -44,9 +44,9 @@ def _part(result: Adjustment) -> Block:
     """Adjusted values of the images of a sample, and the points that two of them see."""
     block, used = result.adjusted, result.image_observations.used
     block = replace(block, observations=block.observations.rows(used), noise="")
-    block = selected(block, "image", _neighbouring(block))
+    block = select_block(block, "image", _neighbouring(block))
     rays = np.bincount(block.observations.point, minlength=len(block.points))
-    return selected(block, "point", rays > 1)
+    return select_block(block, "point", rays > 1)
 
 
 def _neighbouring(block: Block) -> Mask:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from raybundle.adjustment.records.arrays import Interior, Interiors, ObjectPoints, Poses
 from raybundle.adjustment.records.figures import (
     GroupFactor,
     InteriorResult,
@@ -28,9 +29,10 @@ from raybundle.adjustment.records.figures import (
 from raybundle.adjustment.records.notice import Notice, sorted_notices
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.records.severity import Severity
+from raybundle.adjustment.statistics.covariances import covariance_of
 from raybundle.adjustment.statistics.fields import WHITE, Noise
 from raybundle.adjustment.statistics.system_state import Work
-from raybundle.block import Block, Camera
+from raybundle.block import Block, Camera, Role
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, grouped
@@ -147,6 +149,43 @@ class Adjustment:
 
         return opencv_camera(*interior_of(self, camera, image), coefficients=coefficients)
 
+    def poses(self) -> Poses:
+        """Projection centres, rotations and 4 x 4 matrices of all images, with covariances (n, 6, 6)."""
+        images, known = self.adjusted.images, self.precision
+        return Poses(
+            ids=images.ids, centre=images.centre, rotation=images.rotation,
+            covariance=None if known is None else known.images, length_unit=self.length_unit,
+        )  # fmt: skip
+
+    def points(self) -> ObjectPoints:
+        """Coordinates of all object points, with covariances (p, 3, 3)."""
+        points, known = self.adjusted.points, self.precision
+        return ObjectPoints(
+            ids=points.ids, role=tuple(Role(r).word for r in points.role.tolist()), xyz=points.xyz,
+            covariance=None if known is None else known.object_points, length_unit=self.length_unit,
+        )  # fmt: skip
+
+    def cameras(self) -> Interiors:
+        """Interior orientations, with covariances (k, k) of their parameters."""
+        return Interiors(tuple(_interior(self, i) for i in self.interior))
+
+    def covariance(self, first: str, second: str | None = None) -> Array:
+        """Covariance (k, l) between any two objects, or (k, k) of one.
+
+        first, second  "point:7", "image:DSC01", "camera:1"; components X, Y, Z; X, Y, Z, omega, phi, kappa [rad]; the
+                       free parameters in their order
+        raises         InputError for names that took no part, and of a copy of a result, which cannot answer
+        """
+        if self.handle.work is None:
+            raise InputError("adjustment.no_statistics")
+        found = self.variance_factor * covariance_of(self.handle.work, first, second or first)
+        rough = None if self.precision is None else self.precision.roughness
+        kind, _, name = first.partition(":")
+        if second not in {None, first} or kind != "point" or rough is None:
+            return found
+        relief = rough[self.given.points.ids.index(name)]
+        return found + np.outer(relief, relief)
+
     def __repr__(self) -> str:
         """One line."""
         return line_of(self)
@@ -195,6 +234,21 @@ def interior_of(
         return found, (), None
     key = camera if image is None else f"{camera}/{image}"
     return found, interior.free, result.precision.interior.get(key, np.zeros((0, 0)))
+
+
+def _interior(a: Adjustment, i: InteriorResult) -> Interior:
+    """An interior orientation with the covariance of all its parameters, those that are held included."""
+    symbols, covariance = tuple(i.parameters), None
+    if a.precision is not None:
+        free = [symbols.index(s) for s in i.free]
+        covariance = np.zeros((len(symbols), len(symbols)))
+        key = i.camera if i.image is None else f"{i.camera}/{i.image}"
+        covariance[np.ix_(free, free)] = a.precision.interior.get(key, np.zeros((len(free), len(free))))
+    parameters = i.parameters.values()
+    return Interior(
+        camera=i.camera, image=i.image, symbols=symbols, units=tuple(p.unit for p in parameters),
+        values=np.array([p.value for p in parameters]), covariance=covariance,
+    )  # fmt: skip
 
 
 def line_of(a: Adjustment) -> str:

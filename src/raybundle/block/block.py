@@ -11,7 +11,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
-from typing import Any, ClassVar, Literal, TypeVar
+from typing import Any, ClassVar, Literal, TypeVar, cast
 
 import numpy as np
 
@@ -170,7 +170,8 @@ class Images(Records):
     ids: tuple[str, ...] = column("text")
     camera: Index = column("camera")
     """(n,) position in `Block.cameras`."""
-    file: tuple[str, ...] = column("text")
+    file: tuple[str, ...] = column("text", optional=True)
+    """(n,) names of files; "" of images without one, as all are where None is given."""
     centre: Array = column("number", shape=(3,), follows="position", approximate="orientation")
     """(n, 3) projection centres."""
     rotation: Array = column("number", shape=(3, 3), follows="rotation", approximate="orientation")
@@ -186,6 +187,11 @@ class Images(Records):
     """
     frames: Mapping[int, PixelFrame] = column("by row")
     """Images whose files are stored turned or reduced; image points are in the camera's pixels all the same."""
+
+    def __post_init__(self) -> None:
+        """Images without files."""
+        if cast("Any", self.file) is None:
+            object.__setattr__(self, "file", ("",) * len(self.ids))
 
     @property
     def oriented(self) -> Mask:

@@ -50,7 +50,7 @@ class BoardViews:
     xy_px: Array
     """(m, 2) pixel frame"""
     weight: Array
-    """(m,) residuals are multiplied by it: sigma is 1 / weight px; not positive: given as an outlier"""
+    """(m,) residuals are multiplied by it: sigma is 1 / weight px; not positive: rejected"""
     spacing: float
     """Distance of neighbours, the block's length unit"""
     names: tuple[str, ...] = field(default=())
@@ -81,7 +81,7 @@ def board_block(
     sigma_px: float = 1.0,
     length_unit: LengthUnit = "m",
 ) -> tuple[Block, Rejections, BoardStart]:
-    """A block of board views with a start for everything, the reasons (m,) of given outliers, and how it was started.
+    """A block of board views with a start for everything, why points (m,) are rejected, and how it was started.
 
     camera        c = 0 in its values: camera constant and bend of the lens are searched, nothing is guessed
     raster_sigma  standard deviations of the raster's points in its plane and across it, length units; (0, 0) holds a

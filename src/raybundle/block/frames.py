@@ -14,7 +14,7 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block.block import Block, Camera, Images, PixelFrame, Turn
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 
@@ -112,7 +112,7 @@ def joined(block: Block, other: int, camera: int, turned: Turn) -> Block:
     of_image[mine] = camera
     moved = _moved(block, {int(i): (one, frame) for i in mine}, "to the camera")
     moved = replace(moved, images=replace(moved.images, camera=of_image, frames=frames))
-    return selected(moved, "camera", np.arange(len(block.cameras)) != other)
+    return select_block(moved, "camera", np.arange(len(block.cameras)) != other)
 
 
 def stored_turned(block: Block, images: Index, turned: Turn) -> Block:

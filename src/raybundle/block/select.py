@@ -2,29 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from raybundle.block.block import Block, Role
+from raybundle.errors import InputError
 from raybundle.numerics.arrays import Index, Mask
 from raybundle.numerics.records import positions, taken
 
 
-def selected(block: Block, what: Literal["point", "image", "camera", "instrument"], which: Mask | Index) -> Block:
+def select_block(
+    block: Block, what: Literal["point", "image", "camera", "instrument"], which: Mask | Index | Sequence[str]
+) -> Block:
     """The block with some of its object points, images, cameras or instruments only.
 
-    which  mask (k,), or positions (j,), each once, in the order that is wished
+    which   ids, a mask (k,), or positions (j,), each once, in the order that is wished
+    raises  InputError for an id that the block does not have
     Rows that name one that leaves go with it, and the images of a camera; `rejected`, which names by ids, stays.
     """
-    count = len(getattr(block, f"{what}s"))
-    at = positions(which)
+    every = getattr(block, f"{what}s")
+    count, at = len(every), np.asarray(which)
+    at = _named(every, what, at.tolist()) if at.dtype.kind == "U" else positions(at)
     new: Index = np.full(count, -1, np.int32)
     new[at] = np.arange(len(at))
     if what == "camera":
         there: Mask = new[block.images.camera] >= 0
-        rest = block if there.all() else selected(block, "image", there)
+        rest = block if there.all() else select_block(block, "image", there)
         return replace(rest, cameras=taken(rest.cameras, at), images=rest.images.renumbered("camera", new))
     if what == "instrument":
         found = replace(block, instruments=taken(block.instruments, at))
@@ -35,12 +41,21 @@ def selected(block: Block, what: Literal["point", "image", "camera", "instrument
     return found.of_tables(lambda t: t.renumbered(what, new))
 
 
+def _named(every: Any, what: str, ids: Sequence[str]) -> Index:
+    """Positions of ids."""
+    known = {name: k for k, name in enumerate(getattr(every, "ids", None) or [c.id for c in every])}
+    for name in ids:
+        if name not in known:
+            raise InputError("cell.unknown_id", id=name, table=f"{what}s")
+    return np.array([known[name] for name in ids], np.int32)
+
+
 def with_rows(block: Block, keep: Mask) -> Block:
     """The block with these image observations (m,) only; tie points left without any leave it.
 
     Control points, check points and points that other observations name stay, images stay.
     """
-    return selected(replace(block, observations=block.observations.rows(keep)), "point", points_left(block, keep))
+    return select_block(replace(block, observations=block.observations.rows(keep)), "point", points_left(block, keep))
 
 
 def points_left(block: Block, keep: Mask) -> Mask:

@@ -18,7 +18,7 @@ from raybundle.adjustment.system.layout import used_of
 from raybundle.adjustment.system.normals import Normals
 from raybundle.adjustment.system.other_observations import carried_points
 from raybundle.block import Block
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.numerics.arrays import Array, Index, Mask
 
 
@@ -88,7 +88,7 @@ def skeleton_of(
     shift   (3,) origin of the frame of the values; None: near the middle of the images
     """
     at = np.flatnonzero(block.points_named | block.points.is_control.any(axis=1))
-    bare = selected(replace(block, observations=block.observations.empty(), rejected=()), "point", at)
+    bare = select_block(replace(block, observations=block.observations.empty(), rejected=()), "point", at)
     return skeleton_from(bare, at, len(block.points), options, free, images, points[at], shift)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import MISSING, dataclass, field, replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.pages import TABLES_HELP
@@ -15,6 +16,7 @@ from raybundle.results.record import STATE
 from raybundle.settings import ANY, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
+    from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
 
 APPROXIMATE_HELP = "Also write cameras with deviations above 0.1 px."
@@ -82,10 +84,13 @@ class Converted:
 
 
 @keywords(ConvertSettings)
-def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress = silent, **settings: Any) -> Converted:
-    """Convert a block folder, a result folder or the files of another program; what is written stands in `out`.
+def convert(
+    source: str | Path | Block | Adjustment, out: str | Path, *, to: str, progress: Progress = silent, **settings: Any
+) -> Converted:
+    """Convert a block, a result or the files of another program; what is written stands in `out`.
 
-    source    of a result folder, or a project of `orient`, the adjusted values, without rejected observations
+    source    a folder or file, or a block or adjustment of this program; of a result, or a project of `orient`, the
+              adjusted values, without rejected observations
     out       new file or folder; nothing is overwritten
     to        "colmap", "opf", "ply" ..., "block", "rpc"; "gpkg,dxf" for files that begin with the name `out`
     settings  as of the command line, by the names of `ConvertSettings`: crs="EPSG:25832", undistort="inside"
@@ -93,8 +98,23 @@ def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress 
 
     Limits: what the format cannot hold is lost; the remarks of the answer name what had to be changed.
     """
-    given = {"source": path_of("source", source), "out": path_of("out", out), "to": to, **settings}
-    return run_convert(made(ConvertSettings, given), progress)
+    with TemporaryDirectory() as room:
+        where = path_of("source", source) if isinstance(source, (str, Path)) else _folder_of(source, Path(room))
+        given = {"source": where, "out": path_of("out", out), "to": to, **settings}
+        return run_convert(made(ConvertSettings, given), progress)
+
+
+def _folder_of(source: Block | Adjustment, room: Path) -> Path:
+    """The folder of a block or a result that is in memory."""
+    from raybundle.block import Block  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.block.folder import write_block  # noqa: PLC0415
+    from raybundle.report.write import write_result  # noqa: PLC0415
+
+    if isinstance(source, Block):
+        write_block(source, room / "block")
+        return room / "block"
+    write_result(source, room / "result", report="none")
+    return room / "result"
 
 
 def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Converted:

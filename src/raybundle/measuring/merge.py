@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from raybundle.block import ROLES, Block, Distances, Observations, Points, Role
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.block.transform import transform_block
 from raybundle.errors import InputError, phrase
 from raybundle.measuring.axes import (
@@ -293,7 +293,7 @@ def _without_thin(block: Block, state: State) -> tuple[Block, dict[str, str]]:
     if not gone.any():
         return block, out
     o, keep = block.observations, ~gone[block.observations.point]
-    return selected(replace(block, observations=o.rows(keep)), "point", ~gone), out
+    return select_block(replace(block, observations=o.rows(keep)), "point", ~gone), out
 
 
 def _with_tables(block: Block, state: State, out: dict[str, str]) -> Block:

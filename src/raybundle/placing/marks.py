@@ -13,7 +13,7 @@ from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.severity import Severity
 from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block, Distances, Observations, Points, Role
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.errors import InputError, Message, Value, plain
 from raybundle.io.geo.control_files import DEFAULTS, ControlDefaults, ControlFile
 from raybundle.io.geo.control_systems import sigma_in_metres
@@ -267,7 +267,7 @@ def drop_unseen_checks(state: Placing) -> None:
     if not lost.any():
         return
     names = tuple(block.points.ids[k] for k in np.flatnonzero(lost))
-    state.block = selected(block, "point", ~lost)
+    state.block = select_block(block, "point", ~lost)
     state.notify("check_unseen.no_measurement", *names, n=len(names))
 
 

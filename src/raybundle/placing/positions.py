@@ -13,7 +13,7 @@ from datetime import UTC
 import numpy as np
 
 from raybundle.block import Block, Instrument, Stations
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -204,7 +204,7 @@ def without_idle(block: Block) -> Block:
     keep = np.array([k in used for k in range(len(block.instruments))], bool)
     if keep.all():
         return block
-    return selected(block, "instrument", keep)
+    return select_block(block, "instrument", keep)
 
 
 def _name(name: str, taken: set[str]) -> str:

@@ -68,7 +68,6 @@ def _empty(plan: Aerial) -> Block:
         images=Images(
             ids=tuple(f"{k + 1:03d}" for k in range(n)),
             camera=np.zeros(n, np.int32),
-            file=("",) * n,
             centre=plan.centre,
             rotation=plan.rotation,
             interior=_motion(plan),

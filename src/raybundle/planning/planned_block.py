@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block import Block, Distances, Images, Observations, Points, Role
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.planning.bars import Bars
@@ -52,7 +52,7 @@ def planned_block(
         source="raybundle plan" + ("" if seed is None else f", errors drawn with seed {seed}"),
         cameras=(camera,),
         images=Images(
-            ids=tuple(f"{k + 1:02d}" for k in range(n)), camera=np.zeros(n, np.int32), file=("",) * n,
+            ids=tuple(f"{k + 1:02d}" for k in range(n)), camera=np.zeros(n, np.int32),
             centre=stations.centre, rotation=stations.rotation,
         ),
         observations=Observations(
@@ -79,7 +79,7 @@ def _with_rays(block: Block) -> Block:
     V = np.zeros((len(block.points), 3, 3))
     np.add.at(V, o.point, np.eye(3) - to[:, :, None] * to[:, None])
     good = (rays >= 2) & has_depth(V)
-    return selected(block, "point", good | (np.asarray(block.points.role) == Role.CONTROL))
+    return select_block(block, "point", good | (np.asarray(block.points.role) == Role.CONTROL))
 
 
 def redrawn(

@@ -23,7 +23,7 @@ from raybundle.block.block import (
     Role,
     Stations,
 )
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
@@ -204,7 +204,6 @@ def _truth(scene: Scene, survey: Survey, image: Index, point: Index, xy: Array, 
         images=Images(
             ids=tuple(str(k + 1) for k in range(n)),
             camera=np.zeros(n, np.int32),
-            file=("",) * n,
             centre=scene.centre,
             rotation=scene.rotation,
         ),
@@ -289,7 +288,7 @@ def measured(block: Block, sigma_px: Mapping[str, float] | float, least_rays: in
         image=image, point=point.astype(np.int32), xy_px=np.concatenate([pixel for _, pixel in parts]),
         cov_px2=np.stack([variance, variance, np.zeros(len(variance))], axis=1),
     )  # fmt: skip
-    return selected(replace(block, observations=seen), "point", keep)
+    return select_block(replace(block, observations=seen), "point", keep)
 
 
 def shown(block: Block, image: int) -> tuple[Index, Array]:

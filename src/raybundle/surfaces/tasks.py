@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.adjustment.evaluation.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
-from raybundle.block.select import selected
+from raybundle.block.select import select_block
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block
 from raybundle.io.photos.framed import in_camera_frame
@@ -34,8 +34,8 @@ def part_of(block: Block, images: Index) -> Block:
     """Some images of a block, ascending, and the points that they see."""
     inside = np.zeros(len(block.images), bool)
     inside[images] = True
-    part = selected(block, "image", inside)
-    return selected(part, "point", np.bincount(part.observations.point, minlength=len(part.points)) > 0)
+    part = select_block(block, "image", inside)
+    return select_block(part, "point", np.bincount(part.observations.point, minlength=len(part.points)) > 0)
 
 
 def stored_part(block: Block, images: Sequence[int], store: Folder) -> str:

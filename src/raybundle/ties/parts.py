@@ -15,7 +15,7 @@ import numpy as np
 
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block, Camera
-from raybundle.block.select import selected, with_rows
+from raybundle.block.select import select_block, with_rows
 from raybundle.errors import NoOrientation
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.numerics.arrays import Array, Index
@@ -132,7 +132,7 @@ def _piece(block: Block, leaf: ImageLeaf, rows_of_image: Sequence[Index], store:
     points, which, rays = np.unique(o.point[rows], return_inverse=True, return_counts=True)
     rows, points = rows[rays[which] > 1], points[rays > 1]
     part = replace(block, observations=o.rows(rows))
-    part = selected(selected(part, "image", leaf.images), "point", points)
+    part = select_block(select_block(part, "image", leaf.images), "point", points)
     arrays = arrays_of_block(part)
     key = key_of("leaf", VERSION, arrays)
     if not store.has(key):

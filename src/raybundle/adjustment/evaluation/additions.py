@@ -88,7 +88,7 @@ def with_photographs(
     station = block.images.station
     images = Images(
         ids=names or tuple(f"proposed {i + 1}" for i in range(n)), camera=np.full(n, more.camera, np.int32),
-        file=("",) * n, centre=more.centre, rotation=more.rotation,
+        centre=more.centre, rotation=more.rotation,
         station=None if station is None else (station.max() + 1 + np.arange(n)).astype(np.int32),
     )  # fmt: skip
     seen = Observations(

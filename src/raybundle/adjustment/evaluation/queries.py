@@ -5,19 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from raybundle.adjustment.evaluation.tie_roughness import widened
+from raybundle.adjustment.statistics.covariances import TOGETHER, cofactors_with, own_thing
 from raybundle.adjustment.statistics.noise import spread_in_datum
-from raybundle.adjustment.statistics.precision import angle_form, image_unknowns, interior_unknowns, precision
+from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns, precision
 from raybundle.adjustment.statistics.system_state import Work
 from raybundle.adjustment.system.assemble import State, System
-from raybundle.adjustment.system.datum import Datum, Transformation
+from raybundle.adjustment.system.datum import Datum
 from raybundle.adjustment.system.normals import Normals
-from raybundle.adjustment.system.other_observations import Part
 from raybundle.adjustment.system.transformation import transformation
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
@@ -30,65 +29,6 @@ if TYPE_CHECKING:
 
 SUSPECTS = 20
 """Largest number of suspects whose separability is listed."""
-TOGETHER = 16
-"""Right sides that the kernels solve at once."""
-
-
-def covariance_between(result: Adjustment, first: str, second: str) -> Array:
-    """Covariance (k, l) between any two of: object points, images, cameras; a-posteriori, in the result's datum.
-
-    first, second  "point:7", "image:DSC01", "camera:1"; components X, Y, Z; X, Y, Z, omega, phi, kappa [rad];
-                   the free parameters of the camera in their order; KIND:NAME of what a kind of observation has as
-                   unknowns of its own ("plane:floor"), in the order of its steps
-    raises         InputError for names that took no part
-
-    One solution of the normal equations, not a read-out: it exists for every pair, near or far.
-    """
-    work, state = _work(result)
-    system = work.system
-    a, Da = _selection(system, state, first)
-    b, Db = _selection(system, state, second)
-    nodes, points = _cofactors_with(work, state, a)
-    C = np.array([points[at, axis] if kind == "point" else nodes[at] for kind, at, axis in b]).T
-    C = _variance(result) * Da @ C @ Db.T
-    return C + _roughness(result, first) if first == second else C
-
-
-def _roughness(result: Adjustment, name: str) -> Array | float:
-    """What relief within its windows adds to the covariance (3, 3) of a point; 0 for everything else."""
-    kind, _, identity = name.partition(":")
-    rough = None if result.precision is None else result.precision.roughness
-    if kind != "point" or rough is None:
-        return 0.0
-    r = rough[result.given.points.ids.index(identity)]
-    return np.outer(r, r)
-
-
-def _cofactors_with(work: Work, state: State, chosen: list[tuple[str, int, int]]) -> tuple[Array, Array]:
-    """Columns of the inverse: cofactors (u, k) of all nodes and (p, 3, k) of all points with chosen unknowns."""
-    system = work.system
-    nodes = np.zeros((int(system.offsets[-1]), len(chosen)))
-    points = np.zeros((*state.xyz.shape, len(chosen)))
-    for k, (kind, at, axis) in enumerate(chosen):
-        if kind == "point":
-            points[at, axis, k] = 1
-        else:
-            nodes[at, k] = 1
-    solve = work.spread.solve if work.spread is not None else partial(work.normals.solve, state)
-    for start in range(0, len(chosen), TOGETHER):
-        part = slice(start, start + TOGETHER)
-        nodes[:, part], points[:, :, part] = solve(
-            np.ascontiguousarray(nodes[:, part]), np.ascontiguousarray(points[:, :, part])
-        )
-    found = work.under_noise or work.found
-    t = found.transformation if found else None
-    if t is not None:
-        Ga, Ha = _gauge(system, t, chosen)
-        nodes, points = (
-            Q - G @ t.middle @ Ha.T - H @ t.middle.T @ Ga.T + G @ (t.middle @ t.inner @ t.middle.T) @ Ga.T
-            for Q, G, H in ((nodes, t.nodes, t.nodes_h), (points, t.points, t.points_h))
-        )
-    return nodes, points
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -143,7 +83,7 @@ def joint_orientation(result: Adjustment, images: Sequence[int]) -> JointOrienta
             unknowns.extend(interior_unknowns(system, row).tolist())
             names = row.sensor.symbols
             steps.extend(Step(images=tuple(mine), symbol=names[k]) for k in row.free)
-    nodes, _ = _cofactors_with(work, state, [("node", u, 0) for u in unknowns])
+    nodes, _ = cofactors_with(work, state, [("node", u, 0) for u in unknowns])
     Q = nodes[unknowns]
     return JointOrientation(
         steps=tuple(steps), covariance=_variance(result) * (Q + Q.T) / 2, unknowns=np.array(unknowns, np.int64)
@@ -155,10 +95,10 @@ def own_values(result: Adjustment, name: str) -> Array:
 
     name    KIND:NAME, as "plane:floor"; the values are those that the kind states (`ObservationKind.own_start`)
     raises  InputError for a name that took no part
-    Their covariance is that of the small steps that the kind takes: `covariance_between(result, name, name)`.
+    Their covariance is that of the small steps that the kind takes: `result.covariance(name, name)`.
     """
     work, state = _work(result)
-    found = _own(work.system, name)
+    found = own_thing(work.system, name)
     if found is None:
         raise InputError("query.unknown_own", name=name)
     part, k = found
@@ -206,50 +146,6 @@ def _work(result: Adjustment) -> tuple[Work, State]:
 
 def _variance(result: Adjustment) -> float:
     return result.variance_factor
-
-
-def _selection(system: System, state: State, name: str) -> tuple[list[tuple[str, int, int]], Array]:
-    """Scalar unknowns of a named object and the derivative of its shown components by them."""
-    kind, _, identity = name.partition(":")
-    block = system.block
-    if kind == "point" and identity in block.points.ids:
-        p = block.points.ids.index(identity)
-        if system.points_used[p]:
-            if system.point_node[p] >= 0:
-                start = int(system.offsets[system.point_node[p]])
-                return [("node", start + e, e) for e in range(3)], np.eye(3)
-            return [("point", p, e) for e in range(3)], np.eye(3)
-    if kind == "image" and identity in block.images.ids:
-        i = block.images.ids.index(identity)
-        if system.images_used[i] and system.exterior_free[i]:
-            unknowns = image_unknowns(system, i)
-            return [("node", int(u), 0) for u in unknowns], angle_form(state.rotation[i])
-    if kind == "camera":
-        for row in system.interior:
-            if row.key(block) == identity and row.node >= 0:
-                unknowns = interior_unknowns(system, row)
-                return [("node", int(u), 0) for u in unknowns], np.eye(len(unknowns))
-    if (found := _own(system, name)) is not None:
-        columns = system.own_columns(found[0].kind)[found[1]]
-        return [("node", int(u), 0) for u in columns], np.eye(len(columns))
-    raise InputError("query.unknown", name=name)
-
-
-def _own(system: System, name: str) -> tuple[Part, int] | None:
-    """The rows of a kind with unknowns of its own, and which of them has this name."""
-    kind, _, identity = name.partition(":")
-    part = system.extra.of(kind)
-    if part is None or not part.kind.own_width:
-        return None
-    names = part.kind.own(part.table, system.extra.scope)
-    return (part, names.index(identity)) if identity in names else None
-
-
-def _gauge(system: System, t: Transformation, chosen: list[tuple[str, int, int]]) -> tuple[Array, Array]:
-    del system
-    G = np.array([t.points[at, axis] if kind == "point" else t.nodes[at] for kind, at, axis in chosen])
-    H = np.array([t.points_h[at, axis] if kind == "point" else t.nodes_h[at] for kind, at, axis in chosen])
-    return G, H
 
 
 def suspects(
@@ -360,10 +256,10 @@ class NamedCovariance:
 def covariance(result: Adjustment, names: Sequence[str]) -> NamedCovariance:
     """The joint covariance of several objects of an adjustment, with the names of its rows.
 
-    names   "point:7", "image:DSC01", "camera:1", as `covariance_between` takes them
+    names   "point:7", "image:DSC01", "camera:1", as `Adjustment.covariance` takes them
     raises  InputError for names that took no part
     """
-    blocks = [[covariance_between(result, a, b) for b in names[k:]] for k, a in enumerate(names)]
+    blocks = [[result.covariance(a, b) for b in names[k:]] for k, a in enumerate(names)]
     full = [[blocks[i][j - i] if j >= i else blocks[j][i - j].T for j in range(len(names))] for i in range(len(names))]
     matrix = np.block(full) if names else np.zeros((0, 0))
     rows = [f"{name}:{c}" for k, name in enumerate(names) for c in _components(result, name, len(blocks[k][0]))]

@@ -77,7 +77,7 @@ def _taken(settings: PlanCheckSettings, progress: Progress) -> tuple[Block, tupl
     """The block of the photographs, without those that were not oriented, and their names."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.block.select import selected  # noqa: PLC0415
+    from raybundle.block.select import select_block  # noqa: PLC0415
     from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
     from raybundle.measuring.session import holds_block  # noqa: PLC0415
 
@@ -90,7 +90,7 @@ def _taken(settings: PlanCheckSettings, progress: Progress) -> tuple[Block, tupl
     placed = np.column_stack([block.images.centre, block.images.rotation.reshape(-1, 9)])
     ok = np.asarray(np.isfinite(placed).all(axis=1))
     left = tuple(n for n, good in zip(block.images.ids, ok, strict=True) if not good)
-    return (selected(block, "image", ok) if left else block), left
+    return (select_block(block, "image", ok) if left else block), left
 
 
 def _oriented(settings: PlanCheckSettings, out: Path, progress: Progress) -> Path:
