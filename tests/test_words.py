@@ -4,7 +4,6 @@ import ast
 import pkgutil
 import re
 from importlib import import_module
-from pathlib import Path
 
 import pytest
 
@@ -14,8 +13,8 @@ from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.settings import option, settings_of
 from raybundle.words import COMMAND_LINE, reading
+from tests.sources import trees
 
-SOURCE = Path(__file__).resolve().parents[1] / "src/raybundle"
 LAYERS = ("adjustment", "orientation", "workflows", "block", "scenes", "report")
 READING = {"partition", "split", "startswith", "endswith", "search", "match", "findall", "find", "index"}
 
@@ -40,10 +39,9 @@ def readings(tree):
 
 def test_nothing_reads_the_words_of_errors_and_notices():
     found = {
-        str(path.relative_to(SOURCE)): lines
-        for layer in LAYERS
-        for path in sorted((SOURCE / layer).rglob("*.py"))
-        if (lines := list(readings(ast.parse(path.read_text()))))
+        name: lines
+        for name, tree in trees(r"str\((error|problem)|\.message\b")
+        if name.split("/")[0] in LAYERS and (lines := list(readings(tree)))
     }
     assert found == {}
 
@@ -70,15 +68,14 @@ def flags_in(tree):
                 yield node.lineno, text
 
 
-def below_the_command_line():
-    for path in sorted(SOURCE.rglob("*.py")):
-        name = path.relative_to(SOURCE)
-        if name.parts[0] != "cli" and name.as_posix() not in TELLS_COMMANDS:
-            yield name.as_posix(), ast.parse(path.read_text())
+def below_the_command_line(pattern):
+    for name, tree in trees(pattern, without=("cli/",)):
+        if name not in TELLS_COMMANDS:
+            yield name, tree
 
 
 def test_no_text_below_the_command_line_holds_a_flag():
-    assert {name: found for name, tree in below_the_command_line() if (found := list(flags_in(tree)))} == {}
+    assert {name: found for name, tree in below_the_command_line("--[a-z]") if (found := list(flags_in(tree)))} == {}
 
 
 def test_a_flag_would_be_noticed():
@@ -105,7 +102,7 @@ def test_what_a_message_names_is_a_setting_under_its_flag():
     known = {(s.name, s.flag) for kind in kinds for s in settings_of(kind)} | BY_HAND
     asked = {
         (name, flag or name.replace("_", "-"))
-        for _, tree in below_the_command_line()
+        for _, tree in below_the_command_line(r"\boption\(")
         for name, flag in options_named(tree)
     }
     assert asked <= known

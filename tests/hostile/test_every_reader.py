@@ -18,6 +18,7 @@ import raybundle
 from raybundle.errors import RaybundleError
 from raybundle.io.scenes import scene_formats
 from tests.hostile.readers import TARGETS
+from tests.sources import trees
 
 SOURCES = Path(raybundle.__file__).parent
 PLACES = {"path", "folder", "file", "source", "given"}
@@ -47,11 +48,11 @@ def registries():
 def public_readers():
     """(file, name) of functions `read_...` of a path."""
     found = set()
-    for file in SOURCES.rglob("*.py"):
-        for node in ast.parse(file.read_text(encoding="utf-8")).body:
+    for name, tree in trees("def read_"):
+        for node in tree.body:
             named = isinstance(node, ast.FunctionDef) and node.name.startswith("read_") and node.args.args
             if named and node.args.args[0].arg in PLACES:
-                found.add((file.relative_to(SOURCES).as_posix(), node.name))
+                found.add((name, node.name))
     return found
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.io.spreadsheets import READERS
+from tests.sources import trees
 
 import raybundle
 from raybundle.errors import InputError
@@ -67,11 +68,11 @@ def test_a_table_is_the_same_however_it_was_saved(tmp_path, name, way):
 def test_every_module_that_reads_tables_of_users_is_tested():
     """Tables of raybundle itself are read with own=True; all others stand in `tests.io.spreadsheets`."""
     found = set()
-    for path in SOURCE.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for name, tree in trees("read_table"):
+        for node in ast.walk(tree):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "read_table":
                 own = any(k.arg == "own" for k in node.keywords)
-                found |= set() if own else {str(path.relative_to(SOURCE))}
+                found |= set() if own else {name}
     assert found - {r.module for r in READERS.values()} == {"commands/calibrate.py", "commands/target_settings.py"}
     # these two call the reader of targets/codes.py
 

@@ -1,10 +1,11 @@
 """Modules import downward only: no circle, imports for types and within functions included."""
 
-import ast
+import re
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 SOURCE = Path(__file__).parents[2] / "src/raybundle"
+FROM = re.compile(r"^ *from (raybundle[\w.]*) import (\([^)]*\)|[^\n#]*)", re.MULTILINE)
 
 
 def imports():
@@ -16,9 +17,9 @@ def imports():
     found = {}
     for name, path in modules.items():
         named = set()
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.ImportFrom) and node.module:
-                named |= {k if (k := f"{node.module}.{a.name}") in modules else node.module for a in node.names}
+        for module, words in FROM.findall(path.read_text(encoding="utf-8")):
+            for word in re.findall(r"\w+", re.sub(r" as \w+|#.*", "", words)):
+                named.add(k if (k := f"{module}.{word}") in modules else module)
         found[name] = {k for k in named & modules.keys() if k not in (name, "raybundle")}
     return found
 

@@ -2,12 +2,11 @@
 
 import ast
 import json
+import re
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
-import raybundle
 from raybundle.adjustment.notices import notices_of
 from raybundle.adjustment.records.notice import Notice, gravest_first, sorted_notices
 from raybundle.adjustment.records.severity import SEVERITY, Severity
@@ -18,8 +17,8 @@ from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from raybundle.results.contents import result_json
 from raybundle.results.state import relative_heights, state_messages, state_words
+from tests.sources import texts, trees
 
-SOURCE = Path(raybundle.__file__).parent
 REMARK, CAUTION, FAULT = (
     Notice(code="not_significant", message="the remark"),
     Notice(code="small_angle", message="the caution"),
@@ -37,13 +36,13 @@ def codes_of(call, kinds):
 
 def codes_in_the_source():
     found = {f"{kind}_suspect" for kind in NAMES} | {"start_behind", "start_parallel"}  # made of variables
-    nodes = [n for path in SOURCE.rglob("*.py") for n in ast.walk(ast.parse(path.read_text()))]
+    nodes = [n for _, tree in trees(r"Notice|state\.tell") for n in ast.walk(tree)]
     classes = [n for n in nodes if isinstance(n, ast.ClassDef)]
     kinds = {"Notice", *(c.name for c in classes if any(ast.unparse(b) == "Notice" for b in c.bases))}
     calls = [n for n in nodes if isinstance(n, ast.Call)]
     found |= {c.value for call in calls for c in codes_of(call, kinds) if isinstance(c, ast.Constant)}
-    texts = {n.value for n in nodes if isinstance(n, ast.Constant) and isinstance(n.value, str)}
-    found |= {t for t in texts if t.partition(".")[0] in SEVERITY}  # codes chosen before the call
+    quoted = {t for text in texts().values() for t in re.findall(r'"(\w+(?:\.\w+)*)"', text)}
+    found |= {t for t in quoted if t.partition(".")[0] in SEVERITY}  # codes chosen before the call
     return {code.partition(".")[0] for code in found}
 
 
@@ -121,9 +120,9 @@ def test_residuals_three_times_too_large_are_a_fault_and_too_small_ones_a_remark
 
 
 def test_commands_grade_what_they_print_with_the_same_three_words():
-    for path in sorted((SOURCE / "cli").glob("*.py")):
-        texts = [n.value for n in ast.walk(ast.parse(path.read_text())) if isinstance(n, ast.Constant)]
-        assert [t for t in texts if isinstance(t, str) and t.lstrip().startswith(("caution:", "remark:"))] == [], (
+    for path, tree in trees("caution:|remark:"):
+        found = [n.value for n in ast.walk(tree) if isinstance(n, ast.Constant) and path.startswith("cli/")]
+        assert [t for t in found if isinstance(t, str) and t.lstrip().startswith(("caution:", "remark:"))] == [], (
             path.name
         )
 

@@ -4,17 +4,15 @@ import ast
 import json
 import re
 from functools import cache
-from pathlib import Path
 
 import pytest
 
-import raybundle
 from raybundle import words
 from raybundle.errors import InputError, Message, NoOrientation, Severity, Text, message_of
 from raybundle.words.catalogue import code_of, entries, entry_of
 from raybundle.words.render import Reader
+from tests.sources import texts, trees
 
-SOURCE = Path(raybundle.__file__).parent
 LONGEST = 100
 """Characters of a headline"""
 KIN = frozenset(
@@ -34,12 +32,12 @@ TEXTS = 3
 def calls():
     """All calls that make a message: file, call, its code where that is a literal."""
     found = []
-    for path in sorted(SOURCE.rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for file, tree in trees("|".join(KIN)):
+        for node in ast.walk(tree):
             if isinstance(node, ast.Call):
                 name = getattr(node.func, "id", getattr(node.func, "attr", ""))
                 if name in KIN:
-                    found.append((path.relative_to(SOURCE).as_posix(), name, node))
+                    found.append((file, name, node))
     return found
 
 
@@ -100,8 +98,8 @@ def test_every_code_in_the_source_has_words_and_is_given_what_they_need():
 
 
 def test_every_code_is_used():
-    source = "\n".join(p.read_text(encoding="utf-8") for p in sorted(SOURCE.rglob("*.py")))
-    unused = [c for c in (*words.codes(), *words.text_codes()) if f'"{c}"' not in source and f"'{c}'" not in source]
+    used = {c for text in texts().values() for c in re.findall(r"[\"'](\w+(?:\.\w+)?)[\"']", text)}
+    unused = [c for c in (*words.codes(), *words.text_codes()) if c not in used]
     assert not unused, f"no place makes these messages: {', '.join(unused)}"
 
 

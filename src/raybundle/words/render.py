@@ -99,12 +99,17 @@ def _bundle(language: str, *, flags: bool) -> Bundle:
 
 
 @cache
-def _with(language: str, entry: Entry, *, flags: bool) -> Bundle:
-    """The bundle of a language with an entry and what it mentions in it."""
+@cache
+def _parsed(text: str) -> Any:
     from fluent.runtime import FluentResource  # noqa: PLC0415
 
+    return FluentResource(text)
+
+
+def _with(language: str, entry: Entry, *, flags: bool) -> Bundle:
+    """The bundle of a language with an entry and what it mentions in it."""
     bundle = _bundle(language, flags=flags)
-    bundle.add_resource(FluentResource(entry.text))
+    bundle.add_resource(_parsed(entry.text))
     for name in _MENTIONED.findall(entry.text):
         other = entries(language).get(name)
         if other is not None and other is not entry:

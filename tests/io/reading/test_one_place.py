@@ -1,14 +1,12 @@
 """Foreign bytes become numbers, trees and rows in raybundle.io.reading alone."""
 
 import ast
-from pathlib import Path
 
 import pytest
+from tests.sources import trees
 
-import raybundle
-
-SOURCE = Path(raybundle.__file__).parent
-READING, CATALOGUES = SOURCE / "io" / "reading", SOURCE / "words"
+OWN_WAYS = ("io/reading/", "words/")
+"""Where bytes become numbers, and where the program reads its own catalogues"""
 READERS = ("io", "targets", "cli", "report", "workflows", "scenes", "block")
 """Packages in which words of files, or of the command line, become numbers."""
 MODULES = {"tomllib", "configparser", "pickle", "marshal", "shelve", "yaml"}
@@ -23,12 +21,9 @@ WORDS = {"word", "words", "text", "cell", "cells", "match", "found", "groups", "
 """Names that hold pieces of text in the readers."""
 
 
-def modules():
-    return [
-        p
-        for p in sorted(SOURCE.rglob("*.py"))
-        if not {READING, CATALOGUES} & set(p.parents) and "generated" not in p.parts
-    ]
+def modules(pattern, within=("",)):
+    found = trees(pattern, within=within, without=OWN_WAYS)
+    return ((name, tree) for name, tree in found if "generated" not in name.split("/"))
 
 
 def foreign(tree):
@@ -50,15 +45,21 @@ def foreign(tree):
 def converted(tree):
     """float(...) and int(...) of what is a text by its name, by being a piece of a match, or by a ValueError caught."""
     for node in ast.walk(tree):
-        if isinstance(node, ast.Try) and any("ValueError" in ast.dump(h) for h in node.handlers):
+        if isinstance(node, ast.Try) and any(
+            h.type is not None and "ValueError" in ast.dump(h.type) for h in node.handlers
+        ):
             calls = [c for statement in node.body for c in ast.walk(statement)]
         else:
             calls = [node] if isinstance(node, ast.Call) and node.args and is_text(node.args[0]) else []
         for call in calls:
             if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id in {"int", "float"}:
                 yield ast.unparse(call)
-        if ast.unparse(node).startswith(("map(int,", "map(float,")):
+        if is_map(node) and ast.unparse(node.args[0]) in {"int", "float"}:
             yield ast.unparse(node)
+
+
+def is_map(node):
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "map"
 
 
 def is_text(node):
@@ -70,24 +71,22 @@ def is_text(node):
 
 
 def test_no_module_reads_a_format_itself():
-    found = {str(p.relative_to(SOURCE)): sorted(set(foreign(ast.parse(p.read_text())))) for p in modules()}
+    names = "|".join([*MODULES, *(name for called in CALLS.values() for name in called)])
+    found = {name: sorted(set(foreign(tree))) for name, tree in modules(rf"\b({names})\b")}
     assert {p: what for p, what in found.items() if what} == {}
 
 
 def test_no_reader_converts_words_itself():
-    found = {
-        str(p.relative_to(SOURCE)): list(converted(ast.parse(p.read_text())))
-        for p in modules()
-        if p.relative_to(SOURCE).parts[0] in READERS
-    }
+    within = [f"{folder}/" for folder in READERS]
+    found = {name: list(converted(tree)) for name, tree in modules(r"\b(int|float)\(|map\((int|float)", within)}
     assert {p: what for p, what in found.items() if what} == {"report/text/numbers.py": ["float(text)"]}
 
 
 def test_what_the_program_wrote_itself_is_read_in_one_module():
     users = [
-        p for p in modules() if OWN & {n.id for n in ast.walk(ast.parse(p.read_text())) if isinstance(n, ast.Name)}
+        name for name, tree in modules("|".join(OWN)) if OWN & {n.id for n in ast.walk(tree) if isinstance(n, ast.Name)}
     ]
-    assert [str(p.relative_to(SOURCE)) for p in users] == ["io/block/arrays.py"]
+    assert users == ["io/block/arrays.py"]
 
 
 @pytest.mark.parametrize(
