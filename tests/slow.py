@@ -24,7 +24,8 @@ def names():
 
 def seconds():
     """Processor time of this process and of those that it waited for."""
-    return sum(u.ru_utime + u.ru_stime for u in map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)))
+    used = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return sum(u.ru_utime + u.ru_stime for u in used)
 
 
 class Measured:
@@ -52,7 +53,8 @@ class Measured:
 def main(files):
     rows = [line.rstrip("\n").split(" ", 2) for f in files for line in Path(f).read_text(encoding="utf-8").splitlines()]
     found = {name if phase == "call" else name.partition("::")[0] for spent, phase, name in rows if float(spent) > MOST}
-    kept = {n for n in names() if n not in {name for _, _, name in rows}} if LIST.exists() else set()  # not measured now
+    measured = {name for _, _, name in rows}
+    kept = {n for n in names() if n not in measured} if LIST.exists() else set()
     files = {n for n in found | kept if "::" not in n}
     LIST.write_text("".join(f"{n}\n" for n in sorted(found | kept) if n.partition("::")[0] not in files or n in files))
 

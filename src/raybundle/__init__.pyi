@@ -1017,27 +1017,15 @@ def orient(
     out: str | Path,
     *,
     progress: Progress = ...,
-    calibration: str | Path | None = None,
     own_camera: str | Sequence[str] = (),
     masks: str | Path | None = None,
     library: bool = True,
-    control: str | Path | Sequence[str | Path] = (),
-    check: str | Path | Sequence[str | Path] = (),
-    control_sigma: tuple[float, float] | list[float] | None = None,
-    mark_sigma: float = 0.5,
     target: str | Sequence[str] = (),
-    scale_bar: Sequence[tuple[str, str, float, float] | list[str | float]] = (),
-    positions: str | Path | None = None,
     attitudes: Literal['auto', 'none', 'opk', 'rpy-ned', 'gimbal'] = 'auto',
     attitude_sigma: tuple[float, float] | list[float] | None = None,
-    misalignment: bool = True,
     relative: Literal['', 'shift', 'drift'] = '',
-    lever_arm: tuple[float, float, float, float] | list[float] | None = None,
-    shift: bool = True,
     scene_bias: Literal['none', 'shift', 'drift', 'affine'] = 'shift',
     crs: str | None = None,
-    gps: bool = True,
-    up: str = 'auto',
     features: str = 'rootsift',
     feature_count: int = 10000,
     start: Literal['auto', 'growing', 'averaging', 'parts'] = 'auto',
@@ -1049,6 +1037,18 @@ def orient(
     redo_from: str = '',
     read_out: float | None = None,
     noise: Literal['white', 'fields', 'auto'] = 'auto',
+    calibration: str | Path | None = None,
+    control: str | Path | Sequence[str | Path] = (),
+    check: str | Path | Sequence[str | Path] = (),
+    control_sigma: tuple[float, float] | list[float] | None = None,
+    mark_sigma: float = 0.5,
+    scale_bar: Sequence[tuple[str, str, float, float] | list[str | float]] = (),
+    positions: str | Path | None = None,
+    misalignment: bool = True,
+    lever_arm: tuple[float, float, float, float] | list[float] | None = None,
+    shift: bool = True,
+    gps: bool = True,
+    up: str = 'auto',
     accuracy_class: str = '',
     title: str = '',
     client: str = '',
@@ -1068,39 +1068,22 @@ def orient(
     Limits: without control or scale bars the position, orientation and scale of the result are
     arbitrary; and photographs of an object with similar parts can be oriented wrongly with small residuals.
 
-    calibration      File of known cameras. `estimate = []` in it fixes them. Calibrations of `raybundle calibrate` are
-                     observed with their covariance.
     own_camera       Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For
                      photographs without metadata.
     masks            Masks of the photographs: nothing is measured where they are 0. Named photo.jpg.png (COLMAP),
                      photo_mask.png or photo.png (Metashape).
     library          False: Ignore calibrations of the camera library.
-    control          Control points with their image points: gcp_list.txt, CSV or a block folder. Image points alone are
-                     possible, e.g. of the ends of a scale bar: image,point,x_px,y_px.
-    check            Check points, in the same formats.
-    control_sigma    Standard deviation of control, if its file has none. In metres, regardless of the unit of the file.
-                     [default: 0.01 0.02]
-    mark_sigma       Standard deviation of a marked image point.
     target           Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or
                      points of control=. With several families: FAMILY:CODE.
-    scale_bar        Known distance between two points, with its standard deviation [m]. The points are in control= or
-                     are targets. May be repeated.
-    positions        Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB).
     attitudes        Observe attitudes of positions=, or of the gimbal, by their convention. auto: attitudes with
                      standard deviations in the file.
     attitude_sigma   Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.
-    misalignment     False: Take attitudes as those of the camera: estimate no misalignment.
     relative         Use only differences of positions and attitudes within a flight line (relative aerial control).
                      drift: also after a drift of the positions.
-    lever_arm        Lever arm from the projection centre to the antenna, in the axes of the image. SIGMA 0 fixes it.
-    shift            False: Take control and positions in one datum: estimate no shift of the positions of each flight.
     scene_bias       Parameters to estimate for the RPC of a satellite scene.
     crs              Coordinate system of inputs that define none, e.g. EPSG:32633: control, check points, positions= in
                      a grid. With heights (EPSG:32633+5773, EPSG:32633+ellipsoid) also for files that define only the
                      plan.
-    gps              False: Ignore positions in the photographs.
-    up               Up direction, if neither control nor positions determine it. auto: from the attitude of the camera;
-                     terrestrial, aerial, oblique; or two points A,B of control=, B plumb above A.
     features         Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).
     feature_count    Number of features per photograph.
     start            Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto:
@@ -1123,6 +1106,23 @@ def orient(
     noise            Error model of image coordinates. white: independent errors. fields: smooth errors that differ from
                      image to image, and a floor, both estimated from the residuals. auto: fields for five photographs
                      or more that are measured here; white for a given block.
+    calibration      File of known cameras. `estimate = []` in it fixes them. Calibrations of `raybundle calibrate` are
+                     observed with their covariance.
+    control          Control points with their image points: gcp_list.txt, CSV or a block folder. Image points alone are
+                     possible, e.g. of the ends of a scale bar: image,point,x_px,y_px.
+    check            Check points, in the same formats.
+    control_sigma    Standard deviation of control, if its file has none. In metres, regardless of the unit of the file.
+                     [default: 0.01 0.02]
+    mark_sigma       Standard deviation of a marked image point.
+    scale_bar        Known distance between two points, with its standard deviation [m]. The points are in control= or
+                     are targets. May be repeated.
+    positions        Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB).
+    misalignment     False: Take attitudes as those of the camera: estimate no misalignment.
+    lever_arm        Lever arm from the projection centre to the antenna, in the axes of the image. SIGMA 0 fixes it.
+    shift            False: Take control and positions in one datum: estimate no shift of the positions of each flight.
+    gps              False: Ignore positions in the photographs.
+    up               Up direction, if neither control nor positions determine it. auto: from the attitude of the camera;
+                     terrestrial, aerial, oblique; or two points A,B of control=, B plumb above A.
     accuracy_class   Largest permitted RMSE at the check points. In metres: 0.03, or plan and height: 0.03,0.05 (-: no
                      limit). Or a class of ASPRS (2024): asprs:2.5cm,5cm. If it is exceeded, the exit status is 4.
     title            Title of the report.

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
 from raybundle.settings import POSITIVE, setting
+from raybundle.workflows.orienting.options import APART, KNOWN, LIBRARY
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.adjustment.records.options import NOISE_HELP, NoiseModel
-from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_in, record_of
-from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP, store_of
+from raybundle.commands.worker import store_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.languages import ENGLISH
@@ -29,6 +27,7 @@ from raybundle.settings import (
     settings_of,
     toml_lines,
 )
+from raybundle.workflows.orienting.options import KNOWN, OrientOptions
 
 if TYPE_CHECKING:
     from raybundle.adjustment.blunders.accuracy_class import AccuracyClass
@@ -38,24 +37,17 @@ if TYPE_CHECKING:
     from raybundle.report.outcome import Outcome
     from raybundle.results.record import Record
     from raybundle.workflows.orient import Orientation
-    from raybundle.workflows.orienting.options import OrientOptions
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class OrientSettings:
-    """What photographs are oriented with.  The defaults need no change."""
+class OrientSettings(OrientOptions):
+    """What photographs are oriented with, what is known of them, and what is written."""
 
     photos: tuple[Path, ...]
     """folders and files"""
     out: Path
     """project folder; begun, or continued"""
     calibration: Path | None = setting(None, KNOWN, metavar="CAMERAS.toml")
-    own_camera: tuple[str, ...] = setting((), APART, metavar="PATTERN")
-    masks: Path | None = setting(
-        None, "Masks of the photographs: nothing is measured where they are 0. Named photo.jpg.png (COLMAP), "
-        "photo_mask.png or photo.png (Metashape).", metavar="DIR",
-    )  # fmt: skip
-    library: bool = setting(True, LIBRARY, flag="no-library")
     control: tuple[Path, ...] = setting(
         (), "Control points with their image points: gcp_list.txt, CSV or a block folder. Image points alone are "
         "possible, e.g. of the ends of a scale bar: image,point,x_px,y_px.", metavar="FILE",
@@ -69,10 +61,6 @@ class OrientSettings:
     mark_sigma: float = setting(
         0.5, "Standard deviation of a marked image point.", metavar="PX", limits=Range(low=0.001, high=1e5)
     )
-    target: tuple[str, ...] = setting(
-        (), "Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or points "
-        "of {control}. With several families: FAMILY:CODE.", metavar="FAMILY", also=("family",),
-    )  # fmt: skip
     scale_bar: tuple[tuple[str, str, float, float], ...] = setting(
         (), "Known distance between two points, with its standard deviation [m]. The points are in {control} or are "
         "targets. May be repeated.", metavar="A B LENGTH SIGMA",
@@ -83,21 +71,9 @@ class OrientSettings:
         "Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB).",
         metavar="FILE",
     )
-    attitudes: Literal["auto", "none", "opk", "rpy-ned", "gimbal"] = setting(
-        "auto", "Observe attitudes of {positions}, or of the gimbal, by their convention. auto: attitudes with "
-        "standard deviations in the file.",
-    )  # fmt: skip
-    attitude_sigma: tuple[float, float] | None = setting(
-        None, "Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.",
-        metavar="TILT HEADING", limits=(POSITIVE, POSITIVE),
-    )  # fmt: skip
     misalignment: bool = setting(
         True, "Take attitudes as those of the camera: estimate no misalignment.", flag="no-misalignment"
     )
-    relative: Literal["", "shift", "drift"] = setting(
-        "", "Use only differences of positions and attitudes within a flight line (relative aerial control). drift: "
-        "also after a drift of the positions.",
-    )  # fmt: skip
     lever_arm: tuple[float, float, float, float] | None = setting(
         None, "Lever arm from the projection centre to the antenna, in the axes of the image. SIGMA 0 fixes it.",
         metavar="RIGHT UP BACK SIGMA", limits=(ANY, ANY, ANY, NOT_NEGATIVE),
@@ -106,48 +82,12 @@ class OrientSettings:
         True, "Take control and positions in one datum: estimate no shift of the positions of each flight.",
         flag="no-shift",
     )  # fmt: skip
-    scene_bias: Literal["none", "shift", "drift", "affine"] = setting(
-        "shift", "Parameters to estimate for the RPC of a satellite scene."
-    )
-    crs: str | None = setting(
-        None, "Coordinate system of inputs that define none, e.g. EPSG:32633: control, check points, {positions} in "
-        "a grid. With heights (EPSG:32633+5773, EPSG:32633+ellipsoid) also for files that define only the plan.",
-        metavar="SYSTEM",
-    )  # fmt: skip
     gps: bool = setting(True, "Ignore positions in the photographs.", flag="no-gps")
     up: str = setting(
         "auto", "Up direction, if neither control nor positions determine it. auto: from the attitude of the camera; "
         "terrestrial, aerial, oblique; or two points A,B of {control}, B plumb above A.",
         metavar="WAY",
     )  # fmt: skip
-    features: str = setting(
-        "rootsift", "Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).", metavar="METHOD"
-    )
-    feature_count: int = setting(10_000, "Number of features per photograph.", limits=Range(low=100))
-    start: Literal["auto", "growing", "averaging", "parts"] = setting(
-        "auto", "Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto: "
-        "parts for very many photographs; all pairs if image by image leaves photographs out or the view is narrow.",
-    )  # fmt: skip
-    precise: bool = setting(True, "Skip least-squares matching: several times less precise.", flag="quick")
-    jobs: int = setting(0, "Number of processors; 0: all.", limits=NOT_NEGATIVE)
-    cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
-    store: str = setting("", STORE_HELP, metavar="URL|project")
-    memory: float = setting(
-        0.0, "Memory limit for pixels during measurement, and for an adjustment [GB]. 0: 4 for pixels; for "
-        "adjustments four fifths of the free memory, at least 1. Larger adjustments run in parts, from 0.2 on.",
-        metavar="GB", limits=Range(low=0.0, high=1e6),
-    )  # fmt: skip
-    redo_from: str = setting(
-        "",
-        "Repeat this stage and all later ones. `raybundle status` lists them.",
-        flag="from-stage",
-        metavar="STAGE",
-    )
-    read_out: float | None = setting(
-        None, "Read-out time of a rolling shutter; 0: none. Without it, photographs with recorded times are tested "
-        "for it.", metavar="MS", limits=Range(low=0, high=1000),
-    )  # fmt: skip
-    noise: NoiseModel = setting("auto", NOISE_HELP)
     accuracy_class: str = setting("", ACCURACY_CLASS, metavar="WANTED")
     title: str = setting("", TITLE, metavar="TEXT")
     client: str = setting("", CLIENT, metavar="TEXT")
@@ -156,20 +96,6 @@ class OrientSettings:
     pdf: bool = setting(False, PDF_HELP)
     all_coordinates: bool = setting(False, COORDINATES_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
-
-    def options(self) -> OrientOptions:
-        """What the workflow is asked for."""
-        from raybundle.io.cameras.library import library_folder  # noqa: PLC0415
-        from raybundle.workflows.orienting.options import OrientOptions  # noqa: PLC0415
-
-        return OrientOptions(
-            features=self.features, feature_count=self.feature_count, start=self.start, precise=self.precise,
-            jobs=self.jobs, cluster=self.cluster, store=self.store, memory_gb=self.memory, separate=self.own_camera,
-            masks=self.masks, library=library_folder() if self.library else None, redo_from=self.redo_from,
-            scene_bias=self.scene_bias, crs=self.crs, attitudes=self.attitudes, attitude_sigma_deg=self.attitude_sigma,
-            relative=self.relative, targets=self.target, noise=self.noise,
-            read_out_s=None if self.read_out is None else self.read_out / 1000,
-        )  # fmt: skip
 
     def given(self) -> Given:
         """What is known of object space, read from the files; raises InputError."""
@@ -229,7 +155,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     out, result = settings.out, settings.out / "result"
     settings = replace(settings, store=store_of(settings.out, settings.store, settings.photos))
     cameras = () if settings.calibration is None else read_cameras(settings.calibration)
-    options, given = settings.options(), settings.given()
+    given = settings.given()
     wanted, record = accuracy_class(settings.accuracy_class), record_of(settings).over(record_in(out))
     check_pages(settings)
     if shown(out) != out:
@@ -238,7 +164,8 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     begins = not out.exists()
     try:
         keep_settings(settings)
-        options = replace(options, masks=masks_of_run(settings.photos, settings.masks, out))
+        chosen: dict[str, Any] = {f.name: getattr(settings, f.name) for f in fields(OrientOptions)}
+        options = replace(OrientOptions(**chosen), masks=masks_of_run(settings.photos, settings.masks, out))
         done = oriented(
             settings.photos, out, options, calibration=cameras, given=given, progress=progress,
             positions=None if settings.positions is None else read_trajectory(settings.positions),

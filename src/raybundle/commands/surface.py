@@ -12,10 +12,11 @@ from raybundle.commands.convert import FREE_SCALE_HELP
 from raybundle.commands.pages import LANGUAGE_HELP
 from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE
-from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP, store_of
+from raybundle.commands.worker import store_of
 from raybundle.errors import InputError, as_detail
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import ANY, POSITIVE, Range, keywords, made, other_than_usual, path_of, setting, toml_lines
+from raybundle.workflows.orienting.options import CLUSTER_HELP, STORE_HELP
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment

@@ -14,19 +14,6 @@ from raybundle.settings import NOT_NEGATIVE, Range, setting
 if TYPE_CHECKING:
     from raybundle.pipeline.shards import ShardDone
 
-CLUSTER_HELP = (
-    "Run tasks such as features and depth maps on other machines. Give the cluster folder from `raybundle scheduler "
-    "FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and end."
-)
-"""Of the setting `cluster`, which every command has whose stages can be done elsewhere"""
-STORE_HELP = (
-    "Storage of the products of stages. Give the URL of an object store for this project alone, e.g. "
-    "s3://bucket/folder (extra [cluster] and the package of the service). The project remembers it. project: its "
-    "own folder.  [default: as the last run, at first in the folder]"
-)
-"""Of the setting `store`"""
-
-
 DIGITS = 8
 """Of so many and more no array of jobs is: Slurm allows 4 million at most (MaxArraySize)"""
 

@@ -151,7 +151,7 @@ def orient(
     given = given or Given()
     method = feature_method(options.features)
     jobs = options.jobs or os.cpu_count() or 1
-    memory = (options.memory_gb or PIXELS_GB) * 1e9
+    memory = (options.memory or PIXELS_GB) * 1e9
     executor = executor_for(options.cluster, jobs, memory, progress)
     project = Project.open(folder, store=options.store)
     run = Run(
@@ -160,7 +160,7 @@ def orient(
         progress=progress,
         jobs=jobs,
         memory=memory,
-        adjusting=options.memory_gb * 1e9,
+        adjusting=options.memory * 1e9,
     )
     asked = Asked(
         inputs=tuple(inputs), name=folder.name, options=options, calibration=tuple(calibration), given=given,

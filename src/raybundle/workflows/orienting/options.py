@@ -6,11 +6,29 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from raybundle.adjustment.records.options import NoiseModel
-from raybundle.placing.attitudes import Convention
-from raybundle.scenes.bias import BiasKind
-from raybundle.ties.start import StartMethod
+from raybundle.adjustment.records.options import NOISE_HELP, NoiseModel
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, setting
 
+KNOWN = (
+    "File of known cameras. `estimate = []` in it fixes them. Calibrations of `raybundle calibrate` are observed "
+    "with their covariance."
+)
+APART = (
+    "Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For photographs "
+    "without metadata."
+)
+LIBRARY = "Ignore calibrations of the camera library."
+CLUSTER_HELP = (
+    "Run tasks such as features and depth maps on other machines. Give the cluster folder from `raybundle scheduler "
+    "FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and end."
+)
+"""Of the setting `cluster`, which every command has whose stages can be done elsewhere"""
+STORE_HELP = (
+    "Storage of the products of stages. Give the URL of an object store for this project alone, e.g. "
+    "s3://bucket/folder (extra [cluster] and the package of the service). The project remembers it. project: its "
+    "own folder.  [default: as the last run, at first in the folder]"
+)
+"""Of the setting `store`"""
 PIXELS_GB = 4.0
 """Memory that image pixels take unasked while points are measured."""
 
@@ -19,47 +37,66 @@ PIXELS_GB = 4.0
 class OrientOptions:
     """How photographs are oriented.  The defaults need no change."""
 
-    features: str = "rootsift"
-    """feature method"""
-    feature_count: int = 10_000
-    """features of a photograph, at most"""
-    start: StartMethod = "auto"
-    """growing: image by image; averaging: all pairs at once; parts: leaves by growing, joined; auto: growing, parts
-    where there are very many photographs, averaging where that leaves images"""
-    precise: bool = True
-    """False leaves out least-squares matching: quick, and several times less precise"""
-    jobs: int = 0
-    """photographs or pairs worked on at the same time; 0 = processors"""
-    cluster: str = ""
-    """who does features and pairs, as `pipeline.choosing` takes it; empty: this process"""
-    store: str = ""
-    """where products lie, as `Project.open` takes it"""
-    memory_gb: float = 0.0
-    """memory that image pixels may take while points are measured, and an adjustment; 0: PIXELS_GB, and four fifths of
-    what is free"""
-    separate: tuple[str, ...] = ()
-    """patterns of photographs' names, each a camera apart"""
-    library: Path | None = None
-    """camera library whose calibrations are held where none is given; None: none is used"""
-    masks: Path | None = None
-    """folder of masks, as COLMAP or Metashape name them: 0 where a photograph is not to be measured in"""
-    targets: tuple[str, ...] = ()
-    """families of coded targets that are measured: named points, or those of the control"""
-    scene_bias: BiasKind = "shift"
-    """what is estimated of a satellite scene's RPC: none, shift, drift, affine"""
-    crs: str | None = None
-    """coordinate system of positions in a grid and, where there are scenes, of control files that name none"""
-    attitudes: Convention = "auto"
-    """attitudes that are observed, by their convention; auto: what there is with standard deviations"""
-    attitude_sigma_deg: tuple[float, float] | None = None
-    """about level axes and about the vertical, of attitudes that state none; also asks for those of the gimbal"""
-    relative: Literal["", "shift", "drift"] = ""
-    """relative aerial control: positions and attitudes of a flight line count by their differences alone, or also after
-    a drift; "": they count as they are"""
-    noise: NoiseModel = "auto"
-    """errors of image coordinates: white; fields: smooth ones that differ from image to image, and a floor; auto:
-    fields where there are five photographs or more"""
-    read_out_s: float | None = None
-    """read-out time of rolling shutters [s]; 0: there are none; None: what the photographs show decisively"""
-    redo_from: str = ""
-    """stage, as `raybundle status` names it, from which on everything is done again"""
+    own_camera: tuple[str, ...] = setting((), APART, metavar="PATTERN")
+    masks: Path | None = setting(
+        None, "Masks of the photographs: nothing is measured where they are 0. Named photo.jpg.png (COLMAP), "
+        "photo_mask.png or photo.png (Metashape).", metavar="DIR",
+    )  # fmt: skip
+    library: bool = setting(True, LIBRARY, flag="no-library")
+    target: tuple[str, ...] = setting(
+        (), "Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or points "
+        "of {control}. With several families: FAMILY:CODE.", metavar="FAMILY", also=("family",),
+    )  # fmt: skip
+    attitudes: Literal["auto", "none", "opk", "rpy-ned", "gimbal"] = setting(
+        "auto", "Observe attitudes of {positions}, or of the gimbal, by their convention. auto: attitudes with "
+        "standard deviations in the file.",
+    )  # fmt: skip
+    attitude_sigma: tuple[float, float] | None = setting(
+        None, "Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.",
+        metavar="TILT HEADING", limits=(POSITIVE, POSITIVE),
+    )  # fmt: skip
+    relative: Literal["", "shift", "drift"] = setting(
+        "", "Use only differences of positions and attitudes within a flight line (relative aerial control). drift: "
+        "also after a drift of the positions.",
+    )  # fmt: skip
+    scene_bias: Literal["none", "shift", "drift", "affine"] = setting(
+        "shift", "Parameters to estimate for the RPC of a satellite scene."
+    )
+    crs: str | None = setting(
+        None, "Coordinate system of inputs that define none, e.g. EPSG:32633: control, check points, {positions} in "
+        "a grid. With heights (EPSG:32633+5773, EPSG:32633+ellipsoid) also for files that define only the plan.",
+        metavar="SYSTEM",
+    )  # fmt: skip
+    features: str = setting(
+        "rootsift", "Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).", metavar="METHOD"
+    )
+    feature_count: int = setting(10_000, "Number of features per photograph.", limits=Range(low=100))
+    start: Literal["auto", "growing", "averaging", "parts"] = setting(
+        "auto", "Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto: "
+        "parts for very many photographs; all pairs if image by image leaves photographs out or the view is narrow.",
+    )  # fmt: skip
+    precise: bool = setting(True, "Skip least-squares matching: several times less precise.", flag="quick")
+    jobs: int = setting(0, "Number of processors; 0: all.", limits=NOT_NEGATIVE)
+    cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
+    store: str = setting("", STORE_HELP, metavar="URL|project")
+    memory: float = setting(
+        0.0, "Memory limit for pixels during measurement, and for an adjustment [GB]. 0: 4 for pixels; for "
+        "adjustments four fifths of the free memory, at least 1. Larger adjustments run in parts, from 0.2 on.",
+        metavar="GB", limits=Range(low=0.0, high=1e6),
+    )  # fmt: skip
+    redo_from: str = setting(
+        "",
+        "Repeat this stage and all later ones. `raybundle status` lists them.",
+        flag="from-stage",
+        metavar="STAGE",
+    )
+    read_out: float | None = setting(
+        None, "Read-out time of a rolling shutter; 0: none. Without it, photographs with recorded times are tested "
+        "for it.", metavar="MS", limits=Range(low=0, high=1000),
+    )  # fmt: skip
+    noise: NoiseModel = setting("auto", NOISE_HELP)
+
+    @property
+    def read_out_s(self) -> float | None:
+        """Read-out time of rolling shutters [s]."""
+        return None if self.read_out is None else self.read_out / 1000

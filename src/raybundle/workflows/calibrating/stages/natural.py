@@ -47,7 +47,7 @@ def orient_natural(i: Inputs, means: Means) -> Natural:
 
     done = orient(
         i.paths, means.project.folder / FOLDER,
-        OrientOptions(jobs=means.jobs, separate=i.separate, noise=i.noise, masks=i.masks),
+        OrientOptions(jobs=means.jobs, own_camera=i.separate, library=False, noise=i.noise, masks=i.masks),
         given=Given(gps=False), progress=means.progress,
     )  # fmt: skip
     adjustment = replace(done.adjustment, notices=(_no_targets(i.shown), *done.adjustment.notices))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from raybundle.block import Camera
 from raybundle.errors import phrase
-from raybundle.io.cameras.library import with_library
+from raybundle.io.cameras.library import library_folder, with_library
 from raybundle.io.photos.cameras import CameraGroup, camera_groups
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.counting import counted
@@ -28,7 +28,10 @@ class Inputs:
 def _inputs(state: OrientState) -> Inputs:
     options = state.asked.options
     return Inputs(
-        photos=state.photos, calibration=state.asked.calibration, separate=options.separate, library=options.library
+        photos=state.photos,
+        calibration=state.asked.calibration,
+        separate=options.own_camera,
+        library=library_folder() if options.library else None,
     )
 
 

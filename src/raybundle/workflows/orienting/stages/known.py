@@ -52,7 +52,7 @@ def check(i: Inputs, means: Means) -> Known:
         i.photos, i.given, positions=positions, crs=options.crs, relative=options.relative, scenes=i.scenes
     )
     attitudes, reported = find_attitudes(
-        i.photos, positions, use=options.attitudes, sigma_deg=options.attitude_sigma_deg, crs=options.crs
+        i.photos, positions, use=options.attitudes, sigma_deg=options.attitude_sigma, crs=options.crs
     )
     masks = find_masks(options.masks, i.photos) if options.masks is not None and i.photos else None
     return Known(given=replace(i.given, attitudes=attitudes), remarks=(*remarks, *reported), masks=masks)

@@ -126,7 +126,7 @@ def with_targets(given: Given, found: ControlFile) -> Given:
 
 
 def _inputs(state: OrientState) -> Inputs:
-    return Inputs(photos=state.photos, targets=wanted(state.asked.options.targets), given=state.given)
+    return Inputs(photos=state.photos, targets=wanted(state.asked.options.target), given=state.given)
 
 
 def wanted(names: Sequence[str]) -> tuple[Target, ...]:
@@ -154,6 +154,6 @@ STAGE = ORIENT.register(
         function=measure,
         put=_put,
         reported=_outcome,
-        when=lambda s: bool(s.asked.options.targets and s.photos),
+        when=lambda s: bool(s.asked.options.target and s.photos),
     )
 )
