@@ -20,8 +20,8 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.system import dense
 from raybundle.adjustment.system.assemble import assemble
 from raybundle.adjustment.system.normals import Normals
+from raybundle.planning.flights.uav_networks import Flight, flight_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.uav_networks import Flight, flight_scene
 
 DAMPING = 1e-4
 

@@ -15,6 +15,11 @@ import time
 from dataclasses import replace
 
 import numpy as np
+from raybundle.planning.next.best import ranking
+from raybundle.planning.next.goals import Goal, measure_of
+from raybundle.planning.next.outlook import Outlook
+from raybundle.planning.next.stations import Reach, reachable
+from raybundle.planning.next.visibility import PointSight
 
 from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block
@@ -27,14 +32,9 @@ from raybundle.adjustment.system.dense import one_thread
 from raybundle.block import Block
 from raybundle.block.points import automatic_name
 from raybundle.calibration.maps import projection_shifts
-from raybundle.planning.goals import Goal, measure_of
-from raybundle.planning.next_best import ranking
-from raybundle.planning.outlook import Outlook
+from raybundle.planning.flights.uav_networks import Flight, flight_block
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.stations import Reach, reachable
 from raybundle.planning.synthetic_networks import TargetField, field_scene
-from raybundle.planning.uav_networks import Flight, flight_block
-from raybundle.planning.visibility import PointSight
 
 CANDIDATES, MANY = 50, 1000
 KINDS = ("worst", "mean", "calibration")

@@ -30,6 +30,7 @@ from raybundle.adjustment.evaluation.image_interiors import own_interiors  # noq
 from raybundle.adjustment.records.options import AdjustmentOptions  # noqa: E402
 from raybundle.calibration.several_cameras import several_cameras  # noqa: E402
 from raybundle.numerics.statistics import chi_square_tails  # noqa: E402
+from raybundle.planning.flights.uav_networks import Flight, flight_scene, uav_camera  # noqa: E402
 from raybundle.planning.simulate import Survey, simulate  # noqa: E402
 from raybundle.planning.synthetic_networks import (  # noqa: E402
     AerialStrips,
@@ -40,7 +41,6 @@ from raybundle.planning.synthetic_networks import (  # noqa: E402
     field_scene,
     ring_scene,
 )  # fmt: skip
-from raybundle.planning.uav_networks import Flight, flight_scene, uav_camera  # noqa: E402
 
 SMOOTH_PX = 0.3
 CAMERAS = 10

@@ -4,8 +4,8 @@ python benchmarks/plan_monte_carlo.py [DRAWS]        500 draws of each and more:
 
 Objects of every kind and random size, cameras of random c, format and free parameters, 10 to 30 stations at random
 places before random points, each point in three photographs or more, datum of inner constraints or control.  The ratio
-of a network is the standard deviation that `planning.expected.Networks` predicts over the empirical one, root mean
-square over all coordinates; its chance error comes from the spread of the draws.
+of a network is the standard deviation that `planning.network.expected.Networks` predicts over the empirical one, root
+mean square over all coordinates; its chance error comes from the spread of the draws.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import NotSolvable
 from raybundle.objects.kinds import object_kinds
 from raybundle.objects.surface import spread
-from raybundle.planning.candidates import Stations
-from raybundle.planning.expected import Expected, Networks
-from raybundle.planning.planned_block import planned_block
-from raybundle.planning.site import Access, Site
+from raybundle.planning.network.candidates import Stations
+from raybundle.planning.network.expected import Expected, Networks
+from raybundle.planning.network.planned_block import planned_block
+from raybundle.planning.network.site import Access, Site
 from raybundle.planning.synthetic_networks import brown_camera
 
 RESULT = Path(__file__).with_name("results") / "plan_monte_carlo.json"

@@ -30,9 +30,9 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.select import with_rows
 from raybundle.errors import RaybundleError
 from raybundle.io.block.folder import read_block
+from raybundle.planning.flights.uav_networks import Flight, flight_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
-from raybundle.planning.uav_networks import Flight, flight_scene
 
 FREE = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")
 

@@ -14,7 +14,7 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.numerics.arrays import Array
-from raybundle.planning.uav_networks import Flight, flight_block
+from raybundle.planning.flights.uav_networks import Flight, flight_block
 
 
 def adjusted(plan: Flight) -> Adjustment:

@@ -13,7 +13,7 @@ import numpy as np
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
-from raybundle.planning.uav_networks import Flight, flight_block
+from raybundle.planning.flights.uav_networks import Flight, flight_block
 
 PAGE = Path(__file__).resolve().parents[1] / "docs/explanation/uav-precision.md"
 BEGIN, END = "<!-- table: tools/uav_table.py -->\n", "<!-- end of the table -->\n"

@@ -101,12 +101,12 @@ from raybundle.measuring.query import Answer
 from raybundle.metrology.congruence import Congruence
 from raybundle.numerics.progress import Progress
 from raybundle.numerics.transform import SimilarityTransform as SimilarityTransform
-from raybundle.planning.flight import plan_flight as plan_flight
-from raybundle.planning.network_plan import NetworkPlan
-from raybundle.planning.next_plan import NextPlan
-from raybundle.planning.uav_networks import Flight as Flight
-from raybundle.report.compare import write_comparison as write_comparison
-from raybundle.report.network_page import write_network_page as write_network_page
+from raybundle.planning.flights.flight import plan_flight as plan_flight
+from raybundle.planning.flights.uav_networks import Flight as Flight
+from raybundle.planning.network.network_plan import NetworkPlan
+from raybundle.planning.next.plan import NextPlan
+from raybundle.report.comparison.page import write_comparison as write_comparison
+from raybundle.report.network.page import write_network_page as write_network_page
 from raybundle.report.plotting import plot_control as plot_control
 from raybundle.report.plotting import plot_interior as plot_interior
 from raybundle.report.plotting import plot_network as plot_network

@@ -13,8 +13,8 @@ from raybundle.block.block import Attitudes, Role
 from raybundle.block.relative import relative_control
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import angles_from_rotation, rotation_from_vector
+from raybundle.planning.flights.uav_networks import Flight, flight_block, uav_camera
 from raybundle.planning.simulate import measured
-from raybundle.planning.uav_networks import Flight, flight_block, uav_camera
 
 LINES = np.repeat([0, 1, 2], 5).astype(np.int32)
 SIGMA, TILT = np.array([0.02, 0.02, 0.03]), np.radians(0.02)

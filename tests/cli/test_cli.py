@@ -281,9 +281,9 @@ def test_every_scene_simulates(scene, tmp_path):
 
 def test_compare_reads_two_results_and_hands_them_on(field, tmp_path, capsys, monkeypatch):
     handed = []
-    fake = type(sys)("raybundle.report.compare")
+    fake = type(sys)("raybundle.report.comparison.page")
     fake.write_comparison = lambda a, b, path: handed.append((a, b, path)) or ("rests on",)
-    monkeypatch.setitem(sys.modules, "raybundle.report.compare", fake)
+    monkeypatch.setitem(sys.modules, "raybundle.report.comparison.page", fake)
     for name, datum in (("one", "control"), ("two", "inner")):
         assert run("adjust", field, "--out", tmp_path / name, "--no-report", "--datum", datum) == 0
     capsys.readouterr()
@@ -298,17 +298,17 @@ def test_compare_reads_two_results_and_hands_them_on(field, tmp_path, capsys, mo
 
 @pytest.mark.parametrize("out", ["folder", "image.png", "nowhere/c.html"])
 def test_compare_refuses_bad_targets(out, tmp_path, capsys, monkeypatch):
-    fake = type(sys)("raybundle.report.compare")
+    fake = type(sys)("raybundle.report.comparison.page")
     fake.write_comparison = raising(AssertionError("must not be called"))
-    monkeypatch.setitem(sys.modules, "raybundle.report.compare", fake)
+    monkeypatch.setitem(sys.modules, "raybundle.report.comparison.page", fake)
     (tmp_path / "folder").mkdir()
     assert run("compare", "a", "b", "--out", tmp_path / out) == 2
     assert capsys.readouterr().err.startswith(("InputError: ", "error: "))
 
 
 def test_compare_needs_result_folders(field, tmp_path, capsys, monkeypatch):
-    monkeypatch.setitem(sys.modules, "raybundle.report.compare", type(sys)("raybundle.report.compare"))
-    sys.modules["raybundle.report.compare"].write_comparison = raising(AssertionError("must not be called"))
+    monkeypatch.setitem(sys.modules, "raybundle.report.comparison.page", type(sys)("raybundle.report.comparison.page"))
+    sys.modules["raybundle.report.comparison.page"].write_comparison = raising(AssertionError("must not be called"))
     assert run("compare", field, field, "--out", tmp_path / "c.html") == 2
     assert "[result.no_result]" in capsys.readouterr().err
     assert not Path(tmp_path / "c.html").exists()

@@ -10,8 +10,8 @@ from raybundle.block import Role
 from raybundle.cli.main import main
 from raybundle.commands.planning.flight import FlightSettings
 from raybundle.io.block.folder import read_block
-from raybundle.planning.flight import forecast, plan_flight
-from raybundle.planning.uav_networks import Flight, flight_block
+from raybundle.planning.flights.flight import forecast, plan_flight
+from raybundle.planning.flights.uav_networks import Flight, flight_block
 from raybundle.words import headline
 
 PUBLISHED = ("--base", "16", "--line-spacing", "48", "--ground", "120", "--tie-points", "9")

@@ -14,8 +14,8 @@ from raybundle.cli.plan.precision import cell, length
 from raybundle.commands.planning.flight import FlightSettings
 from raybundle.errors import InputError
 from raybundle.missions.mission import exposures
-from raybundle.planning.flight import FlightPlan, forecast
-from raybundle.planning.uav_networks import Flight
+from raybundle.planning.flights.flight import FlightPlan, forecast
+from raybundle.planning.flights.uav_networks import Flight
 
 FAST = ("--tie-points", "8", "--hold-camera")
 

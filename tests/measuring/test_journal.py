@@ -11,17 +11,17 @@ import sys
 import threading
 
 import pytest
+from raybundle.measuring.actions.verbs import VERBS, Move, Put, Redo, SetBar, Undo, action_of
 
 import raybundle as rb
 from raybundle.errors import InputError
-from raybundle.measuring.actions import VERBS, Move, Put, Redo, SetBar, Undo, action_of
 from raybundle.measuring.journal import Journal, entries_of, journal_path, measured_result, state_of
 from raybundle.measuring.names import Known
 
 KNOWN = Known.of_photos({"a.jpg": (400, 300), "b.jpg": (400, 300)})
 WRITER = """
 import sys
-from raybundle.measuring.actions import Put
+from raybundle.measuring.actions.verbs import Put
 from raybundle.measuring.journal import Journal
 from raybundle.measuring.names import Known
 

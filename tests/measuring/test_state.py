@@ -3,9 +3,7 @@
 import random
 
 import pytest
-
-from raybundle.errors import InputError
-from raybundle.measuring.actions import (
+from raybundle.measuring.actions.verbs import (
     Accept,
     Forget,
     Move,
@@ -21,6 +19,8 @@ from raybundle.measuring.actions import (
     Unbar,
     Undo,
 )  # fmt: skip
+
+from raybundle.errors import InputError
 from raybundle.measuring.names import Known
 from raybundle.measuring.state import EMPTY, Fold, MeasuredPoint, folded
 

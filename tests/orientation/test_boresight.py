@@ -7,7 +7,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.attitude import NADIR_FROM_BODY
 from raybundle.numerics.rotation import rotation_from_vector, vector_from_rotation
 from raybundle.orientation.boresight import boresight, comparison, lever_arm
-from raybundle.planning.uav_networks import Flight, flight_scene
+from raybundle.planning.flights.uav_networks import Flight, flight_scene
 
 ARM = np.array([0.12, -0.05, 0.31])
 SHIFT = np.array([0.4, -0.2, 0.1])

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from raybundle.orientation.rigs.pose import Common, StationRays, joined_by_stations, resected_station
 
 from raybundle import adjust
 from raybundle.adjustment.blunders.behind_cameras import meeting_before_cameras
@@ -15,7 +16,6 @@ from raybundle.block.select import select_block
 from raybundle.errors import RankDefect
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation.rays import angular_residuals, rays_of
-from raybundle.orientation.rig_pose import Common, StationRays, joined_by_stations, resected_station
 from tests.orientation.rig_blocks import MOUNTING, RIGS, rig_block, rough
 from tests.truth.mixed_blocks import two_camera_rig
 

@@ -11,11 +11,11 @@ from tests.missions.cases import mission as planned_mission
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import InputError
-from raybundle.planning.aerial import LAYOUTS, NUMBERS, PLACES, SIGMAS_M, control_rows, open_in, precision
-from raybundle.planning.aerial_block import aerial_block
-from raybundle.planning.flight import flight_control, forecast, plan_flight
-from raybundle.planning.mission import MOST, Asked, mission_forecast
-from raybundle.planning.uav_networks import Flight, flight_aerial, flight_block
+from raybundle.planning.flights.aerial import LAYOUTS, NUMBERS, PLACES, SIGMAS_M, control_rows, open_in, precision
+from raybundle.planning.flights.aerial_block import aerial_block
+from raybundle.planning.flights.flight import flight_control, forecast, plan_flight
+from raybundle.planning.flights.mission import MOST, Asked, mission_forecast
+from raybundle.planning.flights.uav_networks import Flight, flight_aerial, flight_block
 
 LEVEL = Flight(points=10, alternating=True, height_jitter=0.0, angle_jitter_deg=0.0)
 ARM = replace(LEVEL, lever_arm=True)

@@ -7,11 +7,11 @@ import pytest
 from tests.missions.cases import ACROSS_30, CAMERA, LEVEL, PLACE, change, mission
 
 from raybundle.errors import InputError
-from raybundle.planning.aerial import NO_RTK, UNSOLVED, by_design, is_rtk, mended
-from raybundle.planning.flight import plan_flight
-from raybundle.planning.mission import Asked, mission_forecast
-from raybundle.planning.mission_mends import Mend
-from raybundle.planning.uav_networks import Flight, covering, flight_aerial, flight_scene
+from raybundle.planning.flights.aerial import NO_RTK, UNSOLVED, by_design, is_rtk, mended
+from raybundle.planning.flights.flight import plan_flight
+from raybundle.planning.flights.mission import Asked, mission_forecast
+from raybundle.planning.flights.mission_mends import Mend
+from raybundle.planning.flights.uav_networks import Flight, covering, flight_aerial, flight_scene
 
 WALL = np.array([[0.0, 0], [100, 20]]) + PLACE
 

@@ -5,6 +5,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from raybundle.planning.network.bars import placed_bars
+from raybundle.planning.network.candidates import Stations
+from raybundle.planning.network.configuration import Designer, Search, improved
+from raybundle.planning.network.datum_of_plan import Wanted
+from raybundle.planning.network.densify import densified, repeated
+from raybundle.planning.network.detection_draws import promised
+from raybundle.planning.network.expected import Expected, Networks, Short
+from raybundle.planning.network.network_plan import plan_network, walk
+from raybundle.planning.network.optics import Optics
+from raybundle.planning.network.planned_block import planned_block
+from raybundle.planning.network.reliability import redundancies
+from raybundle.planning.network.site import Access, Site
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
@@ -12,20 +24,8 @@ from raybundle.commands.planning.network import NetworkSettings, site_of
 from raybundle.errors import InputError
 from raybundle.objects.kinds import object_kinds
 from raybundle.objects.surface import SurfacePoints, spread
-from raybundle.planning.aims import aims
-from raybundle.planning.bars import placed_bars
-from raybundle.planning.candidates import Stations
-from raybundle.planning.configuration import Designer, Search, improved
-from raybundle.planning.datum_of_plan import Wanted
-from raybundle.planning.densify import densified, repeated
-from raybundle.planning.detection_draws import promised
-from raybundle.planning.expected import Expected, Networks, Short
 from raybundle.planning.measured import measured_kinds
-from raybundle.planning.network_plan import plan_network, walk
-from raybundle.planning.optics import Optics
-from raybundle.planning.planned_block import planned_block
-from raybundle.planning.reliability import redundancies
-from raybundle.planning.site import Access, Site
+from raybundle.planning.network.aims import aims
 from raybundle.planning.synthetic_networks import brown_camera
 
 FREE = ("c", "x0", "y0", "K1", "K2")

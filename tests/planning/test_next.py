@@ -4,6 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from raybundle.planning.next.best import next_best, ranking
+from raybundle.planning.next.goals import Goal, measure_of
+from raybundle.planning.next.obstacles import Obstacles
+from raybundle.planning.next.outlook import Outlook
+from raybundle.planning.next.plan import Conditions, frame_known, plan_next, vertical_of
+from raybundle.planning.next.stations import Reach, reachable
+from raybundle.planning.next.visibility import FARTHER, PointSight
+from raybundle.planning.next.words import hold_message, instruction, place_message
 
 from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block
@@ -16,17 +24,9 @@ from raybundle.calibration.maps import projection_shifts
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.objects.surface import Surface
-from raybundle.planning.goals import Goal, measure_of
-from raybundle.planning.next_best import next_best, ranking
-from raybundle.planning.next_plan import Conditions, frame_known, plan_next, vertical_of
-from raybundle.planning.next_words import hold_message, instruction, place_message
-from raybundle.planning.obstacles import Obstacles
-from raybundle.planning.outlook import Outlook
+from raybundle.planning.flights.uav_networks import Flight, flight_block
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.stations import Reach, reachable
 from raybundle.planning.synthetic_networks import Ring, TargetField, field_scene, ring_scene
-from raybundle.planning.uav_networks import Flight, flight_block
-from raybundle.planning.visibility import FARTHER, PointSight
 
 FIELD = TargetField(rows=7, columns=9, stations=7, frontal=2)
 EXACT = Survey(image_sigma_px=0.1, points="exact", orientation="exact", interior="exact")

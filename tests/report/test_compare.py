@@ -4,6 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from raybundle.report.comparison.common_points import common_points, common_rows
+from raybundle.report.comparison.differences import APART, basis_words, point_differences, taken_otherwise
+from raybundle.report.comparison.differences import compared as differences_of
+from raybundle.report.comparison.page import _parameter_rows, write_comparison
+from raybundle.report.comparison.shared import Shared, shared_of
 
 import raybundle as rb
 from raybundle import words
@@ -12,11 +17,6 @@ from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
-from raybundle.report.common_points import common_points, common_rows
-from raybundle.report.compare import _parameter_rows, write_comparison
-from raybundle.report.differences import APART, basis_words, point_differences, taken_otherwise
-from raybundle.report.differences import compared as differences_of
-from raybundle.report.shared import Shared, shared_of
 from raybundle.report.text.numbers import unbroken
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
@@ -247,7 +247,7 @@ def test_the_headline_says_how_few_points_are_behind_it(folder, tmp_path):
 
 
 def test_few_projection_centres_alone_are_a_caution_too(folder, tmp_path, monkeypatch):
-    monkeypatch.setattr("raybundle.report.compare.SMALL_BASIS", 1000)
+    monkeypatch.setattr("raybundle.report.comparison.page.SMALL_BASIS", 1000)
     first = folder("free")
     ids = list(first.block.points.ids)
     second = renamed(first, lambda n: f"other {ids.index(n)}")

@@ -8,12 +8,12 @@ import subprocess
 
 import numpy as np
 import pytest
+from raybundle.report.network import detail, page
+from raybundle.report.network.page import network_contents, write_network_page
 
 from raybundle import words
 from raybundle.block import Role
 from raybundle.numerics.thinning import one_of_each_cell
-from raybundle.report import network_detail, network_page
-from raybundle.report.network_page import network_contents, write_network_page
 from raybundle.report.view import view_of
 from raybundle.report.write import write_result
 from raybundle.results.record import Record
@@ -65,13 +65,13 @@ def test_ellipsoids_have_the_size_of_the_covariance(free_case):
     view = view_of(free_case)
     data = network_contents(view)
     axes = array(data["ellipsoids"]["axes"], "<f4", -1, 3, 3).astype(float)
-    rows = network_page.shown_points(view)[array(data["ellipsoids"]["point"], "<u4", -1)]
+    rows = page.shown_points(view)[array(data["ellipsoids"]["point"], "<u4", -1)]
     C = free_case.precision.object_points[rows]
     np.testing.assert_allclose(np.einsum("nki,nkj->nij", axes, axes), C, rtol=0, atol=1e-5 * abs(C).max())
 
 
 def test_too_many_points_are_thinned_and_it_is_said(free_case, monkeypatch):
-    monkeypatch.setattr(network_detail, "MOST_POINTS", 20)
+    monkeypatch.setattr(detail, "MOST_POINTS", 20)
     view = view_of(free_case)
     data = network_contents(view)
     shown = len(data["points"]["id"])
@@ -81,7 +81,7 @@ def test_too_many_points_are_thinned_and_it_is_said(free_case, monkeypatch):
     assert first.values["points"] == shown < first.values["of_points"]
     codes = [m.code for text in data["remarks"] for m in text.messages]
     assert {"network_page.one_per_cell", "network_page.all_in_table"} <= set(codes)
-    rows = network_page.shown_points(view)
+    rows = page.shown_points(view)
     tie = np.flatnonzero((np.asarray(view.given.points.role) == Role.TIE) & ~view.given.points_named & (view.rays > 0))
     worst = tie[np.argmax(np.square(view.std[tie]).sum(axis=1))]
     assert worst in rows
@@ -91,10 +91,10 @@ def test_too_many_points_are_thinned_and_it_is_said(free_case, monkeypatch):
 
 def test_points_of_many_rays_leave_room_for_fewer(free_case, monkeypatch):
     view = view_of(free_case)
-    every = network_detail._bytes(view)[network_page.shown_points(view)].sum()
-    monkeypatch.setattr(network_detail, "POINT_BYTES", 0.6 * every)
-    rows = network_page.shown_points(view)
-    assert 0.3 * every < network_detail._bytes(view)[rows].sum() <= 0.6 * every
+    every = detail._bytes(view)[page.shown_points(view)].sum()
+    monkeypatch.setattr(detail, "POINT_BYTES", 0.6 * every)
+    rows = page.shown_points(view)
+    assert 0.3 * every < detail._bytes(view)[rows].sum() <= 0.6 * every
 
 
 def test_a_sample_by_cells_keeps_the_outline():
@@ -110,7 +110,7 @@ def test_a_sample_by_cells_keeps_the_outline():
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="no JavaScript engine here")
 def test_the_program_is_valid_script(tmp_path):
-    (tmp_path / "program.js").write_text(network_page._program(), encoding="utf-8")
+    (tmp_path / "program.js").write_text(page._program(), encoding="utf-8")
     subprocess.run(["node", "--check", "program.js"], cwd=tmp_path, check=True)
 
 
@@ -130,6 +130,6 @@ def test_the_page_is_in_the_language_of_the_report_under_its_title(free_case, tm
 
 def test_all_that_the_script_says_is_handed_over_in_the_language():
     """Every text that the built script looks up stands in the page's data."""
-    asked = re.findall(r'say\("([^"]+)"\)', network_page._program())
+    asked = re.findall(r'say\("([^"]+)"\)', page._program())
     assert len(asked) >= 4
-    assert {f"network_page.{name}" for name in asked} <= set(network_page.OF_SCRIPT)
+    assert {f"network_page.{name}" for name in asked} <= set(page.OF_SCRIPT)

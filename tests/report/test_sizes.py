@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from raybundle.report.network.page import write_network_page
 
 from raybundle import adjust, words
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
-from raybundle.report.network_page import write_network_page
 from raybundle.report.writing import write_report
 
 
@@ -22,7 +22,7 @@ def result():
 
 def test_a_network_page_of_a_point_in_every_image_stays_small(result, tmp_path, monkeypatch):
     """160 images, 30 000 points that all of them see: 4.8 million rays, which would be 26 MB."""
-    from raybundle.report import network_page
+    from raybundle.report.network import page as network_page
 
     view = network_page.view_of(result)
     n, p = len(view.given.images), 30_000

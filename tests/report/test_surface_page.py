@@ -6,10 +6,10 @@ from html import unescape
 
 import numpy as np
 import pytest
+from raybundle.report.network.sigma_classes import sigma_classes
 
 from raybundle import words
 from raybundle.report.figures.raster import classed, shaded
-from raybundle.report.sigma_classes import sigma_classes
 from raybundle.report.text.numbers import unbroken
 from raybundle.surfaces.depths.summary import HeightSummary, MapSummary, OrthophotoSummary, SurfaceSummary, reduced
 from raybundle.surfaces.page import write_surface_page

@@ -14,9 +14,9 @@ from raybundle.block import Block, Camera
 from raybundle.observations.distance import Distances
 from raybundle.observations.station import Stations
 from raybundle.observations.total_station import Directions, SlopeDistances, ZenithAngles
+from raybundle.planning.flights.uav_networks import Flight, flight_block
 from raybundle.planning.simulate import Survey, measured, simulate
 from raybundle.planning.synthetic_networks import Scene, TargetField, brown_camera, field_scene
-from raybundle.planning.uav_networks import Flight, flight_block
 from tests.truth.platform_blocks import camera_of
 
 GROSS_SHARE, GROSS_SIGMAS = 0.01, (5.0, 50.0)

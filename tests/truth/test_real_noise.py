@@ -13,9 +13,9 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.evaluation.noise_covariance import under_noise
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.io.block.folder import read_block
+from raybundle.planning.flights.uav_networks import Flight, flight_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
-from raybundle.planning.uav_networks import Flight, flight_scene
 from raybundle.workflows.adjust import adjust
 from tests.truth.real_noise import adjusted, halves, interior_error, with_smooth_errors
 

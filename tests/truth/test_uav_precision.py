@@ -5,7 +5,7 @@ import pytest
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
-from raybundle.planning.uav_networks import Flight, flight_block
+from raybundle.planning.flights.uav_networks import Flight, flight_block
 from tests.truth.bands import assert_true_to_ten_percent, points_together
 
 OPTIONS = AdjustmentOptions(jobs=1)

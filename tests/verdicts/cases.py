@@ -8,15 +8,15 @@ import sys
 from dataclasses import dataclass, replace
 
 import numpy as np
+from raybundle.planning.network.calibration_networks import FlatField, flat_field_scene
 
 from raybundle import adjust
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block, Role
 from raybundle.errors import RaybundleError
-from raybundle.planning.calibration_networks import FlatField, flat_field_scene
+from raybundle.planning.flights.uav_networks import Flight, flight_block
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import Scene, TargetField, brown_camera, field_scene, look_at
-from raybundle.planning.uav_networks import Flight, flight_block
 from tests.truth.mixed_blocks import room
 
 EXACT = Survey(seed=1, orientation="exact", points="exact", interior="exact", image_sigma_px=0.05)

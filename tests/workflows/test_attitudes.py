@@ -19,8 +19,8 @@ from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.placing.attitudes import find_attitudes
 from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given
+from raybundle.planning.flights.uav_networks import Flight, flight_block, uav_camera
 from raybundle.planning.simulate import measured
-from raybundle.planning.uav_networks import Flight, flight_block, uav_camera
 from raybundle.report.sections.trajectories import trajectory_section
 from raybundle.report.view import view_of
 from raybundle.words import headline

@@ -10,7 +10,7 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.positions import flight_lines
-from raybundle.planning.uav_networks import Flight, flight_block, uav_camera
+from raybundle.planning.flights.uav_networks import Flight, flight_block, uav_camera
 from raybundle.workflows.orienting.stages.adjustment import _relative
 
 

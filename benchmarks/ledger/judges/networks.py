@@ -16,6 +16,7 @@ from ledger.sets import LedgerSet, Places
 from raybundle import adjust
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block
+from raybundle.planning.flights.uav_networks import Flight, flight_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import (
     AerialStrips,
@@ -28,7 +29,6 @@ from raybundle.planning.synthetic_networks import (
     ring_scene,
     single_scene,
 )
-from raybundle.planning.uav_networks import Flight, flight_scene
 
 APART = 10_000
 """Between the seeds of the first runs of two sets"""

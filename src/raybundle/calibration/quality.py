@@ -82,7 +82,7 @@ class CalibrationQuality:
     reasons: tuple[str, ...]
     """What speaks against it, the gravest first"""
     advice: tuple[Proposal, ...]
-    """What to photograph next, one after the other, with the predicted effect (`planning.next_photographs`)"""
+    """What to photograph next, one after the other, with the predicted effect (`planning.next.calibration`)"""
     unstable: bool
     """The photographs had not the same interior orientation: more of them would not help"""
     photographs: int

@@ -27,7 +27,7 @@ def masks_of_result(source: Path, given: Path | None, folders: Sequence[Path], i
     into     folder in whose measured-masks both are written together, where something is drawn
     """
     from raybundle.io.block.folder import read_block  # noqa: PLC0415
-    from raybundle.measuring.masks import photographs_in  # noqa: PLC0415
+    from raybundle.measuring.actions.masks import photographs_in  # noqa: PLC0415
     from raybundle.measuring.session import block_folder  # noqa: PLC0415
     from raybundle.pipeline.project import masks_given  # noqa: PLC0415
     from raybundle.workflows.sources import result_within  # noqa: PLC0415
@@ -41,8 +41,8 @@ def masks_of_result(source: Path, given: Path | None, folders: Sequence[Path], i
 def _with_drawn(project: Path, given: Path | None, photos: Callable[[], Sequence[Photo]], into: Path) -> Path | None:
     """The given folder, or one of those masks and the drawn ones."""
     from raybundle.io.block.folder import read_block  # noqa: PLC0415
+    from raybundle.measuring.actions.masks import FOLDER, drawn_by_file, write_masks  # noqa: PLC0415
     from raybundle.measuring.journal import journal_path, state_of  # noqa: PLC0415
-    from raybundle.measuring.masks import FOLDER, drawn_by_file, write_masks  # noqa: PLC0415
     from raybundle.measuring.session import block_folder, holds_block  # noqa: PLC0415
 
     if not holds_block(project):

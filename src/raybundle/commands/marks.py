@@ -20,8 +20,9 @@ from raybundle.io.block.folder import read_block
 from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
 from raybundle.io.folders import check_free, new_folder
 from raybundle.io.tables import write_table
-from raybundle.measuring.control import control_of
-from raybundle.measuring.decisions import with_decisions
+from raybundle.measuring.actions.control import control_of
+from raybundle.measuring.actions.decisions import with_decisions
+from raybundle.measuring.actions.masks import drawn_by_file, photographs_in, write_masks
 from raybundle.measuring.export import (
     lost_in_csv,
     lost_in_gcp_list,
@@ -31,7 +32,6 @@ from raybundle.measuring.export import (
 )
 from raybundle.measuring.film import read_scans
 from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
-from raybundle.measuring.masks import drawn_by_file, photographs_in, write_masks
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.names import Known
 from raybundle.measuring.quantities import QUANTITIES, Quantity

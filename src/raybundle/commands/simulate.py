@@ -111,7 +111,7 @@ def _found_again(plan: Path, block: Block, seed: int) -> Block:
 
     from raybundle.commands.planning.network_files import VISIBLE  # noqa: PLC0415
     from raybundle.io.tables import Column, read_table  # noqa: PLC0415
-    from raybundle.planning.planned_block import redrawn  # noqa: PLC0415
+    from raybundle.planning.network.planned_block import redrawn  # noqa: PLC0415
 
     numbers = [*"XYZ", *(f"s{a}_mm" for a in "XYZ"), "rays", "often"]
     columns = [Column(name="point", kind="id"), *(Column(name=n, kind="number", empty=n not in "XYZ") for n in numbers)]

@@ -70,7 +70,7 @@ def write_pages(
     from raybundle.adjustment.records.severity import Severity  # noqa: PLC0415
     from raybundle.io.folders import names_in  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
-    from raybundle.report.network_page import write_network_page  # noqa: PLC0415
+    from raybundle.report.network.page import write_network_page  # noqa: PLC0415
     from raybundle.report.text.front_words import verdict_sentence  # noqa: PLC0415
     from raybundle.surfaces.files.heights import HeightFile  # noqa: PLC0415
     from raybundle.surfaces.page import write_surface_page  # noqa: PLC0415

@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.errors import InputError, phrase
 from raybundle.io.film.fiducials import film_of
-from raybundle.measuring.actions import Fiducial
+from raybundle.measuring.actions.verbs import Fiducial
 from raybundle.measuring.film import Scans
 from raybundle.measuring.snap import NotSnapped, snap
 from raybundle.measuring.state import State

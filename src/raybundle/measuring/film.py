@@ -20,7 +20,7 @@ from raybundle.io.film.fiducials import LEAST, Calibrated, Film, film_of, read_c
 from raybundle.io.reading.trees import read_toml
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array
-from raybundle.orientation.missing_data import Lack
+from raybundle.orientation.projective.missing_data import Lack
 
 FOLDER = "film"
 Straight = Literal["similarity", "affine"]

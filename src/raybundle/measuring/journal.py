@@ -28,7 +28,7 @@ from typing import Any, Self
 from raybundle.errors import InputError, Message, message
 from raybundle.io.reading.trees import json_of
 from raybundle.io.reading.words import quoted
-from raybundle.measuring.actions import Action, action_of
+from raybundle.measuring.actions.verbs import Action, action_of
 from raybundle.measuring.names import Known
 from raybundle.measuring.state import Fold, State
 

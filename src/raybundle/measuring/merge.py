@@ -31,7 +31,7 @@ from raybundle.observations.alignment import Levels, Lines, OnFigure, Planes, Pl
 from raybundle.observations.coordinates import Coordinates
 from raybundle.observations.kind import in_order
 from raybundle.orientation.absolute import partial_similarity
-from raybundle.orientation.missing_data import Lack
+from raybundle.orientation.projective.missing_data import Lack
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 
 FIGURES: Mapping[LineKind, type[OnFigure]] = {

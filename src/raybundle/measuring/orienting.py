@@ -9,8 +9,8 @@ import numpy as np
 from raybundle.block import ROLES, Block
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.orientation.manual_points import FewPoints, orient_few
-from raybundle.orientation.missing_data import Lack
+from raybundle.orientation.projective.manual_points import FewPoints, orient_few
+from raybundle.orientation.projective.missing_data import Lack
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -13,7 +13,7 @@ from raybundle.adjustment.evaluation.check_points import used_rays
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Role
 from raybundle.errors import InputError
-from raybundle.measuring.decisions import Quantity
+from raybundle.measuring.actions.decisions import Quantity
 from raybundle.measuring.session import adjusted_again, latest_block
 from raybundle.measuring.state import Key, State
 from raybundle.numerics.arrays import Array, Index, Mask

@@ -17,7 +17,7 @@ from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.orienting import unoriented
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import State
-from raybundle.orientation.missing_data import COMMON, KNOWN, Lack
+from raybundle.orientation.projective.missing_data import COMMON, KNOWN, Lack
 
 AT_ONCE = 50_000
 """Image observations up to which a block is adjusted anew after every mark."""

@@ -1,7 +1,7 @@
 """What measured points, bars and lines there are: the fold of the actions, undone ones left out.
 
 A state is a value: it is never changed, each action makes the next one (`folded`).  The actions themselves are in
-`raybundle.measuring.actions`.
+`raybundle.measuring.actions.verbs`.
 """
 
 from __future__ import annotations

@@ -2,10 +2,10 @@
 
 from raybundle.orientation.approximate import approximate_values, possible_values
 from raybundle.orientation.assembly import ApproximateValues
-from raybundle.orientation.dlt import Dlt, dlt
-from raybundle.orientation.epipolar import FundamentalMatrix, fundamental_matrix
 from raybundle.orientation.intersection import Intersection, intersection
-from raybundle.orientation.projective import SelfCalibration, self_calibration
+from raybundle.orientation.projective.dlt import Dlt, dlt
+from raybundle.orientation.projective.epipolar import FundamentalMatrix, fundamental_matrix
+from raybundle.orientation.projective.model import SelfCalibration, self_calibration
 from raybundle.orientation.relative import RelativeOrientation, relative_orientation
 from raybundle.orientation.resection import Resection, resection
 

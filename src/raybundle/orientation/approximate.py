@@ -9,7 +9,7 @@ from raybundle.block.rigs import has_rigs
 from raybundle.errors import NoOrientation, excluded
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.assembly import ApproximateValues, image_values
-from raybundle.orientation.rigs import rig_values
+from raybundle.orientation.rigs.approximate import rig_values
 
 
 def approximate_values(block: Block, progress: Progress = silent) -> ApproximateValues:

@@ -22,11 +22,11 @@ from raybundle.errors import Text, joined_texts, phrase
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.absolute import onto_control, onto_points, onto_scale
-from raybundle.orientation.camera_constant import with_camera_constants
 from raybundle.orientation.candidates import Pose, resect_all, resect_robust
 from raybundle.orientation.completion import Completed, complete
 from raybundle.orientation.growth import OFTEN, Growth
 from raybundle.orientation.pixel_axes import axes_text
+from raybundle.orientation.projective.camera_constant import with_camera_constants
 from raybundle.orientation.rays import rays_of
 from raybundle.orientation.skeleton import skeleton
 from raybundle.orientation.start import favoured, start_from_control, start_from_pair

@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.blunders.accuracy import Accuracy, Axes, ObjectAxes
 from raybundle.adjustment.blunders.accuracy_class import AccuracyClass, Judged, all_kept, judged
-from raybundle.planning.flight_record import Flight, flight_of
+from raybundle.planning.flights.record import Flight, flight_of
 from raybundle.report.outcome import Outcome
 from raybundle.report.text.accuracy_words import accuracy_outcome, asprs_statements
 from raybundle.results.record import Record

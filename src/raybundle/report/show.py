@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Literal
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.report.network_page import write_network_page
+from raybundle.report.network.page import write_network_page
 from raybundle.report.writing import write_report
 
 LARGEST_INLINE = 8_000_000

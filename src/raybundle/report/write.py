@@ -106,7 +106,7 @@ def write_result(
                 language=language,
             )  # fmt: skip
         if report == "html":
-            from raybundle.report.network_page import write_network_page  # noqa: PLC0415
+            from raybundle.report.network.page import write_network_page  # noqa: PLC0415
 
             write_network_page(adjustment, folder / "network.html", title=delivery.record.title, language=language)
 

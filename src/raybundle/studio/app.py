@@ -24,7 +24,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from raybundle.errors import InputError, RaybundleError
 from raybundle.io.reading.trees import json_of
-from raybundle.measuring.control import control_of_text
+from raybundle.measuring.actions.control import control_of_text
 from raybundle.studio import answers, masking, tables
 from raybundle.studio.calibrated import Calibrations
 from raybundle.studio.deciding import PAGE_POLICY, Deciding

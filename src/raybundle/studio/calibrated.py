@@ -16,7 +16,7 @@ from raybundle.calibration.quality import calibration_quality
 from raybundle.commands.calibrate import quality_table
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import read_json
-from raybundle.planning.next_photographs import advised
+from raybundle.planning.next.calibration import advised
 from raybundle.report.figures.interior import coverage_map
 from raybundle.report.parts import Figure, Figures, Folded, Heading, Part
 from raybundle.report.sections.interior import MOST_DRAWN, interior_section

@@ -15,7 +15,7 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Camera, Instrument
 from raybundle.errors import InputError
-from raybundle.measuring.decisions import Quantity
+from raybundle.measuring.actions.decisions import Quantity
 from raybundle.measuring.selection import CRITERIA, Figures, Selected, figures_of, quantity_of, selected
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import fisher_tail

@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.io.photos.masks import find_masks
 from raybundle.io.photos.photo import read_photo
-from raybundle.measuring.masks import masked_in
+from raybundle.measuring.actions.masks import masked_in
 from raybundle.pipeline.project import masks_given
 from raybundle.studio.desk import Desk, named
 

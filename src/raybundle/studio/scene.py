@@ -12,8 +12,8 @@ from raybundle.block import Block, Role
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.photographs import STRONG
 from raybundle.report.figures.svg import spread_rows
-from raybundle.report.network_page import basis_of, ellipsoids_of, extent_of
-from raybundle.report.network_shape import frusta
+from raybundle.report.network.page import basis_of, ellipsoids_of, extent_of
+from raybundle.report.network.shape import frusta
 from raybundle.studio.desk import Desk
 
 MOST_POINTS = 1_000_000

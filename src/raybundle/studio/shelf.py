@@ -13,7 +13,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.measuring.journal import measured_result
-from raybundle.report.compare import comparison
+from raybundle.report.comparison.page import comparison
 from raybundle.results.folder import ResultFolder, read_result
 from raybundle.results.stored_options import as_mapping, options_of
 from raybundle.settings import as_typed

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.errors import RaybundleError
-from raybundle.measuring.decisions import with_decisions
+from raybundle.measuring.actions.decisions import with_decisions
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.merge import merge
 from raybundle.measuring.session import Session

@@ -24,6 +24,7 @@ from raybundle.report.figures.surface import correlation_of, profile_of
 from raybundle.report.languages import ENGLISH
 from raybundle.report.languages.language import language_of
 from raybundle.report.languages.setting import section_in
+from raybundle.report.network.sigma_classes import Classes, sigma_classes
 from raybundle.report.parts import (
     Fact,
     Facts,
@@ -42,7 +43,6 @@ from raybundle.report.parts import (
 )
 from raybundle.report.sections.front import glance_parts, head_of
 from raybundle.report.sections.result import warnings_table
-from raybundle.report.sigma_classes import Classes, sigma_classes
 from raybundle.report.text.front_words import grade_of, verdict_sentence
 from raybundle.report.text.numbers import grouped, per_cent, significant
 from raybundle.report.text.words import Grade

@@ -21,8 +21,8 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.approximate import approximate_values, possible_values
 from raybundle.orientation.averaging import average_start
-from raybundle.orientation.camera_constant import LEAST_PAIRS, checked_by_pairs
 from raybundle.orientation.cleaning import clean
+from raybundle.orientation.projective.camera_constant import LEAST_PAIRS, checked_by_pairs
 from raybundle.ties.block import FEWEST_POINTS, TieBlock, flat_points, free_at_start
 from raybundle.ties.far_apart import not_too_far
 

@@ -18,8 +18,8 @@ from raybundle.errors import Message, Severity, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
-    from raybundle.planning.flight import FlightPlan, Forecast
-    from raybundle.planning.uav_networks import Flight
+    from raybundle.planning.flights.flight import FlightPlan, Forecast
+    from raybundle.planning.flights.uav_networks import Flight
 
 
 @click.command("flight", cls=Command)
@@ -71,7 +71,7 @@ def _fact(f: Forecast) -> dict[str, Any]:
 
 def _head(plan: Flight) -> tuple[list[Message], list[Message]]:
     """Lines, photographs and overlaps; what else there is of them."""
-    from raybundle.planning.aerial import is_rtk  # noqa: PLC0415
+    from raybundle.planning.flights.aerial import is_rtk  # noqa: PLC0415
 
     along, across = plan.overlap
     return [

@@ -15,7 +15,7 @@ from raybundle.errors import Message, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
-    from raybundle.planning.network_plan import NetworkPlan
+    from raybundle.planning.network.network_plan import NetworkPlan
 
 SEEN = 0.98
 """Share of the object from which on nothing is stated of the rest"""

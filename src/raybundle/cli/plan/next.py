@@ -15,7 +15,7 @@ from raybundle.errors import Message, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
-    from raybundle.planning.next_plan import NextPlan
+    from raybundle.planning.next.plan import NextPlan
 
 SHOWN = 3
 """Proposals that a terminal shows; --verbose and next.csv have all"""
@@ -52,7 +52,7 @@ def summary(plan: NextPlan, settings: NextSettings) -> Summary:
     """What the command reports."""
     import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
 
-    from raybundle.planning.next_words import figure_words, goal_words, instruction  # noqa: PLC0415
+    from raybundle.planning.next.words import figure_words, goal_words, instruction  # noqa: PLC0415
 
     first, last = plan.proposals[0].before, plan.proposals[-1].after
     n = len(plan.proposals)

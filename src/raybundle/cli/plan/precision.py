@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from raybundle.errors import Message, note, phrase, warning
 
 if TYPE_CHECKING:
-    from raybundle.planning.aerial import ControlRow, ControlTable, Precision
-    from raybundle.planning.mission import MissionForecast
-    from raybundle.planning.mission_mends import Mend
+    from raybundle.planning.flights.aerial import ControlRow, ControlTable, Precision
+    from raybundle.planning.flights.mission import MissionForecast
+    from raybundle.planning.flights.mission_mends import Mend
 
 
 ONE = 0.9995
@@ -51,7 +51,7 @@ def _where(row: ControlRow) -> str:
 
 def forecast_lines(f: MissionForecast) -> list[Message]:
     """What a mission will determine without control."""
-    from raybundle.planning.aerial import NO_RTK, is_rtk  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.planning.flights.aerial import NO_RTK, is_rtk  # noqa: PLC0415  (what computes is loaded after the help)
 
     own = f.asked.station_sigma
     lines = [_predicted(own, f.rtk, f.pixel_mm, rtk=is_rtk(own))]
@@ -64,7 +64,7 @@ def forecast_lines(f: MissionForecast) -> list[Message]:
 
 def left_open(f: MissionForecast) -> list[Message]:
     """What is not determinable of a mission flown exactly as planned, and what determines it."""
-    from raybundle.planning.aerial import UNSOLVED  # noqa: PLC0415
+    from raybundle.planning.flights.aerial import UNSOLVED  # noqa: PLC0415
 
     if not f.lost_even:
         return []

@@ -15,8 +15,8 @@ from raybundle.numerics.progress import Progress, silent
 if TYPE_CHECKING:
     from raybundle.block import Block
     from raybundle.commands.planning.check import PlanCheckSettings
-    from raybundle.planning.candidates import Stations
-    from raybundle.planning.taken_stations import Ticked
+    from raybundle.planning.network.candidates import Stations
+    from raybundle.planning.network.taken_stations import Ticked
     from raybundle.report.photograph_list import PhotographList
 
 
@@ -49,8 +49,8 @@ def run_list_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
     """
     from raybundle.commands.planning.objects import block_in  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415
-    from raybundle.planning.of_result import stations_of_result  # noqa: PLC0415
-    from raybundle.planning.taken_stations import ticked  # noqa: PLC0415
+    from raybundle.planning.network.of_result import stations_of_result  # noqa: PLC0415
+    from raybundle.planning.network.taken_stations import ticked  # noqa: PLC0415
 
     if settings.out is not None:
         check_new_folder(settings.out)

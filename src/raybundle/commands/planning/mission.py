@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from raybundle.missions.vehicle import Vehicle
     from raybundle.numerics.arrays import Array
     from raybundle.objects.heights import HeightGrid
-    from raybundle.planning.aerial import Precision
-    from raybundle.planning.mission import MissionForecast
+    from raybundle.planning.flights.aerial import Precision
+    from raybundle.planning.flights.mission import MissionForecast
 
 PatternName = Literal["nadir", "double-grid", "oblique-grid", "corridor", "facade", "orbit"]
 SHARE, ANGLE, SECONDS = Range(low=0, high=0.95), Range(low=0, high=89), Range(low=0, high=3600, above=True)
@@ -188,7 +188,7 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
 
 
 def _forecast(s: MissionSettings, mission: Mission, ground: Ground) -> MissionForecast:
-    from raybundle.planning.mission import Asked, mission_forecast  # noqa: PLC0415
+    from raybundle.planning.flights.mission import Asked, mission_forecast  # noqa: PLC0415
 
     asked = Asked(station_sigma=s.rtk, lever_arm=s.free_lever_arm, image_sigma_px=s.image_sigma)
     return mission_forecast(mission, ground, asked)

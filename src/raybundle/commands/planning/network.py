@@ -14,9 +14,9 @@ if TYPE_CHECKING:
     from raybundle.block import Camera
     from raybundle.numerics.arrays import Array, Mask
     from raybundle.objects.surface import Surface
-    from raybundle.planning.candidates import Stations
-    from raybundle.planning.network_plan import NetworkPlan
-    from raybundle.planning.site import Access, Site
+    from raybundle.planning.network.candidates import Stations
+    from raybundle.planning.network.network_plan import NetworkPlan
+    from raybundle.planning.network.site import Access, Site
 
 REACH = 3.0
 """Without other words one may go so many extents of the object away"""
@@ -131,8 +131,8 @@ def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> 
     """Plan what the settings ask for, and write it."""
     from raybundle.commands.planning.network_files import write_network_plan  # noqa: PLC0415  (loaded after the help)
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415
-    from raybundle.planning import network_plan  # noqa: PLC0415
-    from raybundle.planning.datum_of_plan import Wanted  # noqa: PLC0415
+    from raybundle.planning.network import network_plan  # noqa: PLC0415
+    from raybundle.planning.network.datum_of_plan import Wanted  # noqa: PLC0415
 
     if settings.sigma is None and settings.photographs is None and settings.stations is None:
         raise InputError("plan.no_goal")
@@ -168,8 +168,8 @@ def site_of(settings: NetworkSettings, *, taken: bool = False) -> Site:
     from raybundle.commands.planning.objects import surface_of  # noqa: PLC0415
     from raybundle.objects.surface import spread  # noqa: PLC0415
     from raybundle.planning.measured import measured_kinds  # noqa: PLC0415
-    from raybundle.planning.optics import Optics  # noqa: PLC0415
-    from raybundle.planning.site import Site  # noqa: PLC0415
+    from raybundle.planning.network.optics import Optics  # noqa: PLC0415
+    from raybundle.planning.network.site import Site  # noqa: PLC0415
 
     surface, side = surface_of(settings.object, settings.unit, settings.crs)
     camera = camera_of(settings)
@@ -195,8 +195,8 @@ def stations_of(path: Path) -> Stations:
 
     from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
     from raybundle.io.tables import Column, read_table  # noqa: PLC0415
-    from raybundle.planning.candidates import Stations  # noqa: PLC0415
-    from raybundle.planning.of_result import stations_of_result  # noqa: PLC0415
+    from raybundle.planning.network.candidates import Stations  # noqa: PLC0415
+    from raybundle.planning.network.of_result import stations_of_result  # noqa: PLC0415
 
     if path.is_dir():
         return stations_of_result(block_in(path))
@@ -268,7 +268,7 @@ def _access(
     """Where one may stand: a box about the object, without what is forbidden."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.planning.site import Access  # noqa: PLC0415
+    from raybundle.planning.network.site import Access  # noqa: PLC0415
 
     low, high = (b.astype(float) for b in surface.wanted_bounds)
     extent, tall = surface.extent, float(high[2] - low[2])

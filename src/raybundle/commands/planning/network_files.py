@@ -12,8 +12,8 @@ from raybundle.errors import Text, note, phrase, warning
 if TYPE_CHECKING:
     from raybundle.errors import Message
     from raybundle.numerics.arrays import Array
-    from raybundle.planning.datum_of_plan import Held
-    from raybundle.planning.network_plan import NetworkPlan
+    from raybundle.planning.network.datum_of_plan import Held
+    from raybundle.planning.network.network_plan import NetworkPlan
 
 VISIBLE = "visible.csv"
 """Where points are not always found: what each photograph shows, and the probability that it is found"""
@@ -39,8 +39,8 @@ def write_network_plan(
     from raybundle.io.digits import reported as in_digits  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
-    from raybundle.planning.planned_block import planned_block  # noqa: PLC0415
-    from raybundle.report.network_page import Planned, write_network_page  # noqa: PLC0415
+    from raybundle.planning.network.planned_block import planned_block  # noqa: PLC0415
+    from raybundle.report.network.page import Planned, write_network_page  # noqa: PLC0415
     from raybundle.results.contents import clean  # noqa: PLC0415
     from raybundle.words import reader  # noqa: PLC0415
 

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.io.digits import Digits
     from raybundle.numerics.arrays import Array
-    from raybundle.planning.goals import For
-    from raybundle.planning.next_plan import Conditions, NextPlan
+    from raybundle.planning.next.goals import For
+    from raybundle.planning.next.plan import Conditions, NextPlan
 
 LENGTH = Range(low=0, high=1e9, above=True)
 """A length in the unit of the block"""
@@ -103,7 +103,7 @@ def run_plan_next(settings: NextSettings, progress: Progress = silent) -> NextPl
 
 def _run(s: NextSettings, given: Adjustment | None, *, write: bool, progress: Progress) -> NextPlan:
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.planning import next_plan  # noqa: PLC0415
+    from raybundle.planning.next import plan as next_plan  # noqa: PLC0415
 
     if write:
         check_new_folder(s.out)
@@ -142,9 +142,9 @@ def conditions_of(s: NextSettings, result: Adjustment) -> Conditions:
     import numpy as np  # noqa: PLC0415
 
     from raybundle.commands.planning.objects import surface_of  # noqa: PLC0415
-    from raybundle.planning.next_plan import Conditions, camera_of  # noqa: PLC0415
-    from raybundle.planning.optics import Optics  # noqa: PLC0415
-    from raybundle.planning.stations import Reach  # noqa: PLC0415
+    from raybundle.planning.network.optics import Optics  # noqa: PLC0415
+    from raybundle.planning.next.plan import Conditions, camera_of  # noqa: PLC0415
+    from raybundle.planning.next.stations import Reach  # noqa: PLC0415
 
     if s.heights is not None and s.heights[1] < s.heights[0]:
         low, high = s.heights
@@ -185,8 +185,8 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
     from raybundle.io.digits import reported as in_digits  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
-    from raybundle.planning.next_words import instruction  # noqa: PLC0415
-    from raybundle.report.network_page import Planned, write_network_page  # noqa: PLC0415
+    from raybundle.planning.next.words import instruction  # noqa: PLC0415
+    from raybundle.report.network.page import Planned, write_network_page  # noqa: PLC0415
     from raybundle.results.contents import clean  # noqa: PLC0415
     from raybundle.words import reader  # noqa: PLC0415
 
@@ -223,7 +223,7 @@ def next_table(plan: NextPlan) -> dict[str, Any]:
     """The proposals as columns."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.planning.next_words import instruction, nearest_photograph, shown_points  # noqa: PLC0415
+    from raybundle.planning.next.words import instruction, nearest_photograph, shown_points  # noqa: PLC0415
 
     chosen, block = plan.proposals, plan.block
     centre = np.array([c.photograph.centre[0] for c in chosen])
@@ -277,7 +277,7 @@ def next_figures(plan: NextPlan) -> dict[str, Any]:
     """The figures of the proposals, as next.json has them."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.planning.next_words import instruction, parameter_ratios, shown_points  # noqa: PLC0415
+    from raybundle.planning.next.words import instruction, parameter_ratios, shown_points  # noqa: PLC0415
 
     def figure(value: float) -> float | None:
         return value if np.isfinite(value) else None

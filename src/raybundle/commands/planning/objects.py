@@ -46,7 +46,7 @@ def surface_of(text: str, unit: float = 1.0, crs: str = "") -> tuple[Surface, st
 
         return surface_of_heights(read_all_heights(path, crs), path.stem), "above"
     if path.is_dir():
-        from raybundle.planning.of_result import surface_of_result  # noqa: PLC0415
+        from raybundle.planning.network.of_result import surface_of_result  # noqa: PLC0415
 
         return surface_of_result(block_in(path)), "round"
     raise InputError(

@@ -20,9 +20,9 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import METRES, Range, keywords, made, setting
 
 if TYPE_CHECKING:
-    from raybundle.planning.assistants import Shots, Task
-    from raybundle.planning.network_plan import NetworkPlan
-    from raybundle.planning.site import Site
+    from raybundle.planning.network.assistants import Shots, Task
+    from raybundle.planning.network.network_plan import NetworkPlan
+    from raybundle.planning.network.site import Site
     from raybundle.report.photograph_list import ListedPhotograph, PhotographList
 
 ListKind = Literal["cipa", "calibration", "turntable", "targets"]
@@ -95,9 +95,9 @@ def run_plan_list(settings: ListSettings, progress: Progress = silent) -> Networ
     """List what the settings ask for, and write it."""
     from raybundle.commands.planning.network_files import write_network_plan  # noqa: PLC0415  (loaded after the help)
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415
-    from raybundle.planning.assistants import assistants  # noqa: PLC0415
-    from raybundle.planning.datum_of_plan import Wanted  # noqa: PLC0415
-    from raybundle.planning.network_plan import plan_network  # noqa: PLC0415
+    from raybundle.planning.network.assistants import assistants  # noqa: PLC0415
+    from raybundle.planning.network.datum_of_plan import Wanted  # noqa: PLC0415
+    from raybundle.planning.network.network_plan import plan_network  # noqa: PLC0415
 
     if settings.kind not in assistants:
         raise InputError("plan.unknown_list", kind=settings.kind, known=sorted(assistants))
@@ -117,7 +117,7 @@ def run_plan_list(settings: ListSettings, progress: Progress = silent) -> Networ
 
 def task_of(settings: ListSettings) -> Task:
     """What the assistant is given."""
-    from raybundle.planning.assistants import Task  # noqa: PLC0415
+    from raybundle.planning.network.assistants import Task  # noqa: PLC0415
 
     s = settings
     usual: dict[str, MeasuredName] = {"cipa": "natural", "calibration": "dots"}
@@ -141,8 +141,8 @@ def _focused(site: Site, f_number: float) -> tuple[float, float]:
     """Depth of field of the lens, focused to where the object fills the shorter side of the format."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.planning.assistants.base import FULL  # noqa: PLC0415
-    from raybundle.planning.optics import Optics  # noqa: PLC0415
+    from raybundle.planning.network.assistants.base import FULL  # noqa: PLC0415
+    from raybundle.planning.network.optics import Optics  # noqa: PLC0415
 
     low, high = site.surface.wanted_bounds
     c = site.camera.sensor.camera_constant(site.camera.parameters)
@@ -206,7 +206,7 @@ def photographs_of(shots: Shots, plan: NetworkPlan) -> tuple[ListedPhotograph, .
     """The lines of the list."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.planning.assistants.base import held_words  # noqa: PLC0415
+    from raybundle.planning.network.assistants.base import held_words  # noqa: PLC0415
     from raybundle.report.photograph_list import ListedPhotograph  # noqa: PLC0415
 
     s, low = shots.stations, plan.site.surface.wanted_bounds[0]
@@ -263,7 +263,7 @@ def facts_of(settings: ListSettings, plan: NetworkPlan) -> list[str]:
 def _worth_words(plan: NetworkPlan, sigma_px: float) -> str:
     """What the calibration that comes with the photographs is good for."""
     from raybundle.calibration.quality import GOOD_PX, REACH, SURE, USABLE_PX  # noqa: PLC0415
-    from raybundle.planning.calibration_quality import calibration_worth  # noqa: PLC0415
+    from raybundle.planning.network.calibration_quality import calibration_worth  # noqa: PLC0415
 
     w = calibration_worth(plan.site, plan.design.stations, plan.promise.interior)
     limit = {"good": 0.0, "usable": GOOD_PX}.get(w.grade, USABLE_PX)

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from raybundle.planning.calibration_networks import ROLLS
+from raybundle.planning.network.calibration_networks import ROLLS
 from raybundle.planning.rules.networks import Cone, Network, Targets, on_site, pixels
 from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984, GRANSHAW_1980, YORK_1982

@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.block import Block
 from raybundle.numerics.arrays import Array
-from raybundle.planning.calibration_networks import calibration_camera
+from raybundle.planning.network.calibration_networks import calibration_camera
 from raybundle.planning.predicted import predicted
 from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera, on_site, pair, survey
 from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words

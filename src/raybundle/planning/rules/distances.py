@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from raybundle.planning.calibration_networks import ROLLS, FlatField, calibration_camera, flat_field_scene
+from raybundle.planning.network.calibration_networks import ROLLS, FlatField, calibration_camera, flat_field_scene
 from raybundle.planning.predicted import Predicted, predicted
 from raybundle.planning.rules.networks import Targets, on_site, pixels, survey
 from raybundle.planning.rules.rule import Cell, Chart, Curve, Evidence, Figures, Limits, Rule, Words
@@ -47,7 +47,7 @@ class Distances(Rule):
         costs="No photograph more: the same eight, three of them nearer and three farther. At a tilt of 20° the way is "
         "{way:.1f} m in place of {way_one:.1f} m. Known distances cost an instrument.",
     )
-    example = """from raybundle.planning.calibration_networks import FlatField, flat_field_scene
+    example = """from raybundle.planning.network.calibration_networks import FlatField, flat_field_scene
 from raybundle.planning.predicted import predicted
 from raybundle.planning.rules.networks import pixels, survey
 from raybundle.planning.simulate import simulate

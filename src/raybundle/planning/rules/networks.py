@@ -8,8 +8,8 @@ import numpy as np
 
 from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array
-from raybundle.planning.calibration_networks import calibration_camera
-from raybundle.planning.network_plan import Cost, walk
+from raybundle.planning.network.calibration_networks import calibration_camera
+from raybundle.planning.network.network_plan import Cost, walk
 from raybundle.planning.predicted import Predicted, predicted
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import Scene, look_at

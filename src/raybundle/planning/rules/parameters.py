@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from raybundle.block import Camera
-from raybundle.planning.calibration_networks import calibration_camera
+from raybundle.planning.network.calibration_networks import calibration_camera
 from raybundle.planning.predicted import Predicted
 from raybundle.planning.rules.networks import Cone, Network, Targets, on_site
 from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
@@ -60,7 +60,7 @@ class Parameters(Rule):
         "{four_minutes:.1f}.",
     )
     example = """from dataclasses import replace
-from raybundle.planning.calibration_networks import calibration_camera
+from raybundle.planning.network.calibration_networks import calibration_camera
 from raybundle.planning.rules.networks import Cone, Network, Targets
 
 camera = replace(calibration_camera(), estimate=("c", "x0", "y0"))

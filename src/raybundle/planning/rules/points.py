@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from raybundle.numerics.arrays import Array
-from raybundle.planning.calibration_networks import calibration_camera
+from raybundle.planning.network.calibration_networks import calibration_camera
 from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera
 from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984, GRANSHAW_1980

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from raybundle.planning.calibration_networks import ROLLS, FlatField, calibration_camera, flat_field_scene
+from raybundle.planning.network.calibration_networks import ROLLS, FlatField, calibration_camera, flat_field_scene
 from raybundle.planning.predicted import Predicted, predicted
 from raybundle.planning.rules.networks import Targets, on_site, pixels, survey
 from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
@@ -44,7 +44,7 @@ class Rolls(Rule):
         "each, "
         "rolled, is {more:.0f} photographs and {minutes:.0f} minutes more.",
     )
-    example = """from raybundle.planning.calibration_networks import FlatField, flat_field_scene
+    example = """from raybundle.planning.network.calibration_networks import FlatField, flat_field_scene
 from raybundle.planning.predicted import predicted
 from raybundle.planning.rules.networks import pixels, survey
 from raybundle.planning.simulate import simulate

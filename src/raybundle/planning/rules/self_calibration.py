@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from raybundle.planning.calibration_networks import FlatField, calibration_camera, flat_field_scene
+from raybundle.planning.network.calibration_networks import FlatField, calibration_camera, flat_field_scene
 from raybundle.planning.predicted import Predicted
 from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera, on_site, pixels
 from raybundle.planning.rules.rule import Cell, Chart, Curve, Evidence, Figures, Limits, Rule, Words

@@ -34,7 +34,7 @@ from raybundle.report.figures.svg import (
     ticks,
     written,
 )
-from raybundle.report.network_shape import ellipse_rows, ellipses, frusta, frustum_size, network_shape
+from raybundle.report.network.shape import ellipse_rows, ellipses, frusta, frustum_size, network_shape
 from raybundle.report.text.numbers import significant
 from raybundle.report.view import View
 

@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.report.figures.svg import CHARACTER, Drawing, drawing, label, round_below, spread_rows
-from raybundle.report.sigma_classes import Classes, sigma_classes
+from raybundle.report.network.sigma_classes import Classes, sigma_classes
 from raybundle.report.text.numbers import plain
 from raybundle.report.view import View
 

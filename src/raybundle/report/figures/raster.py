@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures.svg import CHARACTER, Drawing, Plot, axes, drawing, label, tick_labels, ticks
-from raybundle.report.sigma_classes import Classes
+from raybundle.report.network.sigma_classes import Classes
 
 NOTHING = (198, 202, 207)
 """Colour of cells without a number"""

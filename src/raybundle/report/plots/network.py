@@ -17,7 +17,7 @@ from raybundle.block import Role
 from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.svg import Interval, round_below
-from raybundle.report.network_shape import (
+from raybundle.report.network.shape import (
     NetworkShape,
     ellipse_rows,
     ellipses,

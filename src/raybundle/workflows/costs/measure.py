@@ -25,8 +25,8 @@ from raybundle.matching.signatures import COARSE, DESCRIBED, shipped_codebook, s
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.store import Folder
-from raybundle.planning.made_ground import gravel_pit
-from raybundle.planning.rendering import View
+from raybundle.planning.rendered.ground import gravel_pit
+from raybundle.planning.rendered.rendering import View
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene, brown_camera, look_at
 from raybundle.workflows.costs.adjustment import KEPT, KINDS, operations

@@ -11,8 +11,8 @@ from raybundle.block import Camera
 from raybundle.commands.demonstrations.files import Taken, write_photograph
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
-from raybundle.planning.made_board import PrintedBoard
-from raybundle.planning.rendering import View
+from raybundle.planning.rendered.board import PrintedBoard
+from raybundle.planning.rendered.rendering import View
 from raybundle.planning.synthetic_networks import look_at
 from raybundle.sensors import sensor_models
 

@@ -11,8 +11,8 @@ from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.planning.made_ground import gravel_pit
-from raybundle.planning.rendering import View
+from raybundle.planning.rendered.ground import gravel_pit
+from raybundle.planning.rendered.rendering import View
 from raybundle.planning.synthetic_networks import look_at
 
 ABOUT = "photographs of a flight over a gravel pit, with control and check points in UTM"

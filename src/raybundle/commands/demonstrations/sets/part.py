@@ -10,8 +10,8 @@ import numpy as np
 from raybundle.commands.demonstrations.files import Taken, made_camera, write_photograph, write_rows
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
-from raybundle.planning.rendering import View
-from raybundle.planning.simulated_part import Face, block, card, photograph, plain, target
+from raybundle.planning.rendered.part import Face, block, card, photograph, plain, target
+from raybundle.planning.rendered.rendering import View
 from raybundle.planning.synthetic_networks import look_at
 from raybundle.targets.codes import sectors
 from raybundle.targets.families import family_named

@@ -17,7 +17,7 @@ from raybundle.io.pictures.resampling import between
 from raybundle.io.raster_library import raster_library
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
-from raybundle.planning.rendering import looked_up, noise_of_size
+from raybundle.planning.rendered.rendering import looked_up, noise_of_size
 from raybundle.scenes.rpc import Rpc
 from raybundle.scenes.rpc_fit import fit_rpc
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene

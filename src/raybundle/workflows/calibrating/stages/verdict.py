@@ -9,7 +9,7 @@ from raybundle.block import Block
 from raybundle.calibration.quality import CalibrationQuality, calibration_qualities
 from raybundle.errors import NotSolvable
 from raybundle.pipeline.stage import Means, Stage
-from raybundle.planning.next_photographs import advised
+from raybundle.planning.next.calibration import advised
 from raybundle.workflows.calibrating.defects import flat_only
 from raybundle.workflows.calibrating.state import CALIBRATE, CalibrateState
 

@@ -1,0 +1,1 @@
+"""The verbs of measuring, each with its checks."""

@@ -1,0 +1,1 @@
+"""Projective geometry: DLT, fundamental matrices, cameras of which nothing is known."""

@@ -1,0 +1,1 @@
+"""Flights: aerial networks, missions, and what helps where they are weak."""

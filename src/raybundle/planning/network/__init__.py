@@ -1,0 +1,1 @@
+"""Networks of stations about an object: site, candidates, aims, and the plan."""

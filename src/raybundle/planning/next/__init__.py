@@ -1,0 +1,1 @@
+"""The next photographs of a block in hand."""

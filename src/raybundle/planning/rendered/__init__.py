@@ -1,0 +1,1 @@
+"""Pictures rendered of made objects: boards, ground, parts."""
