@@ -76,6 +76,7 @@ class Set:
         rays, towards = mean_rays(result)
         known = towards & np.isfinite(p.misfit) & np.isfinite(p.relief) & np.isfinite(C).all(axis=(1, 2))
         known &= np.asarray(p.role) == Role.TIE
+        self.ids = np.asarray(p.ids)[known]
         self.seen = witnesses(result, known, rays[known])
         self.bent = 0.0 if p.sigma_curvature is None else np.nan_to_num(p.sigma_curvature[known]) ** 2
         self.surface = read_surface(folder)

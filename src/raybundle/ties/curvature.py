@@ -7,7 +7,7 @@ the window and its grey values (`WindowMatches.residual`).  Two sources give k: 
 matches of a point, and a quadratic surface through its neighbours.  The latter is precise, and wrong beside a crease.
 It counts as far as neighbours fit it; where the residuals contradict it beyond chance, they replace it.
 
-The constants are fitted to rendered sets (decision 43).
+Constants by the errors of tie points of rendered sets: `benchmarks/tie_curvature.py`.
 """
 
 from __future__ import annotations
