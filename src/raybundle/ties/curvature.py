@@ -32,6 +32,8 @@ BEYOND = 2.8
 """Standard deviations by which chance lets residuals contradict neighbours"""
 OF_RESIDUALS, OF_CORRECTION = 1.4, 0.2
 """Variance that remains, over that of the residuals' part and over the square of the correction"""
+LEAST = 0.1
+"""What remains counts as far as its variance exceeds this share of that of the point's depth."""
 PART = 20_000
 """Points at a time"""
 
@@ -68,8 +70,8 @@ def without_curvature(block: Block, residual: Array, reference: Mask, matched: M
     curvature += part * (by_residuals - curvature)
     reach = np.abs(sums(weight * r[:, 13])[known]) / weights
     sigma, of_point = np.full(len(points), np.nan), np.zeros(len(points))
-    sigma[known] = reach * np.sqrt(OF_RESIDUALS * part * variance + OF_CORRECTION * curvature**2)
-    sigma[sigma == 0] = np.nan
+    left = reach**2 * (OF_RESIDUALS * part * variance + OF_CORRECTION * curvature**2) - LEAST / information
+    sigma[known] = np.sqrt(np.where(left > 0, left, np.nan))
     of_point[known] = curvature
     xy_px = o.xy_px.copy()
     xy_px[rows] -= p * (of_point[point] * r[:, 13])[:, None]
