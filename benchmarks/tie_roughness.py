@@ -76,7 +76,9 @@ class Set:
         rays, towards = mean_rays(result)
         known = towards & np.isfinite(p.misfit) & np.isfinite(p.relief) & np.isfinite(C).all(axis=(1, 2))
         known &= np.asarray(p.role) == Role.TIE
+        self.ids = np.asarray(p.ids)[known]
         self.seen = witnesses(result, known, rays[known])
+        self.bent = 0.0 if p.sigma_curvature is None else np.nan_to_num(p.sigma_curvature[known]) ** 2
         self.surface = read_surface(folder)
         self.xyz, self.rays, self.C = p.xyz[known], rays[known], C[known]
         half = HALF_PX * self.surface.gsd
@@ -92,13 +94,15 @@ class Set:
     def unlikely(self, b):
         """Of constants: negative logarithm of the likelihood."""
         m = self.there
-        added = self.seen.variance(np.exp(b[0]), b[1:6], np.exp(b[6]), of_place=0.0)
+        added = self.bent + self.seen.variance(np.exp(b[0]), b[1:6], np.exp(b[6]), of_place=0.0)
         v = (self.seen.along + added)[m]
         return self.weight[m] @ (np.log(v) / 2 + (FREEDOM + 1) / 2 * np.log1p(self.error[m] ** 2 / v / FREEDOM))
 
     def ratios(self, b=None):
         """(k,) errors in standard deviations; NaN beyond the core."""
-        added = np.zeros(len(self.xyz)) if b is None else self.seen.variance(np.exp(b[0]), b[1:6], np.exp(b[6]))
+        added = np.zeros(len(self.xyz))
+        if b is not None:
+            added += self.bent + self.seen.variance(np.exp(b[0]), b[1:6], np.exp(b[6]))
         C = self.C + added[:, None, None] * self.rays[:, :, None] * self.rays[:, None, :]
         ways, sigma = nearest_ways(self.normals, C)
         found = np.full(len(self.xyz), np.nan)

@@ -356,9 +356,10 @@ struct Window {
   double total;
 };
 
-// What the residuals e of a match show of displacements of its parts: grey^2, displacements in the target.
-static void judge(const Window& o, int side, const double* e, double square, double contrast, double mean, const double* B,
-                  double* found) {
+// What the residuals e of a match show of displacements of its parts and of curvature: grey^2, displacements in the
+// target. L: factor of the normal matrix.
+static void judge(const Window& o, int side, const double* e, const double L[kUnknowns][kUnknowns], double square,
+                  double contrast, double mean, const double* B, double* found) {
   double b[kParts * kParts][2] = {}, t[3] = {};
   for (int i = 0; i < o.count; ++i) {
     double* of = b[i / side * kParts / side * kParts + i % side * kParts / side];
@@ -375,19 +376,44 @@ static void judge(const Window& o, int side, const double* e, double square, dou
     m[1] += of[0] * of[1];
     m[2] += of[1] * of[1];
   }
+  // displacements as (u^2 + v^2) / 2 along x and y: less what the unknowns take of them
+  double a[2] = {}, s[2][2] = {}, h[2][kUnknowns] = {}, c[2][kUnknowns];
+  for (int i = 0; i < o.count; ++i) {
+    const double q = 0.5 * (o.u[i] * o.u[i] + o.v[i] * o.v[i]), x = q * o.J[i], y = q * o.J[o.filled + i], w = o.w[i];
+    a[0] -= w * x * e[i];
+    a[1] -= w * y * e[i];
+    s[0][0] += w * x * x;
+    s[0][1] += w * x * y;
+    s[1][1] += w * y * y;
+    for (int k = 0; k < kUnknowns; ++k) {
+      h[0][k] += x * o.WJ[k * o.filled + i];
+      h[1][k] += y * o.WJ[k * o.filled + i];
+    }
+  }
+  std::memcpy(c, h, sizeof c);
+  for (int i = 0; i < 2; ++i) {
+    solve(L, c[i]);
+    for (int k = 0; k < kUnknowns; ++k) a[i] += c[i][k] * dot(o.WJ.data() + k * o.filled, e, o.filled);
+    for (int j = i; j < 2; ++j)
+      for (int k = 0; k < kUnknowns; ++k) s[i][j] -= c[i][k] * h[j][k];
+  }
+  const double bend[3] = {s[0][0], s[0][1], s[1][1]};
   const double det = B[0] * B[3] - B[1] * B[2];
   const double C[4] = {B[3] / det, -B[1] / det, -B[2] / det, B[0] / det};  // reference from target
   const double grey = contrast * contrast;
   found[0] = square / o.total * o.count / (o.count - kUnknowns) * grey;
   found[1] = mean;
-  const double* of[2] = {m, t};
-  for (int k = 0; k < 2; ++k) {
-    const double* s = of[k];
-    const double unit = k ? 1 : grey;
-    found[2 + 3 * k] = unit * (C[0] * (C[0] * s[0] + C[2] * s[1]) + C[2] * (C[0] * s[1] + C[2] * s[2]));
-    found[3 + 3 * k] = unit * (C[0] * (C[1] * s[0] + C[3] * s[1]) + C[2] * (C[1] * s[1] + C[3] * s[2]));
-    found[4 + 3 * k] = unit * (C[1] * (C[1] * s[0] + C[3] * s[1]) + C[3] * (C[1] * s[1] + C[3] * s[2]));
-  }
+  const auto in_target = [&](const double* s, double unit, double* to) {
+    to[0] = unit * (C[0] * (C[0] * s[0] + C[2] * s[1]) + C[2] * (C[0] * s[1] + C[2] * s[2]));
+    to[1] = unit * (C[0] * (C[1] * s[0] + C[3] * s[1]) + C[2] * (C[1] * s[1] + C[3] * s[2]));
+    to[2] = unit * (C[1] * (C[1] * s[0] + C[3] * s[1]) + C[3] * (C[1] * s[1] + C[3] * s[2]));
+  };
+  in_target(m, grey, found + 2);
+  in_target(t, 1, found + 5);
+  found[8] = grey * (C[0] * a[0] + C[2] * a[1]);
+  found[9] = grey * (C[1] * a[0] + C[3] * a[1]);
+  in_target(bend, grey, found + 10);
+  found[13] = 0.5 * (c[0][0] + c[1][1]);
 }
 
 static void match(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
@@ -538,7 +564,7 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
         covariance[3 * n] = variance * (B[0] * (B[0] * q00 + B[1] * q01) + B[1] * (B[0] * q01 + B[1] * q11));
         covariance[3 * n + 1] = variance * (B[2] * (B[2] * q00 + B[3] * q01) + B[3] * (B[2] * q01 + B[3] * q11));
         covariance[3 * n + 2] = variance * (B[2] * (B[0] * q00 + B[1] * q01) + B[3] * (B[0] * q01 + B[1] * q11));
-        judge(o, side, G, square, contrast, grey_level, B, residual + kResidual * n);
+        judge(o, side, G, L, square, contrast, grey_level, B, residual + kResidual * n);
         break;
       }
     }

@@ -23,7 +23,7 @@ struct Patch {
 // What became of a point: see least_squares.py.
 enum Outcome : int32_t { matched = 0, outside = 1, flat = 2, moved = 3, unsteady = 4 };
 
-constexpr int kResidual = 8;  // figures of the residuals of a match: see least_squares.py
+constexpr int kResidual = 14;  // figures of the residuals of a match: see least_squares.py
 constexpr int kParts = 3;     // of a window along a side, each of which may be displaced by itself
 
 struct ImagingKernels {

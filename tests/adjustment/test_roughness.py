@@ -77,6 +77,8 @@ def test_the_variance_by_hand(plain):
     rng = np.random.default_rng(5)
     misfit, relief, window = rng.uniform(1.5, 9, n), rng.uniform(1.2, 3, n), rng.choice([0.0005, 0.0008], n)
     points = replace(BLOCK.points, window=window, misfit=misfit, relief=relief)
+    bent = np.where(np.arange(n) % 3, rng.uniform(0, 0.001, n), np.nan)
+    points = replace(points, sigma_curvature=bent)
     rough = adjust_block(replace(BLOCK, points=points), AdjustmentOptions())
     near, d = places_of(plain), mean_rays_of(plain)
     square, r = squares_of(plain)
@@ -94,12 +96,12 @@ def test_the_variance_by_hand(plain):
     own = np.array(own)
     assert (own < 3.9 * window**2).any()
     assert (own > 3.9 * window**2).any()
-    own = 1 / (1 / own + 1 / (2.1 * scatter_of(plain)))
+    own = 1 / (1 / own + 1 / (1.5 * scatter_of(plain)))
     least = np.array([np.median(own[place[:9]]) / 4 for place in near])
     assert (least > own).any()
     ratio = np.array([square[place[:9]].sum() / r[place[:9]].sum() for place in near])
     chance = np.array([1 + 2 * np.sqrt(2 / r[place[:9]].sum()) for place in near])
-    variance = np.maximum(own, least) + np.where(ratio > chance, ratio - 1, 0) * s2
+    variance = np.maximum(own, least) + np.where(ratio > chance, ratio - 1, 0) * s2 + np.nan_to_num(bent) ** 2
     np.testing.assert_allclose(rough.precision.roughness, np.sqrt(variance)[:, None] * d, rtol=1e-6, atol=1e-12)
     np.testing.assert_allclose(
         rough.precision.object_points,
@@ -191,10 +193,15 @@ def test_questions_hold_it(rough):
 
 def test_a_block_folder_keeps_the_figures_and_may_lack_them(tmp_path):
     block = with_windows(3.5, 1.25)
-    points = replace(block.points, misfit=np.where(np.arange(len(block.points)) == 2, np.nan, block.points.misfit))
+    number = np.arange(len(block.points))
+    misfit, bent = (
+        np.where(number == 2, np.nan, block.points.misfit),
+        np.where(number == 4, np.nan, 0.001 * (number + 1)),
+    )
+    points = replace(block.points, misfit=misfit, sigma_curvature=bent)
     write_block(replace(block, points=points), tmp_path / "rough")
     back = read_block(tmp_path / "rough").points
-    for name in ("window", "misfit", "relief"):
+    for name in ("window", "misfit", "relief", "sigma_curvature"):
         np.testing.assert_array_equal(getattr(back, name), getattr(points, name))
     write_block(BLOCK, tmp_path / "plain")
     assert read_block(tmp_path / "plain").points.misfit is None

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
-from raybundle.matching.least_squares import WindowOptions, match_windows
+from raybundle.matching.least_squares import FIGURES, WindowOptions, match_windows
 from raybundle.ties.precise import windows
 from raybundle.ties.relief import misfit_and_relief, parallax
 from tests.matching.scenes import Texture, quantised
@@ -56,7 +56,7 @@ def figures_of(displaced):
     n = len(xy)
     found = match_windows(first, second, xy, xy, np.tile(np.eye(2), (n, 1, 1)), OPTIONS)
     good = (found.outcome == 0) & (found.correlation > 0.75)
-    residual = np.concatenate([np.zeros((n, 8)), np.where(good[:, None], found.residual, 0)])
+    residual = np.concatenate([np.zeros((n, FIGURES)), np.where(good[:, None], found.residual, 0)])
     window_px = np.concatenate([np.full(n, np.nan), np.where(good, OPTIONS.sigma, np.nan)])
     reference = np.arange(2 * n) < n
     return xy, misfit_and_relief(block_of(xy), residual, window_px, reference)
@@ -87,14 +87,15 @@ def test_windows_and_parallax_on_the_object():
     np.testing.assert_allclose(width[:2], np.array([3.0, 4.8]) * angle[:2] * distance[:2], rtol=0.05)
     assert np.isnan(width[2])
     along = parallax(block, np.array([3, 4, 5]), reference)
-    np.testing.assert_allclose(np.abs(along), np.tile([1.0, 0.0], (3, 1)), atol=1e-9)
+    by_depth = 0.01 * C_PX * 10 / distance  # c b / Z^2 of a unit of depth; along the ray it is less
+    np.testing.assert_allclose(along, np.stack([by_depth, np.zeros(3)], axis=1), rtol=2e-3, atol=1e-9)
     turned = replace(block.images, rotation=np.stack([np.eye(3), [[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]]]))
     along = parallax(replace(block, images=turned), np.array([3, 4, 5]), reference)
-    np.testing.assert_allclose(np.abs(along), np.tile([0.0, 1.0], (3, 1)), atol=1e-9)
+    np.testing.assert_allclose(np.abs(along), np.stack([np.zeros(3), by_depth], axis=1), rtol=2e-3, atol=1e-9)
 
 
 def test_without_a_match_there_is_no_figure():
     block = block_of(np.array([[150.0, 180.0], [220.0, 240.0]]))
-    misfit, relief = misfit_and_relief(block, np.zeros((4, 8)), np.full(4, np.nan), np.arange(4) < 2)
+    misfit, relief = misfit_and_relief(block, np.zeros((4, FIGURES)), np.full(4, np.nan), np.arange(4) < 2)
     assert np.isnan(misfit).all()
     assert np.isnan(relief).all()

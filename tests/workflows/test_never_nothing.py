@@ -11,6 +11,7 @@ from raybundle.adjustment.records.severity import Severity
 from raybundle.block import Role
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NotSolvable, Undetermined
+from raybundle.matching.least_squares import FIGURES
 from raybundle.matching.refine import LEVELS, CandidateMatches, Refined, choose_references
 from raybundle.numerics.progress import silent
 from raybundle.placing.georeference import Georeferenced
@@ -66,7 +67,7 @@ def matching(monkeypatch, block, truth, failing, share=0.0):
             correlation=np.ones(m),
             level=np.zeros(m, int),
             window_px=np.full(m, 3.0),
-            residual=np.zeros((m, 8)),
+            residual=np.zeros((m, FIGURES)),
         )
 
     def nothing(points, places):
@@ -78,7 +79,7 @@ def matching(monkeypatch, block, truth, failing, share=0.0):
             correlation=np.zeros(k),
             level=np.full(k, LEVELS),
             window_px=np.full(k, np.nan),
-            residual=np.zeros((k, 8)),
+            residual=np.zeros((k, FIGURES)),
         )
 
     monkeypatch.setattr(precise, "refine_tracks", refined)

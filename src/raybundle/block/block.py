@@ -240,6 +240,8 @@ class Points(Records):
     """(p,) variance of the residuals of these windows over that of their noise."""
     relief: Array | None = column("number", follows="stays", empty=True, optional=True)
     """(p,) power of displacements of the windows' parts along the parallax over that across."""
+    sigma_curvature: Array | None = column("number", follows="length", empty=True, optional=True)
+    """(p,) standard deviation, along the rays, of the correction for curvature of the surface within these windows."""
 
     def stuck(self, by: SimilarityTransform) -> Sequence[Stuck]:
         """As of all tables; of coordinates, those that are given to be checked."""

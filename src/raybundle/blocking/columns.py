@@ -89,7 +89,7 @@ OBSERVATIONS: Mapping[str, tuple[str, tuple[int, ...]]] = {
 }  # fmt: skip
 POINTS: Mapping[str, tuple[str, tuple[int, ...]]] = {
     "role": ("<i4", ()), "xyz": ("<f8", (3,)), "sigma": ("<f8", (3,)), "window": ("<f8", ()),
-    "misfit": ("<f8", ()), "relief": ("<f8", ()), "ids": ("<U24", ()),
+    "misfit": ("<f8", ()), "relief": ("<f8", ()), "sigma_curvature": ("<f8", ()), "ids": ("<U24", ()),
 }  # fmt: skip
 
 
@@ -161,6 +161,7 @@ def _points(found: Mapping[str, Array]) -> Points:
     return Points(
         ids=tuple(found["ids"].tolist()), role=found["role"], xyz=found["xyz"], sigma=found["sigma"],
         window=found["window"], misfit=found["misfit"], relief=found["relief"],
+        sigma_curvature=found["sigma_curvature"],
     )  # fmt: skip
 
 

@@ -18,6 +18,8 @@ from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
 
 UNKNOWNS = 10
+FIGURES = 14
+"""Of `WindowMatches.residual`"""
 PARTS = 3
 """Of a window along a side, each of which may be displaced by itself."""
 NOISE_SIGMA_PX = 0.6
@@ -66,11 +68,15 @@ class WindowMatches:
     correlation: Array
     """(n,) of the two windows, weighted"""
     residual: Array
-    """(n, 8) of matched points: variance of the residuals [grey values^2]; mean grey value of the reference window; for
-    displacements in the target, sum of b b' over the parts of the window and sum of w^2 g g' over its positions, each
-    as xx, xy, yy.  b: sum of w g e over a part, w weights, g gradients in the target [1 / px] of grey values with
-    variance 1, e residuals [grey values].  Of noise alone, along any direction the former is the variance of the
-    residuals times the latter; a part that is displaced adds to it along its displacement."""
+    """(n, FIGURES) of matched points: variance of the residuals [grey values^2]; mean grey value of the reference
+    window; for displacements in the target, sum of b b' over the parts of the window and sum of w^2 g g' over its
+    positions, each as xx, xy, yy.  b: sum of w g e over a part, w weights, g gradients in the target [1 / px] of grey
+    values with variance 1, e residuals [grey values].  Of noise alone, along any direction the former is the variance
+    of the residuals times the latter; a part that is displaced adds to it along its displacement.
+
+    Then of a surface that is curved within the window: displacements p k |u|^2 / 2 at places u of the reference window,
+    p a vector in the target, have k = p'a / p'M p, of variance residual[0] / p'M p.  a as x, y; M as xx, xy, yy; last
+    the share r of [px^2] of k that the match is displaced by, p k r."""
     outcome: Index
     """(n,) `Outcome`"""
 
@@ -165,7 +171,7 @@ def match_windows_twin(
     n = len(xy_reference)
     result = WindowMatches(
         xy_px=xy_start.copy(), affine=affine_start.copy(), cov_px2=np.zeros((n, 3)), correlation=np.zeros(n),
-        residual=np.zeros((n, 8)), outcome=np.full(n, Outcome.UNSTEADY, np.int32),
+        residual=np.zeros((n, FIGURES)), outcome=np.full(n, Outcome.UNSTEADY, np.int32),
     )  # fmt: skip
     side = np.arange(-options.half, options.half + 1.0)
     u = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
@@ -253,20 +259,25 @@ def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options
             variance = square / total * len(o.u) / (len(o.u) - UNKNOWNS)
             C = variance * B @ Q[:2, :2] @ B.T
             result.cov_px2[i] = C[0, 0], C[1, 1], C[0, 1]
-            result.residual[i] = _judged(o, e, square, B, h)
+            result.residual[i] = _judged(o, e, Q, square, B, h)
             break
     result.xy_px[i], result.affine[i], result.outcome[i] = p, B, outcome
 
 
-def _judged(o: _Window, e: Array, square: float, B: Array, half: int) -> Array:
-    """(8,) see `WindowMatches.residual`."""
+def _judged(o: _Window, e: Array, Q: Array, square: float, B: Array, half: int) -> Array:
+    """(FIGURES,) see `WindowMatches.residual`; Q: cofactors of the unknowns."""
     part = ((o.u + half).astype(int) * PARTS // (2 * half + 1)) @ [1, PARTS]
     g = o.J[:, :2]
     b = np.stack([np.bincount(part, o.w * g[:, k] * e, PARTS**2) for k in range(2)], axis=1) * o.contrast
     C = np.linalg.inv(B)
-    M, T = (C.T @ S @ C for S in (b.T @ b, (o.w[:, None] * g).T @ (o.w[:, None] * g)))
+    bent = g * (o.u**2).sum(axis=1, keepdims=True) / 2
+    taken = Q @ (o.J.T @ (o.w[:, None] * bent))
+    left = o.w[:, None] * (bent - o.J @ taken)
+    M, T, D = (C.T @ S @ C for S in (b.T @ b, (o.w[:, None] * g).T @ (o.w[:, None] * g), left.T @ bent * o.contrast**2))
+    a = -C.T @ (left.T @ e) * o.contrast**2
     variance = square / o.w.sum() * len(o.u) / (len(o.u) - UNKNOWNS) * o.contrast**2
-    return np.array([variance, o.level, M[0, 0], M[0, 1], M[1, 1], T[0, 0], T[0, 1], T[1, 1]])
+    upper = [0, 0, 1], [0, 1, 1]
+    return np.array([variance, o.level, *M[upper], *T[upper], *a, *D[upper], np.trace(taken[:2]) / 2])
 
 
 def _inside(image: Array, xy: Array) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.matching.least_squares import Outcome, WindowOptions, match_windows, with_noisy_gradients
+from raybundle.matching.least_squares import FIGURES, Outcome, WindowOptions, match_windows, with_noisy_gradients
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rows import rows_of_each
@@ -73,7 +73,7 @@ class Refined:
     window_px: Array
     """(m,) standard deviation of the weights of the window [px of the full size]; NaN where nothing was matched"""
     residual: Array
-    """(m, 8) see `WindowMatches.residual`; 0 where nothing was matched"""
+    """(m, FIGURES) see `WindowMatches.residual`; 0 where nothing was matched"""
 
 
 def choose_references(points: TrackPoints) -> Index:
@@ -122,7 +122,7 @@ class CandidateMatches:
     window_px: Array
     """(k,) standard deviation of the weights of the window [px of the full size]; NaN where nothing was found"""
     residual: Array
-    """(k, 8) see `WindowMatches.residual`, in pixels of the level; 0 where nothing was found"""
+    """(k, FIGURES) see `WindowMatches.residual`, curvature in pixels of the full size; 0 where nothing was found"""
 
 
 Matcher = Callable[[TrackPoints, Candidates], CandidateMatches]
@@ -144,7 +144,7 @@ def refine_tracks(points: TrackPoints, match: Matcher) -> Refined:
     found = match(points, start)
     xy, cov = points.xy_px.copy(), np.zeros((m, 3))
     measured, correlation, level = np.zeros(m, bool), np.zeros(m), np.full(m, LEVELS)
-    window, residual = np.full(m, np.nan), np.zeros((m, 8))
+    window, residual = np.full(m, np.nan), np.zeros((m, FIGURES))
     window[rows], residual[rows] = found.window_px, found.residual
     xy[rows[found.good]], cov[rows[found.good]] = found.xy_px[found.good], found.cov_px2[found.good]
     measured[rows], correlation[rows], level[rows] = found.good, found.correlation, found.level
@@ -174,7 +174,7 @@ def match_candidates(
     """
     k = len(candidates.image)
     xy, cov, correlation, level = candidates.xy_px.copy(), np.zeros((k, 3)), np.zeros(k), np.full(k, LEVELS)
-    width, residual = np.full(k, np.nan), np.zeros((k, 8))
+    width, residual = np.full(k, np.nan), np.zeros((k, FIGURES))
     source = points.image[candidates.reference]
     pair = source.astype(np.int64) * (int(points.image.max(initial=0)) + 1) + candidates.image
     order = np.argsort(pair, kind="stable")
@@ -202,7 +202,7 @@ def match_candidates(
                 better &= (level[at] == LEVELS) | (grey[:, :2].sum(axis=1) < cov[at, :2].sum(axis=1))
                 at = at[better]
                 correlation[at], level[at], width[at] = found.correlation[better], step, window.sigma * size
-                residual[at] = found.residual[better]
+                residual[at] = found.residual[better] * np.repeat([1.0, size, size**2], [FIGURES - 6, 2, 4])
                 xy[at], cov[at] = found.xy_px[better] * size, grey[better]
                 # what a small window cannot match is an edge of the relief, or the wrong place
                 mine = mine[(level[group[mine]] == step) & (cov[group[mine], :2].max(axis=1) > (ENOUGH_PX * size) ** 2)]

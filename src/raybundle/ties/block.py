@@ -135,6 +135,15 @@ def viewing_lines(block: Block) -> tuple[Array, Array]:
     return origin, direction
 
 
+def object_pixel(block: Block, rows: Index) -> Array:
+    """(k,) size of a pixel on the object, square to the ray, at the points of image observations."""
+    o = block.observations.rows(rows)
+    origin, direction = viewing_lines(replace(block, observations=o))
+    beside = viewing_lines(replace(block, observations=replace(o, xy_px=o.xy_px + np.array([1.0, 0.0]))))[1]
+    distance = np.linalg.norm(block.points.xyz[o.point] - origin, axis=1)
+    return distance * np.linalg.norm(np.cross(direction, beside), axis=1)
+
+
 def image_sigma_px(result: Adjustment) -> float:
     """Standard deviation of an image coordinate of mean weight: sigma0 x root mean square of the a-priori ones."""
     s = result.image_observations

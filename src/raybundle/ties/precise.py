@@ -21,6 +21,7 @@ from raybundle.block import Block, Camera, Observations
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NotSolvable, phrase
+from raybundle.matching.least_squares import FIGURES
 from raybundle.matching.refine import (
     NEIGHBOURS_FROM,
     WINDOWS,
@@ -38,8 +39,10 @@ from raybundle.ties.block import (
     FEATURE_SIGMA_PX,
     TieBlock,
     free_when_precise,
+    object_pixel,
     viewing_lines,
 )
+from raybundle.ties.curvature import without_curvature
 from raybundle.ties.match_weights import Weights, estimate_weights
 from raybundle.ties.relief import misfit_and_relief
 
@@ -170,6 +173,7 @@ def refine(
     misfit, relief = misfit_and_relief(block, work.residual, work.window_px, work.reference)
     width = windows(block, work.window_px, work.reference)
     block = replace(block, points=replace(block.points, window=width, misfit=misfit, relief=relief))
+    block = without_curvature(block, work.residual, work.reference, stay & np.isfinite(work.window_px))
     kept = with_rows(block, stay)
     ids = tie.block.images.ids
     return PreciseBlock(
@@ -229,7 +233,7 @@ def _append(work: _Work, fresh: Index, rows: Index, at: Index) -> None:
     work.grey = np.vstack([work.grey, np.zeros((k, 3))])
     work.level = np.concatenate([work.level, np.zeros(k, int)])
     work.window_px = np.concatenate([work.window_px, np.full(k, np.nan)])
-    work.residual = np.vstack([work.residual, np.zeros((k, 8))])
+    work.residual = np.vstack([work.residual, np.zeros((k, FIGURES))])
     work.reference = np.concatenate([work.reference, np.zeros(k, bool)])
     work.feature = np.concatenate([work.feature, np.ones(k, bool)])
     work.rejected = np.concatenate([work.rejected, np.zeros(k, bool)])
@@ -332,15 +336,6 @@ def windows(block: Block, window_px: Array, reference: Mask) -> Array:
     if len(rows):
         found[mine] = window_px[middle[mine]] * object_pixel(block, rows)
     return found
-
-
-def object_pixel(block: Block, rows: Index) -> Array:
-    """(k,) size of a pixel on the object, square to the ray, at the points of image observations."""
-    o = block.observations.rows(rows)
-    origin, direction = viewing_lines(replace(block, observations=o))
-    beside = viewing_lines(replace(block, observations=replace(o, xy_px=o.xy_px + np.array([1.0, 0.0]))))[1]
-    distance = np.linalg.norm(block.points.xyz[o.point] - origin, axis=1)
-    return distance * np.linalg.norm(np.cross(direction, beside), axis=1)
 
 
 def reach(level: Index) -> Array:

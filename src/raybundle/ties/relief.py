@@ -28,7 +28,7 @@ TOGETHER = 9
 def misfit_and_relief(block: Block, residual: Array, window_px: Array, reference: Mask) -> tuple[Array, Array]:
     """Two figures (p,) of the points of a block; NaN where nothing was matched.
 
-    residual    (m, 8) of the matches, as `WindowMatches.residual` has them
+    residual    (m, FIGURES) of the matches, as `WindowMatches.residual` has them
     window_px   (m,) standard deviation of the windows' weights; NaN where nothing was matched
     reference   (m,) image points from which windows are taken
     The first is the variance of the residuals over that of the noise, geometric mean of the matches; the second the
@@ -44,7 +44,10 @@ def misfit_and_relief(block: Block, residual: Array, window_px: Array, reference
     matches = np.bincount(point, minlength=count)
     there = matches > 0
     misfit[there] = np.exp(np.bincount(point, ratio, count)[there] / matches[there])
-    along, across = _powers(residual[rows], parallax(block, rows, reference))
+    along = parallax(block, rows, reference)
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    along = np.divide(along, length, out=np.zeros_like(along), where=length > 0)
+    along, across = _powers(residual[rows], along)
     sums = np.stack([np.bincount(point, values, count) for values in (along, across)], axis=1)
     relief[there] = _together(block.points.xyz[there], sums[there])
     return misfit, relief
@@ -62,7 +65,7 @@ def _noise(residual: Array, window_px: Array) -> Array:
 
 
 def parallax(block: Block, rows: Index, reference: Mask) -> Array:
-    """(k, 2) unit vectors along which image points move where the points move along the rays of their references."""
+    """(k, 2) how image points move where the points move away along the rays of their references [px per length]."""
     o, xyz = block.observations, block.points.xyz
     of = np.full(len(block.points), -1)
     of[o.point[reference]] = np.flatnonzero(reference)
@@ -76,8 +79,7 @@ def parallax(block: Block, rows: Index, reference: Mask) -> Array:
             here = xyz[point[mine]]
             there = here + step[mine] * direction[mine]
             found[mine] = predicted_px(block, image, there) - predicted_px(block, image, here)
-    length = np.linalg.norm(found, axis=1, keepdims=True)
-    return np.divide(found, length, out=np.zeros_like(found), where=length > 0)
+    return np.divide(found, step, out=np.zeros_like(found), where=step > 0)
 
 
 def _powers(residual: Array, along: Array) -> tuple[Array, Array]:

@@ -15,6 +15,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import Photo
+from raybundle.matching.least_squares import FIGURES
 from raybundle.matching.refine import (
     LEVELS,
     CandidateMatches,
@@ -35,7 +36,7 @@ from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 from raybundle.ties.points import grey_of
 
-VERSION = 2
+VERSION = 3
 KINDS = ("candidates", "windows")
 """First words of the keys of what is kept"""
 SMALLEST, LARGEST, SHARE = 2, 16, 16
@@ -68,7 +69,7 @@ def matched(means: Means, photos: Sequence[Photo], points: TrackPoints, wanted: 
     k = len(wanted.image)
     found = CandidateMatches(
         good=np.zeros(k, bool), xy_px=wanted.xy_px.copy(), cov_px2=np.zeros((k, 3)), correlation=np.zeros(k),
-        level=np.full(k, LEVELS), window_px=np.full(k, np.nan), residual=np.zeros((k, 8)),
+        level=np.full(k, LEVELS), window_px=np.full(k, np.nan), residual=np.zeros((k, FIGURES)),
     )  # fmt: skip
     n = len(photos)
     most = min(max(n // SHARE, SMALLEST), LARGEST)

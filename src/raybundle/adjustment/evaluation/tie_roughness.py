@@ -13,7 +13,7 @@ s^2 (1 + r) is the variance by few rays: what moves all rays alike does not aver
 averages out and relief, which holds together, less.  M and S are the larger of those of the point and of the median
 of its neighbours: relief is a matter of a place.  Neighbours stand on the same relief, and scatter by it about a plane:
 1 / variance is that of above and 1 / (OF_SCATTER scatter^2) together.  It is at least OF_PLACE times the median of the
-neighbours.
+neighbours.  What a correction for curvature leaves (`Points.sigma_curvature`) adds to it.
 
 Residuals of a point and its neighbours whose square sum is larger than their redundancy, beyond chance, show noise
 that grey values do not promise: where texture is weak, that of compression is no white noise.  The variance grows as
@@ -22,7 +22,8 @@ their ratio.
 Exponents and factors by maximum likelihood (Student's distribution with 3 degrees of freedom) of the errors of tie
 points of 18 rendered sets of other pixels on the object (1 to 4 mm), compression and blur
 (`benchmarks/tie_roughness.py`).  The scale of that distribution holds 61 % of the errors; factors are 1.43 times those
-of the fit, so that one standard deviation holds 68 %, rounded up.
+of the fit, so that one standard deviation holds 68 %, rounded up.  OF_SCATTER is that of matches corrected for
+curvature (2.1 without).
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ from raybundle.block.rigs import without_rigs
 from raybundle.numerics.arrays import Array, Index, Mask
 
 FACTOR, BY_MISFIT, BY_RELIEF, BY_RESIDUALS, BY_WINDOW, BY_NOISE = 120.0, 2.0, 2.0, 1.0, 5.5, 2.5
-OF_SCATTER, OF_PLACE = 2.1, 0.25
+OF_SCATTER, OF_PLACE = 1.5, 0.25
 LEAST_MISFIT, LEAST_SHARE = 0.1, 0.03
 """What is less is noise of the figures."""
 NEIGHBOURS, NEAREST, OF_PLANE = 25, 9, 10
@@ -104,7 +105,10 @@ def with_roughness(result: Adjustment) -> Adjustment:
         return result
     d = direction[known]
     roughness = np.zeros((len(points), 3))
-    roughness[known] = np.sqrt(witnesses(result, known, d).variance())[:, None] * d
+    variance = witnesses(result, known, d).variance()
+    if points.sigma_curvature is not None:
+        variance = variance + np.nan_to_num(points.sigma_curvature[known]) ** 2
+    roughness[known] = np.sqrt(variance)[:, None] * d
     wider = widened(precision, roughness)
     network = None if result.network is None else with_std(result.network, wider.object_point_std)
     return replace(result, precision=wider, network=network)

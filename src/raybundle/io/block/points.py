@@ -16,7 +16,7 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.tables import Column, Problem, read_table, write_table
 from raybundle.numerics.arrays import Array
 
-WINDOW = ("window", "misfit", "relief")
+WINDOW = ("window", "misfit", "relief", "sigma_curvature")
 """Of points that were measured by matching: optional columns"""
 COLUMNS = (
     Column(name="point", kind="id"),

@@ -14,7 +14,7 @@ global_test = Residuals are { $sigma0 } times as large as stated (sigma0; signif
 # $percent = 4.0
 # $limit_percent = 10.0
 global_test-nearly = Residuals are { NUM($percent, digits: 2) } % larger than stated (sigma0 { $sigma0 }).
-    .why = The difference is significant (square sum { NUM($square_sum, digits: 5) }, 95 % limits { NUM($lower, digits: 5) } to { NUM($upper, digits: 5) }) but harmless below { $limit_percent } %; results carry the estimated sigma0.
+    .why = The difference is significant (square sum { NUM($square_sum, digits: 5) }, 95 % limits { NUM($lower, digits: 5) } to { NUM($upper, digits: 5) }) but below { $limit_percent } %; results carry the estimated sigma0.
 
 # $sigma0 = 0.81
 # $square_sum = 72640.0

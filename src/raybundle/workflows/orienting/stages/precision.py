@@ -132,7 +132,7 @@ STAGE = ORIENT.register(
     Stage(
         name="precision",
         kinds=KINDS,
-        version=26,
+        version=28,
         after=("scene_start",),
         inputs=_inputs,
         function=measure,

@@ -81,7 +81,7 @@ STAGE = ORIENT.register(
     Stage(
         name="scene_precision",
         line="precision",
-        version=8,
+        version=10,
         after=("precision",),
         inputs=_inputs,
         function=measure,
