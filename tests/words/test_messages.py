@@ -177,6 +177,12 @@ def test_numbers_follow_the_language():
     assert "1.5, 2.25" in words.action("environment.native_unknown", values)
 
 
+def test_probabilities_follow_the_language():
+    assert "(p 0,35)" in words.headline("epochs.stable_points_differ", {"p": 0.35}, Reader("de"))
+    assert "(p 0.35)" in words.headline("epochs.stable_points_differ", {"p": 0.35})
+    assert "(p < 1e-16)" in words.headline("epochs.stable_points_differ", {"p": 0.0}, Reader("de"))
+
+
 def test_an_error_carries_its_message():
     error = InputError("outline.no_area", name="area 2", file="plan.csv", line=3)
     assert error.code == "outline.no_area"
