@@ -77,12 +77,12 @@ def measure(page: Page, hand: Hand, target: str, images: tuple[str, ...]) -> str
 def pictures(page: Page) -> None:
     """Look, measure, adjust, look again."""
     hand = Hand(page)
-    hand.wait("Adjusted")
+    hand.wait("studio_page.adjusted")
     page.locator("#image-list canvas[data-drawn]").nth(8).wait_for()
     keep(page, "images")
     ends = [measure(page, hand, "T3", SEEN)]
     page.keyboard.press("n")
-    hand.wait("New point")
+    hand.wait("studio_point.new_point")
     ends.append(page.locator("#point-name").input_value())
     for image in SEEN[:2]:
         hand.click_at(image, *targets()["T4"][image])
@@ -103,13 +103,13 @@ def pictures(page: Page) -> None:
     page.locator("#loupe").uncheck()
     page.locator(".pane.active .canvas").focus()
     page.keyboard.press("Enter")
-    hand.wait("marked")
+    hand.wait("studio_point.marked")
     for field, value in {"start": ends[0], "end": ends[1], "length": "2.430", "sigma": "0.001"}.items():
         page.fill(f"#bar-{field}", value)
     page.click("#bar-add")
-    hand.wait("scale bar")
+    hand.wait("studio_point.bar_given")
     page.click("#adjust")
-    hand.wait("Adjusted: sigma0")
+    hand.wait("studio_page.adjusted", "measured-result")
     space(page)
     page.click("#tab-tables")
     page.select_option("#table-kind", "observations")
@@ -126,7 +126,7 @@ def decide(page: Page, hand: Hand) -> None:
     page.click("#tab-decide")
     page.click("#decide-parameters")
     page.get_by_role("combobox", name="K3 of camera").select_option("held")
-    hand.wait("held from the next adjustment on")
+    hand.wait("studio_decide.choice_stored")
     keep(page, "decide")
 
 
@@ -140,7 +140,7 @@ def stages(page: Page) -> None:
     page.fill("#targets-family", "dots")
     page.keyboard.press("Tab")
     page.locator("#decide").get_by_role("button", name=SEEN[0], exact=True).click()
-    page.locator("#message", has_text="Targets found").wait_for()
+    Hand(page).wait("studio_target.found_in")
     page.select_option("#filter", "none")
     keep(page, "targets")
     page.select_option("#filter", "all")
@@ -154,7 +154,7 @@ def stages(page: Page) -> None:
     page.locator(".stages .at-work th", has_text="features").wait_for()
     keep(page, "run")
     page.click("#run-stop")
-    page.locator(".counts", has_text="Stopped after").wait_for()
+    page.locator("#run-begin:enabled").wait_for()
 
 
 def space(page: Page) -> None:
@@ -166,8 +166,8 @@ def space(page: Page) -> None:
     page.check("#space-measure")
     for name in ("M1", "M2"):
         page.locator("#right [role=option]", has_text=name).first.click()
-        page.get_by_role("button", name="Add current").click()
-    page.locator("#space-told", has_text="±").wait_for()
+        page.get_by_role("button", name="Add current point").click()
+    page.locator("#space-status", has_text="±").wait_for()
     page.locator("#space canvas").focus()
     for _ in range(3):
         page.keyboard.press("+")

@@ -60,9 +60,9 @@ class Hand:
         self.fineness = 0.0
         """A pixel of the screen, in pixels of the photograph, where it was pointed at before it was zoomed"""
 
-    def wait(self, words, seconds=DEADLINE_S):
-        """Until the line below says something."""
-        self.page.locator("#message", has_text=words).wait_for(timeout=1000 * seconds)
+    def wait(self, code, text="", seconds=DEADLINE_S):
+        """Until the line below shows the words of a code, with a text in them."""
+        self.page.locator(f"#message[data-code='{code}']", has_text=text).wait_for(timeout=1000 * seconds)
 
     def open(self, image):
         self.page.locator("#image-list [role=option]", has_text=image).click()
@@ -88,21 +88,21 @@ class Hand:
         self.page.mouse.move(u, v)
         self.at = u, v
 
-    def click_here(self, words):
-        """A click where the pointer is, until the line below says something."""
+    def click_here(self, name=""):
+        """A click where the pointer is, until the line below shows that a point or fiducial mark is measured."""
         self.page.mouse.down()
         self.page.mouse.up()
-        self.wait(words)
+        self.wait("studio_point.marked", name)
 
     def click_at(self, image, x, y):
         """Mark the current point in an image."""
         self.point_at(image, x, y)
-        self.click_here("marked")
+        self.click_here()
         self.page.locator(".marks", has_text=image).wait_for()
 
     def new_point(self):
         self.page.keyboard.press("n")
-        self.wait("New point")
+        self.wait("studio_point.new_point")
         return self.page.locator("#point-name").input_value()
 
     def hair_to(self, x, y):

@@ -11,6 +11,7 @@ from PIL import Image
 
 from raybundle.measuring.journal import entries_of, journal_path
 from raybundle.studio.serve import listening
+from raybundle.words import headline
 from tests.studio.conftest import LIVE
 
 EVIL = "<img src=x onerror=alert(1)>\"'&../../x"
@@ -225,7 +226,7 @@ def test_snapping_brings_a_click_to_the_picture_or_says_why_not(client, desk):
     patch = client.post(
         "/api/snap", json={"image": image, "x": 800.0, "y": 600.0, "kind": "patch", "point": "n"}
     ).json()
-    assert "first image" in patch["why"]
+    assert patch["why"] == headline("studio_point.patch_reference", {})
     o = desk.block.observations
     x, y = (float(v) for v in o.xy_px[np.flatnonzero(o.image == 0)[0]])
     for reach in (2.0, 6.0):
@@ -297,7 +298,8 @@ def test_a_photograph_of_another_size_is_not_shown(client, desk):
     Image.open(path).resize((300, 200)).save(path)
     answer = client.get("/api/tile/0/0/0/0")
     assert answer.status_code == 404
-    assert "300 x 200 px" in answer.json()["error"]
+    assert answer.json()["code"] == "photograph.other_size"
+    assert "300 x 200" in answer.json()["error"]
     snap = {"image": desk.block.images.ids[0], "x": 800.0, "y": 600.0, "kind": "auto", "point": "p"}
     assert client.post("/api/snap", json=snap).status_code == 409
 

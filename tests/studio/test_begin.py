@@ -32,22 +32,28 @@ def put(client, scene, image, point, rng, error=(0.0, 0.0)):
     assert answer.status_code == 200, answer.text
 
 
-def line(client, studio):
+def line(studio):
+    """How many photographs are oriented, and the next step: which one, with which other, how many points."""
     studio.work.wait()
-    return client.get("/api/standing").json()["line"]
+    first, *steps = (m for m in studio.desk.standing.line.messages)
+    assert first.code == "measuring.oriented"
+    assert first.values["of"] == 3
+    assert all(m.code == "measuring.next_step" for m in steps)
+    return first.values["n"], *(tuple(m.values[name] for name in ("kind", "image", "other", "n")) for m in steps)
 
 
 @pytest.mark.long
 def test_photographs_are_oriented_while_points_are_marked(client, studio, desk, scene):
     rng = np.random.default_rng(1)
     o = client.get("/api/overview").json()
-    assert o["standing"]["line"] == "0 of 3 photographs oriented; old_1.jpg needs 6 more points"
+    assert line(studio) == (0, ("points", "old_1.jpg", "", 6))
+    assert len(o["standing"]["line"]) == 2
     assert all(i["photo"] and not i["oriented"] for i in o["images"])
     assert client.get("/api/scene").status_code == 200
     for point in range(5):
         put(client, scene, 0, point, rng)
         put(client, scene, 1, point, rng)
-    assert line(client, studio) == "0 of 3 photographs oriented; old_1.jpg and old_2.jpg need 1 more common point"
+    assert line(studio) == (0, ("common", "old_1.jpg", "old_2.jpg", 1))
     with client.websocket_connect(LIVE, headers={"origin": BASE}) as tab:
         assert tab.receive_json()["type"] == "state"
         for point in range(5, 10):
@@ -55,25 +61,25 @@ def test_photographs_are_oriented_while_points_are_marked(client, studio, desk, 
             put(client, scene, 1, point, rng)
         while tab.receive_json()["type"] != "oriented":
             pass
-    assert line(client, studio) == "2 of 3 photographs oriented; old_3.jpg needs 4 more points"
+    assert line(studio) == (2, ("points", "old_3.jpg", "", 4))
     for point in range(5):
         put(client, scene, 2, point, rng)
-    assert line(client, studio) == "3 of 3 photographs oriented"
+    assert line(studio) == (3,)
     found = client.get("/api/predict", params={"point": scene.names[7], "images": [scene.images[2]]}).json()
     (place,) = found["predictions"]
     assert np.hypot(*(np.array([place["x"], place["y"]]) - scene.place(2, 7))) < 5 * place["ellipse"]["a"] + 1
     for k in range(2):
         client.post("/api/action", json={"id": f"u{k}", "verb": "undo", "arguments": {}})
-    assert line(client, studio) == "2 of 3 photographs oriented; old_3.jpg needs 1 more point"
+    assert line(studio) == (2, ("points", "old_3.jpg", "", 1))
     for k in range(2):
         client.post("/api/action", json={"id": f"r{k}", "verb": "redo", "arguments": {}})
-    assert line(client, studio) == "3 of 3 photographs oriented"
+    assert line(studio) == (3,)
     assert client.get("/report/report.html").status_code == 404
     assert client.post("/api/adjust", json={}).json() == {"begun": True}
     studio.work.wait()
     o = client.get("/api/overview").json()
     assert o["report"]
-    assert o["standing"]["line"] == "3 of 3 photographs oriented"
+    assert line(studio) == (3,)
     assert 0.3 < o["sigma0"] < 2
     report = client.get("/report/report.html")
     assert report.status_code == 200

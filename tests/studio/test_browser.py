@@ -8,6 +8,7 @@ import pytest
 
 from raybundle.io.block.folder import read_block
 from raybundle.measuring.journal import entries_of, journal_path
+from raybundle.words import headline
 from tests.studio.browser import Hand, served, targets
 
 pytestmark = pytest.mark.long
@@ -45,7 +46,7 @@ def context(browser, address):
 def page(context, address):
     page = context.new_page()
     page.goto(address)
-    Hand(page).wait("Adjusted")
+    Hand(page).wait("studio_page.adjusted")
     return page
 
 
@@ -65,7 +66,7 @@ def undone(page, press):
         before = page.locator("#undo").get_attribute("title")
         assert before
         press()
-        page.locator("#message", has_text="taken back").wait_for()
+        Hand(page).wait("studio_page.undone")
         page.wait_for_timeout(150)
         count += 1
     return count
@@ -81,15 +82,15 @@ def test_measuring_by_mouse(page, hand, project):
         page.locator(".where .sigma").first.wait_for()
     sigma = [float(t) for t in page.locator(".where .sigma").all_inner_texts()]
     assert all(0 < s < 0.1 for s in sigma)
-    assert "3 rays" in page.locator("#right").inner_text()
+    assert page.locator(".marks tr").count() == 1 + len(IMAGES)
     page.fill("#bar-start", names["T7"])
     page.fill("#bar-end", names["T8"])
     page.fill("#bar-length", "1.000")
     page.fill("#bar-sigma", "0.001")
     page.click("#bar-add")
-    hand.wait("scale bar")
+    hand.wait("studio_point.bar_given")
     page.click("#adjust")
-    hand.wait("Adjusted: sigma0")
+    hand.wait("studio_page.adjusted", "measured-result")
     assert (project / "measured-result" / "block" / "block.toml").is_file()
     assert undone(page, lambda: page.click("#undo")) == 7
     entries = list(entries_of(journal_path(project)))
@@ -124,16 +125,16 @@ def test_measuring_by_keyboard_alone(page, hand, project):
         page.locator(".marks tr").nth(3).wait_for()
     keys.press("Shift+ArrowRight")
     keys.press("Shift+ArrowRight")
-    hand.wait("moved by hand")
+    hand.wait("studio_point.moved")
     given = {"start": names["T7"], "end": names["T8"], "length": "1.0", "sigma": "0.001"}
     for field, value in given.items():
         hand.tab_to(f"#bar-{field}")
         keys.type(value)
     keys.press("Enter")
-    hand.wait("scale bar")
+    hand.wait("studio_point.bar_given")
     hand.tab_to("#adjust")
     keys.press("Enter")
-    hand.wait("Adjusted: sigma0")
+    hand.wait("studio_page.adjusted", "measured-result")
     hand.tab_to(".canvas")
     assert undone(page, lambda: keys.press("Control+z")) == 8
     entries = list(entries_of(journal_path(project)))
@@ -148,27 +149,27 @@ def test_a_mark_is_dragged_and_removed_an_observation_rejected(page, hand, proje
     x, y = targets()["T7"]["portal_02.jpg"]
     hand.new_point()
     hand.point_at("portal_02.jpg", x, y)
-    hand.click_here("marked")
+    hand.click_here()
     page.mouse.down()
     u, v = hand.at
     page.mouse.move(u + 20, v)
     page.mouse.move(u + 41, v)
     page.mouse.up()
-    hand.wait("moved")
+    hand.wait("studio_point.moved")
     page.keyboard.press("Delete")
-    hand.wait("removed")
+    hand.wait("studio_point.mark_removed")
     page.keyboard.press("Escape")
     page.select_option("#filter", "weak")
-    page.locator("#message", has_text="removed").wait_for()
+    hand.wait("studio_point.mark_removed")
     page.keyboard.press("w")
-    hand.wait("|w| =")
+    hand.wait("studio_point.worst", "|w|")
     worst = page.locator("#point-name").input_value()
     page.select_option("#filter", "all")
     page.locator(".pane.active .canvas").focus()
     page.keyboard.press("x")
-    hand.wait("takes no part")
+    hand.wait("studio_point.rejected")
     page.keyboard.press("x")
-    hand.wait("takes part again")
+    hand.wait("studio_point.accepted")
     entries = list(entries_of(journal_path(project)))
     assert [e.verb for e in entries] == ["put", "move", "remove", "reject", "accept"]
     put, moved, rejected = (entries[k].arguments for k in (0, 1, 3))
@@ -227,29 +228,27 @@ def test_every_tab_and_control_by_file(page, hand, tmp_path, project):
     """Object space is drawn, tables are sorted and lead to their image, control comes from a table."""
     page.click("#tab-space")
     page.locator("#space canvas").wait_for()
-    page.locator("#space-legend", has_text="tie points").wait_for()
-    page.select_option("#space-colour", "sigma")
-    page.locator("#space-legend", has_text="sigma up to").wait_for()
-    page.select_option("#space-colour", "redundancy")
-    page.locator("#space-legend", has_text="smallest redundancy number").wait_for()
-    page.select_option("#space-colour", "residual")
-    page.locator("#space-legend", has_text="residual (rms) up to").wait_for()
+    legend = page.locator("#space-legend")
+    legend.filter(has_text=headline("studio_space.role", {"role": "tie"})).wait_for()
+    for by in ("sigma", "redundancy", "residual"):
+        page.select_option("#space-colour", by)
+        legend.filter(has_text=headline("studio_space.up_to", {"by": by, "limit": ""})).wait_for()
     page.check("#show-pairs")
-    page.locator("#space-legend", has_text="100 and more").wait_for()
+    legend.filter(has_text="≥ 100").wait_for()
     page.select_option("#section-across", "2")
     page.locator("#space-bar output", has_text="±").wait_for()
     page.select_option("#section-across", "points")
-    page.locator("#space-bar output", has_text="three points first").wait_for()
+    page.locator("#space-bar output", has_text=headline("studio_space.three_points_first", {})).wait_for()
     page.check("#space-measure")
     for name in read_block(project / "result" / "block").points.ids[:3]:
         page.fill("#point-name", name)
         page.keyboard.press("Enter")
-        page.get_by_role("button", name="Add current").click()
+        page.get_by_role("button", name=headline("studio_space.add_current", {})).click()
     page.select_option("#space-kind", "length")
-    page.locator("#space-told", has_text="length").wait_for()
+    page.locator("#space-status", has_text="length").wait_for()
     page.click("#tab-tables")
     page.select_option("#table-kind", "pairs")
-    page.locator("[role=columnheader]", has_text="common points").wait_for()
+    page.locator("[role=columnheader]", has_text=headline("label.common_points", {})).wait_for()
     page.locator(".rows [role=row]").first.click()
     assert page.locator(".pane").count() == 2
     page.click("#tab-tables")
@@ -265,9 +264,9 @@ def test_every_tab_and_control_by_file(page, hand, tmp_path, project):
     assert page.locator("#point-name").input_value()
     table = tmp_path / "control.csv"
     table.write_text("point,X,Y,Z,sX,sY,sZ\nA,1,2,3,0.01,0.01,0.02\n", encoding="utf-8")
-    page.locator("summary", has_text="Control").click()
+    page.locator("summary", has_text=headline("studio_point.control", {})).click()
     page.set_input_files("#control-file", table)
-    hand.wait("1 control point")
+    hand.wait("studio_point.control_added", "control.csv")
     assert verbs(project) == ["control"]
 
 

@@ -10,12 +10,18 @@ from raybundle.commands.new_project import begin
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.measuring.journal import entries_of, journal_path
 from raybundle.sensors import sensor_models
+from raybundle.words import headline
 from tests.studio.browser import ARGUMENTS, PORTAL, Hand, chromium, served, targets
 
 sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed: the page is not tested here")
 
 pytestmark = pytest.mark.long
 IMAGES = ("portal_02.jpg", "portal_03.jpg", "portal_04.jpg")
+
+
+def step(kind, n, image, other=""):
+    """The next step as the line above the images shows it."""
+    return headline("measuring.next_step", {"kind": kind, "image": image, "other": other, "n": n})
 
 
 @pytest.fixture
@@ -57,17 +63,21 @@ def test_photographs_alone_to_a_report_by_clicks(page, tmp_path):
     """Eight targets in two photographs, five in the third, whose next one is predicted; adjusted, the report opened."""
     hand, names = Hand(page), {}
     line = page.locator("#standing-line")
-    assert "0 of 3 photographs oriented" in line.inner_text()
-    assert page.locator("#image-list", has_text="not oriented").count()
+    assert headline("measuring.oriented", {"n": 0, "of": 3}) in line.inner_text()
+    assert page.locator("#image-list small.open").count() == 3
     measured = targets()
     for k, target in enumerate(("T1", "T2", "T3", "T4", "T5", "T6", "T7", "T8")):
         names[target] = hand.new_point()
         for image in IMAGES[:2]:
             hand.click_at(image, *measured[target][image])
         if k == 3:
-            line.filter(has_text="need 2 more common points").wait_for()
-    line.filter(has_text="2 of 3 photographs oriented; portal_04.jpg needs 4 more points").wait_for()
-    page.locator("#image-list [role=option]", has_text="portal_02.jpg").filter(has_text="8 rays").wait_for()
+            line.filter(has_text=step("common", 2, IMAGES[0], IMAGES[1])).wait_for()
+    line.filter(has_text=headline("measuring.oriented", {"n": 2, "of": 3})).filter(
+        has_text=step("points", 4, IMAGES[2])
+    ).wait_for()
+    page.locator("#image-list [role=option]", has_text="portal_02.jpg").filter(
+        has_text=headline("studio_photo.rays", {"n": 8})
+    ).wait_for()
     for target in ("T1", "T4", "T5", "T8", "T3"):
         page.fill("#point-name", names[target])
         page.keyboard.press("Enter")
@@ -75,10 +85,10 @@ def test_photographs_alone_to_a_report_by_clicks(page, tmp_path):
     page.locator("#standing").wait_for(state="hidden")
     page.fill("#point-name", names["T6"])
     page.keyboard.press("Enter")
-    page.locator("#right", has_text="Visible there, not measured (1)").wait_for()
+    page.locator("#right", has_text=headline("studio_point.visible", {"n": 1})).wait_for()
     assert page.locator("#report").is_hidden()
     page.click("#adjust")
-    hand.wait("Adjusted: sigma0")
+    hand.wait("studio_page.adjusted", "measured-result")
     with page.context.expect_page() as opened:
         page.click("#report")
     opened.value.locator("h1").first.wait_for()
@@ -104,15 +114,16 @@ def test_fiducial_marks_are_clicked_one_after_the_other(browse, tmp_path):
     page.select_option("#snap", "hand")
     hand.open(IMAGES[0])  # the card is drawn anew while a scan is opened
     page.get_by_role("button", name="F1").click()
-    card.filter(has_text="Click F1 in the scan").wait_for()
+    card.filter(has_text=headline("studio_point.click_fiducial", {"name": "F1"})).wait_for()
     for k, (x, y) in enumerate([(80, 1080), (1520, 1085), (1525, 120)]):
         hand.point_at(IMAGES[0], x, y, zoom=2)
-        hand.click_here(f"F{k + 1} measured")
-        card.filter(has_text=f"{k + 1} of 4 marks").wait_for()
-    page.locator("#standing-line", has_text=f"{IMAGES[0]} needs 6 more points").wait_for()
+        hand.click_here(f"F{k + 1}")
+        values = {"image": IMAGES[0], "n": k + 1, "of": 4}
+        card.filter(has_text=headline("studio_point.fiducials_of", values)).wait_for()
+    page.locator("#standing-line", has_text=step("points", 6, IMAGES[0])).wait_for()
     page.keyboard.press("Escape")
-    page.locator("[title='Take F3 away']").click()
-    page.locator("#standing-line", has_text=f"{IMAGES[0]} needs 1 more fiducial mark").wait_for()
+    page.get_by_title(headline("studio_point.remove", {"name": "F3"})).click()
+    page.locator("#standing-line", has_text=step("fiducials", 1, IMAGES[0])).wait_for()
     entries = entries_of(journal_path(project))
     assert [(e.verb, e.arguments["name"]) for e in entries] == [("fiducial", f"F{k}") for k in (1, 2, 3, 3)]
     assert abs(entries[1].arguments["x_px"] - 1520) < 2

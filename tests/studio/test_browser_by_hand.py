@@ -3,6 +3,7 @@
 import pytest
 
 from raybundle.measuring.journal import entries_of, journal_path
+from raybundle.words import headline
 from tests.studio.browser import Hand
 from tests.studio.test_browser import address, context, hand, page  # noqa: F401  (fixtures)
 
@@ -17,30 +18,30 @@ TABLE = "point,X,Y,Z,sX,sY,sZ\nA,1,2,3,0.01,0.01,0.02\nB,4,5,6,0.01,0.01,0.02\n"
 
 
 def test_line_datum_table_and_mask(page, hand, project):  # noqa: F811
-    for card in ("Lines", "Coordinate system", "Rename, forget", "Masks"):
-        page.locator("summary", has_text=card).click()
-    names = page.locator("[aria-label=Points] [role=option] b").all_inner_texts()[:3]
+    for card in ("studio_point.lines", "studio_point.datum", "studio_point.rename_or_forget", "studio_point.masks"):
+        page.locator("summary", has_text=headline(card, {})).click()
+    names = page.locator(f"[aria-label={headline('studio_point.points', {})}] [role=option] b").all_inner_texts()[:3]
     page.fill("#line-name", "edge")
     page.select_option("#line-kind", "plumb")
     page.fill("#line-sigma", "0.01")
     page.fill("#line-point", names[0])
     page.keyboard.press("Enter")
     page.click("#line-give")
-    hand.wait("a plumb line needs 2")  # as the verb says it
+    hand.wait("mark.line_points")
     page.fill("#line-point", names[1])
     page.keyboard.press("Enter")
     page.keyboard.press("Enter")
-    hand.wait("plumb line edge")
-    page.locator("#command", has_text="mark line --sigma 0.01 --figure plumb").wait_for()
+    hand.wait("studio_point.line_given", "edge")
+    page.locator("#command", has_text="--sigma 0.01 --figure plumb").wait_for()
     for field, name in zip(("origin", "axis", "plane"), names, strict=True):
         page.fill(f"#datum-{field}", name)
     page.keyboard.press("Enter")
-    hand.wait("coordinate system: ")
+    hand.wait("studio_point.datum_given")
     page.evaluate(DROP, ["given.csv", TABLE])
-    hand.wait("2 control points")
+    hand.wait("studio_point.control_added", "given.csv")
     page.locator("#command", has_text="mark control").wait_for()
     page.click("#undo")
-    hand.wait("taken back")
+    hand.wait("studio_page.undone")
     masks(page, hand)
     verbs = [e.verb for e in entries_of(journal_path(project))]
     assert verbs == ["line", "datum", "control", "undo", "mask", "mask", "unmask"]
@@ -59,14 +60,14 @@ def masks(page, hand: Hand):  # noqa: F811
     for x, y in ((0.3, 0.3), (0.6, 0.3), (0.6, 0.6)):
         page.mouse.click(box["x"] + x * box["width"], box["y"] + y * box["height"])
     page.keyboard.press("Enter")
-    page.locator("#masks .note", has_text="4 corners").wait_for()
+    page.locator("#masks .note", has_text="4").wait_for()
     hand.tab_to("#mask-give")
     page.keyboard.press("Enter")
-    hand.wait("nothing is measured there")
+    hand.wait("studio_point.mask_given")
     page.locator("#legend-masked:visible").wait_for()
     page.locator("#masks table button.link").click()
     page.check("#mask-camera")
     page.click("#mask-give")
-    page.locator("#masks td", has_text="camera of").wait_for()
+    page.locator("#masks td", has_text=headline("studio_point.camera_of", {"image": ""})).wait_for()
     page.locator("#masks table button.small").click()
-    hand.wait("taken away")
+    hand.wait("studio_point.removed")

@@ -3,6 +3,7 @@
 import pytest
 
 from raybundle.measuring.journal import entries_of, journal_path, state_of
+from raybundle.words import headline
 from tests.studio.browser import Hand
 from tests.studio.test_browser import SIZES, address, context, hand, overlapping, page, undone, verbs
 
@@ -21,9 +22,9 @@ def decide(page):
 
 def adjusted(page, press):
     """Begin an adjustment and wait for its end."""
-    page.evaluate("document.getElementById('message').textContent = ''")
+    page.evaluate("document.getElementById('message').dataset.code = ''")
     press()
-    Hand(page).wait("Adjusted: sigma0")
+    Hand(page).wait("studio_page.adjusted", "measured-result")
 
 
 def test_decide_adjust_compare_and_take_back(decide, hand, project):
@@ -35,34 +36,34 @@ def test_decide_adjust_compare_and_take_back(decide, hand, project):
     page.click("#decide-parameters")
     row = page.locator(".parameters tbody tr", has=page.locator("th", has_text="K3"))
     row.locator("select").select_option("held")
-    hand.wait("held from the next adjustment on")
-    assert "estimated" in row.inner_text()
+    hand.wait("studio_decide.choice_stored", "K3")
+    assert headline("studio_decide.status", {"status": "estimated"}) in row.inner_text()
     page.click("#decide-select")
     page.fill("#select-limit", "2.25")
     page.keyboard.press("Tab")
-    counts = page.locator(".counts[aria-busy=false]", has_text="beyond it")
+    counts = page.locator(".counts[aria-busy=false]", has_text="%")
     counts.wait_for()
-    n = int(counts.inner_text().split()[0].replace(",", ""))
+    n = int(counts.inner_text().split(" ")[0].replace("\u202f", ""))
     assert n > 0
-    page.get_by_role("button", name="Show in images").click()
+    page.get_by_role("button", name=headline("studio_decide.show_in_images", {})).click()
     page.locator("#legend-beyond:visible").wait_for()
     page.click("#tab-space")
-    page.locator("#space-legend", has_text="beyond the limit").wait_for()
+    page.locator("#space-legend", has_text=headline("studio_space.beyond", {"n": ""})).wait_for()
     page.click("#tab-decide")
     page.click("#select-reject")
-    hand.wait("Rejected what is beyond 2.25")
-    page.locator(".counts", has_text="0 image observations").wait_for()
+    hand.wait("studio_decide.rejected", "2.25")
+    page.locator("#select-reject:disabled").wait_for()
     assert len(state_of(journal_path(project)).rejected) == n
     adjusted(page, lambda: page.click("#adjust"))
     page.click("#decide-parameters")
-    row.locator("td").nth(1).filter(has_text="held").wait_for()
+    row.locator("td").nth(1).filter(has_text=headline("studio_decide.status", {"status": "held"})).wait_for()
     page.click("#decide-compare")
     frame = page.frame_locator("#decide iframe[title^=Comparison]")
-    frame.locator("text=Comparison of two adjustments.").wait_for()
-    assert frame.locator("td", has_text="setting hold").count() == 1
-    assert page.locator(".kept tbody tr").count() == 3
+    setting = headline("report_compare.setting", {"name": "hold"})
+    frame.locator("td", has_text=setting).wait_for()
+    assert page.locator(".adjustments input[name=compare-first]").count() == 3
     page.click("#decide-report")
-    page.frame_locator("#decide iframe[title^=Report]").locator("h1", has_text="Adjustment of").wait_for()
+    page.frame_locator("#decide iframe[title^=Report]").locator("h1").wait_for()
     assert undone(page, lambda: page.click("#undo")) == 2
     assert verbs(project) == ["parameter", "reject_beyond", "undo", "undo"]
     state = state_of(journal_path(project))
@@ -83,8 +84,8 @@ def test_reports_reach_nothing_of_the_page(decide, context):
     asked = inner.evaluate("() => fetch('/api/overview').then(() => 'answered', () => 'refused')")
     assert asked == "refused"
     with context.expect_page() as opened:
-        page.get_by_role("link", name="In a window of its own").click()
-    opened.value.locator("h1", has_text="Adjustment of").wait_for()
+        page.get_by_role("link", name=headline("studio_decide.window", {})).click()
+    opened.value.locator("h1").first.wait_for()
     assert opened.value.evaluate("origin") == "null"
     context.wrong[:] = [w for w in context.wrong if "connect" not in w and "Connect" not in w]
 
@@ -111,21 +112,21 @@ def test_by_keyboard_alone(decide, hand, project):
     page.keyboard.press("Enter")
     hand.tab_to(".parameters select")
     page.keyboard.press("ArrowDown")
-    hand.wait("free from the next adjustment on")
+    hand.wait("studio_decide.choice_stored")
     assert [e.verb for e in entries_of(journal_path(project))] == ["parameter"]
-    assert page.locator(".parameters select:focus").count() == 1
+    assert page.evaluate("document.activeElement.closest('table').className") == "parameters"
 
 
 def test_a_refusal_says_what_is_wrong(decide, hand, context):
     page = decide
     page.fill("#option-datum_points", "nowhere")
     page.keyboard.press("Tab")
-    hand.wait("Options of the next")
+    hand.wait("studio_decide.options_stored")
     page.click("#options-adjust")
     page.locator("#message.bad", has_text="nowhere").wait_for()
     page.fill("#option-jobs", "-1")
     page.keyboard.press("Tab")
-    page.locator("#message.bad", has_text="[setting.too_small]").wait_for()
+    hand.wait("setting.too_small", "[setting.too_small]")
     context.wrong[:] = [w for w in context.wrong if "409" not in w]
 
 

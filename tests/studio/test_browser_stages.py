@@ -2,6 +2,7 @@
 
 import pytest
 
+from raybundle.words import headline
 from tests.studio.browser import Hand, served
 from tests.studio.test_browser import context
 from tests.studio.test_targets import COLUMNS, ROWS, board
@@ -31,24 +32,22 @@ def test_run_stop_run_again_and_look(context, address, board):
     page = context.new_page()
     page.goto(address)
     hand = Hand(page)
-    hand.wait("Adjusted")
+    hand.wait("studio_page.adjusted")
     page.click("#tab-decide")
     page.click("#decide-run")
     page.check("#run-shear")
-    page.locator(
-        "code.command", has_text="raybundle calibrate --target chessboard-7x6 --shear --out calibration"
-    ).wait_for()
+    page.locator("code.command", has_text="--target chessboard-7x6 --shear --out calibration").wait_for()
     page.uncheck("#run-shear")
     hand.tab_to("#run-begin")
     page.evaluate(AT_ONCE)
     page.keyboard.press("Enter")
-    page.locator(".counts", has_text="Stopped after").wait_for()
+    page.locator(".counts", has_text=headline("studio_run.ended", {"outcome": "stopped", "time": ""})).wait_for()
     assert (board / "calibration" / "result.json").is_file()
     page.click("#run-begin")
-    page.locator(".counts", has_text="Done after").wait_for()
-    assert page.locator(".stages tbody tr", has_text="kept from before").count() >= 1
+    page.locator(".counts", has_text=headline("studio_run.ended", {"outcome": "done", "time": ""})).wait_for()
+    assert page.locator(".stages tr.kept").count() >= 1
     page.locator(".stages tr", has_text=f"{7 * COLUMNS * ROWS} points of").wait_for()
-    page.locator(".printed", has_text="7 of 7 photographs used").wait_for()
+    page.locator(".printed", has_text="7 of 7").wait_for()
     page.click("#decide-calibration")
     page.locator(".verdict").wait_for()
     page.locator(".figures img").first.scroll_into_view_if_needed()
@@ -56,12 +55,13 @@ def test_run_stop_run_again_and_look(context, address, board):
         "[...document.querySelectorAll('.figures img')].some(i => i.complete && i.naturalWidth > 100)"
     )
     page.click("#decide-targets")
-    page.locator("table[aria-label='Targets by photograph'] tbody tr").nth(6).wait_for()
+    page.locator("#targets-by-photograph tbody tr").nth(6).wait_for()
     page.get_by_role("button", name="board_1.jpg").first.click()
     page.locator("#tab-images[aria-selected=true]").wait_for()
     assert page.locator("#targets").is_checked()
-    page.locator("#image-legend", has_text="target used").wait_for()
-    before = page.locator(".pane.active canvas.over").screenshot()
+    page.locator("#legend-target-used:visible").wait_for()
+    drawn = page.locator(".pane.active").locator("canvas.over")
+    before = drawn.screenshot()
     page.uncheck("#targets")
     page.wait_for_timeout(200)
-    assert page.locator(".pane.active canvas.over").screenshot() != before
+    assert drawn.screenshot() != before

@@ -38,6 +38,7 @@ def test_types(tools):
 def test_licences_stay_in_the_bundle():
     for built in BUILT.values():
         assert "SPDX-License-Identifier: MIT" in built.read_text(encoding="utf-8")
+    assert "SPDX-License-Identifier: Apache-2.0" in BUILT["studio/studio.ts"].read_text(encoding="utf-8")
 
 
 def test_the_page_has_nothing_that_its_policy_forbids():

@@ -45,7 +45,7 @@ def test_masks_are_told_of_each_image(client, desk):
     assert act(client, "unmask", "m3", mask="tree").json()["state"]["masks"][0]["mask"] == "bonnet"
     refused = act(client, "mask", "m4", mask="sky", image=a, polygon=SQUARE[:2])
     assert refused.status_code == 409
-    assert "3 to" in refused.json()["error"]
+    assert refused.json()["code"] == "mark.mask_corners"
 
 
 def test_masks_read_from_a_folder_are_shown(client, desk, project, tmp_path):
@@ -97,4 +97,5 @@ def test_three_hundred_tabs_are_told_at_once():
 
 def test_a_picture_of_a_pixel_is_remarked():
     (line,) = small_pictures({"a.jpg": (1, 1), "b.jpg": (4000, 3000)})
-    assert "a.jpg: has 1 x 1 px" in line
+    assert line.startswith("a.jpg: ")
+    assert "1 x 1" in line

@@ -1,6 +1,5 @@
 """The page that decides: options as a form, parameters, limits, adjustments beside one another, reports within."""
 
-import re
 import shutil
 import threading
 
@@ -12,8 +11,10 @@ from raybundle.measuring.journal import entries_of, journal_path, measured_resul
 from raybundle.settings import settings_of
 from raybundle.studio import work as work_module
 from raybundle.studio.app import Studio
+from raybundle.studio.deciding import PAGE_POLICY
 from raybundle.studio.desk import Desk
-from raybundle.studio.guard import Session
+from raybundle.studio.guard import POLICY, Session
+from raybundle.words import headline
 from tests.barriers import DEADLINE_S
 from tests.studio.conftest import PORT
 from tests.studio.test_app import act
@@ -41,7 +42,7 @@ def test_the_form_is_the_data_class(client, project):
         assert field["choices"] == list(known[name].choices)
         assert field["value"] in (known[name].default, "")
     assert (fields["jobs"]["low"], fields["jobs"]["whole"]) == (0, True)
-    assert found["command"] == f"raybundle mark adjust -- {project}"
+    assert found["command"].split() == ["raybundle", "mark", "adjust", "--", str(project)]
 
 
 def test_options_are_kept_for_every_button_and_shown_as_a_command(client, studio, project):
@@ -56,21 +57,22 @@ def test_options_are_kept_for_every_button_and_shown_as_a_command(client, studio
 
 
 @pytest.mark.parametrize(
-    ("values", "words"),
+    ("values", "code"),
     [
-        ({"reject": "all"}, r"reject = 'all' .*none, snooping.*\[setting\.not_one_of\]"),
-        ({"jobs": -1}, r"jobs = -1 .*\[setting\.too_small\]"),
-        ({"jobs": 1.5}, r"1\.5 .*setting\.no_whole_number"),
-        ({"robust_start": "yes"}, "robust_start = yes .*setting.wrong_kind"),
-        ({"hold": [["a", "b"]]}, "hold .*datum_points.*setting.unknown"),
-        ({"datum_points": ["a"]}, "datum_points = .*setting.several_values"),
-        ({"evil": 1}, "evil .*setting.unknown"),
+        ({"reject": "all"}, "setting.not_one_of"),
+        ({"jobs": -1}, "setting.too_small"),
+        ({"jobs": 1.5}, "setting.no_whole_number"),
+        ({"robust_start": "yes"}, "setting.wrong_kind"),
+        ({"hold": [["a", "b"]]}, "setting.unknown"),
+        ({"datum_points": ["a"]}, "setting.several_values"),
+        ({"evil": 1}, "setting.unknown"),
     ],
 )
-def test_options_that_cannot_be_are_refused_by_name(client, studio, values, words):
+def test_options_that_cannot_be_are_refused_by_name(client, studio, values, code):
     answer = client.post("/api/options", json={"values": values})
     assert answer.status_code == 409
-    assert re.search(words, answer.json()["error"])
+    assert answer.json()["code"] == code
+    assert next(iter(values)) in answer.json()["error"]
     assert studio.work.options == AdjustmentOptions()
 
 
@@ -148,17 +150,17 @@ def test_opened_again_it_is_as_it_was_adjusted(client, studio, desk, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("arguments", "code"),
     [
-        ({"camera": "none", "symbol": "K1", "choice": "held"}, "[camera.not_in_block]"),
-        ({"symbol": "K99", "choice": "held"}, "[camera.no_parameter]"),
-        ({"symbol": "K1", "choice": "perhaps"}, "[action.arguments]"),
+        ({"camera": "none", "symbol": "K1", "choice": "held"}, "camera.not_in_block"),
+        ({"symbol": "K99", "choice": "held"}, "camera.no_parameter"),
+        ({"symbol": "K1", "choice": "perhaps"}, "action.arguments"),
     ],
 )
-def test_parameters_that_are_not_there(client, desk, arguments, words):
+def test_parameters_that_are_not_there(client, desk, arguments, code):
     answer = act(client, "parameter", **{"camera": desk.given.cameras[0].id, **arguments})
     assert answer.status_code == 409
-    assert words in answer.json()["error"]
+    assert answer.json()["code"] == code
 
 
 def counted(desk, quantity, limit):
@@ -199,7 +201,7 @@ def test_all_beyond_a_limit_are_one_action_sent_twice_too(client, studio, projec
     first, second = (client.post("/api/reject", json=given).json() for _ in range(2))
     assert first["seq"] == second["seq"]
     assert sorted(first["state"]["rejected"]) == sorted(rows)
-    assert first["command"] == f"raybundle mark reject --w 2.5 -- {project}"
+    assert first["command"].split() == ["raybundle", "mark", "reject", "--w", "2.5", "--", str(project)]
     assert [e.verb for e in entries_of(journal_path(project))] == ["reject_beyond"]
     assert client.get("/api/selection", params=given).json()["observations"] == 0
     adjusted(client, studio)
@@ -226,18 +228,18 @@ def test_marks_made_by_hand_are_counted_apart(client, studio, desk):
 
 
 @pytest.mark.parametrize(
-    ("given", "status", "words"),
+    ("given", "status", "code"),
     [
         ({"by": "w", "limit": 1e6}, 409, "selection.nothing_beyond"),
-        ({"by": "beauty", "limit": 1}, 409, "[selection.unknown_quantity]"),
-        ({"by": "w", "limit": "x"}, 400, "limit 'x'"),
-        ({"by": "w", "limit": 1, "id": ""}, 400, "an action has an id"),
+        ({"by": "beauty", "limit": 1}, 409, "selection.unknown_quantity"),
+        ({"by": "w", "limit": "x"}, 400, "studio_page.bad_request"),
+        ({"by": "w", "limit": 1, "id": ""}, 400, "studio_page.bad_request"),
     ],
 )
-def test_selections_that_cannot_be(client, given, status, words):
+def test_selections_that_cannot_be(client, given, status, code):
     answer = client.post("/api/reject", json={"id": "one", **given})
     assert answer.status_code == status
-    assert words in answer.json()["error"]
+    assert answer.json()["code"] == code
     assert client.get("/api/overview").json()["state"]["seq"] == 0
 
 
@@ -246,7 +248,7 @@ def test_nothing_to_select_by_before_there_is_an_adjustment(client, desk):
     for path in ("/api/criteria", "/api/selection?by=w&limit=1"):
         answer = client.get(path)
         assert answer.status_code == 409
-        assert "[studio.no_adjustment]" in answer.json()["error"]
+        assert answer.json()["code"] == "studio.no_adjustment"
     (interior,) = client.get("/api/parameters").json()["interiors"]
     assert {p["status"] for p in interior["parameters"]} == {"not adjusted"}
 
@@ -257,26 +259,26 @@ def test_adjustments_are_kept_and_compared(client, studio, project):
     act(client, "parameter", camera=camera, symbol="K1", choice="held")
     adjusted(client, studio, reject="snooping")
     zero, one, two = client.get("/api/adjustments").json()["adjustments"]
-    assert [zero["words"], one["words"], two["words"]] == ["as it was opened", "adjusted here", "adjusted here"]
+    assert [zero["origin"], one["origin"], two["origin"]] == ["opened", "adjusted", "adjusted"]
     assert one["redundancy"] < two["redundancy"] + 2 * two["rejected"]
     assert two["options"][:3] == ["--hold", camera, "K1"]
     assert "--reject snooping" in " ".join(two["options"])
-    assert two["command"] == f"raybundle mark adjust --reject snooping -- {project}"
+    assert two["command"].split()[2:] == ["adjust", "--reject", "snooping", "--", str(project)]
     assert [w["w"] for w in one["worst"]] == sorted((w["w"] for w in one["worst"]), reverse=True)
     assert one["check"] == {"points": 0, "rms": [None, None, None]}
     assert {p["symbol"]: p["status"] for p in two["parameters"]}["K1"] == "held"
     page = client.get("/comparison/1/2")
     assert page.status_code == 200
-    assert "Comparison of two adjustments." in page.text
-    assert "setting hold" in page.text
-    assert page.headers["content-security-policy"].startswith("sandbox allow-scripts; default-src 'none'")
+    assert headline("report_compare.warnings", {}) in page.text
+    assert headline("report_compare.setting", {"name": "hold"}) in page.text
+    assert page.headers["content-security-policy"] == PAGE_POLICY
     assert page.headers["x-frame-options"] == "SAMEORIGIN"
 
 
 def test_what_was_measured_before_is_there_beside_the_own_result(client, studio, desk):
     adjusted(client, studio)
     again = type(studio.work.shelf).of(desk.source, desk.tiles.folder / "again")
-    assert [(k.number, k.words) for k in again.kept] == [(0, "as it was opened"), (1, "measured before")]
+    assert [(k.number, k.origin) for k in again.adjustments] == [(0, "opened"), (1, "before")]
     assert again.put(measured_result(desk.source), "") == 2
 
 
@@ -285,7 +287,7 @@ def test_the_oldest_but_the_first_make_room(client, studio, desk):
     shelf = studio.work.shelf
     for _ in range(9):
         shelf.put(measured_result(desk.source), "")
-    assert [k.number for k in shelf.kept] == [0, 4, 5, 6, 7, 8, 9, 10]
+    assert [k.number for k in shelf.adjustments] == [0, 4, 5, 6, 7, 8, 9, 10]
     assert not (desk.tiles.folder / "adjustment-1").exists()
 
 
@@ -302,10 +304,10 @@ def test_reports_are_pages_of_no_origin(client, studio):
     page = client.get("/adjustment/1/report.html")
     assert page.status_code == 200
     assert "<html" in page.text
-    assert "sandbox allow-scripts;" in page.headers["content-security-policy"]
-    assert "allow-same-origin" not in page.headers["content-security-policy"]
+    assert page.headers["content-security-policy"] == PAGE_POLICY
+    assert "allow-same-origin" not in PAGE_POLICY
     own = client.get("/").headers
-    assert "frame-src 'self'" in own["content-security-policy"]
+    assert own["content-security-policy"] == POLICY
     assert own["x-frame-options"] == "DENY"
 
 
@@ -340,7 +342,7 @@ def test_stopped_nothing_is_changed(client, studio, desk, project, monkeypatch):
     monkeypatch.undo()
     assert desk.adjustment is before
     assert (measured_result(project) / "result.json").read_bytes() == result
-    assert [k.number for k in studio.work.shelf.kept] == [0, 1]
+    assert [k.number for k in studio.work.shelf.adjustments] == [0, 1]
     assert not [p for p in project.iterdir() if p.name.endswith(".partial")]
     adjusted(client, studio)
     assert desk.adjustment is not before

@@ -18,7 +18,7 @@ def stranger(studio):
 def test_nothing_without_a_session(stranger, path):
     answer = stranger.get(path)
     assert answer.status_code == 401
-    assert "the address that the command printed" in answer.json()["error"]
+    assert answer.json()["code"] == "studio_page.no_session"
 
 
 def test_the_token_works_once(stranger, studio):
@@ -82,7 +82,7 @@ def test_a_socket_without_session_or_page_is_refused(stranger, client):
 def test_no_path_leads_anywhere_else(client, path):
     answer = client.get(path)
     assert answer.status_code in {404, 409}
-    assert set(answer.json()) == {"error"}
+    assert set(answer.json()) == {"error", "code"}
 
 
 def test_every_answer_forbids_what_the_page_does_not_need(client):

@@ -1,29 +1,30 @@
 """Stages run from the page: the settings of the command, progress, stop, what is kept, the desk with the new result."""
 
-import re
+import shlex
 import signal
 
 import pytest
 
 from raybundle.commands.orient import OrientSettings, orient, settings_asked
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.pipeline.project import Project
 from raybundle.results.folder import read_result
 from raybundle.settings import settings_of
 from raybundle.studio.child import Child
 from raybundle.studio.forms import settings_of_form
+from raybundle.words import COMMAND_LINE
 from tests.barriers import wait_for
 from tests.studio.test_app import act
 
 
 def until(client, wanted):
-    """What is told of the run as soon as something of it is so."""
+    """The run as the page gets it, as soon as something of it is so."""
 
-    def told():
+    def reported():
         run = client.get("/api/run").json()["run"]
         return run if wanted(run) else None
 
-    return wait_for(told, "the run is as wanted")
+    return wait_for(reported, "the run is as wanted")
 
 
 def chosen(client, **values):
@@ -38,7 +39,7 @@ def test_the_form_is_the_data_class_with_what_was_asked_for(client, project):
     assert (fields["precise"]["flag"], fields["precise"]["value"]) == ("--quick", True)
     assert (fields["report"]["value"], fields["library"]["value"]) == (True, False)
     assert fields["photos"]["value"].count(".jpg") == 5
-    assert found["form"]["command"].startswith("raybundle orient --quick --no-report --out")
+    assert shlex.split(found["form"]["command"])[:5] == ["raybundle", "orient", "--quick", "--no-report", "--out"]
     assert settings_asked(project).precise is False
 
 
@@ -50,35 +51,36 @@ def test_settings_are_those_of_the_command_line(client, project, studio):
     }  # fmt: skip
     answer = chosen(client, **values)
     assert answer.status_code == 200
-    assert answer.json()["form"]["command"] == (
-        "raybundle orient --control one.csv --control 'two b.csv' --control-sigma 0.01 0.02 --scale-bar A B 1.5 0.001 "
-        f"--scale-bar C 'D 1' 2.0 0.002 --crs EPSG:32633 --no-gps --start growing --jobs 2 --out {project} "
-        "-- 'a b' c.jpg"
-    )
+    assert shlex.split(answer.json()["form"]["command"]) == [
+        "raybundle", "orient", "--control", "one.csv", "--control", "two b.csv", "--control-sigma", "0.01", "0.02",
+        "--scale-bar", "A", "B", "1.5", "0.001", "--scale-bar", "C", "D 1", "2.0", "0.002", "--crs", "EPSG:32633",
+        "--no-gps", "--start", "growing", "--jobs", "2", "--out", str(project), "--", "a b", "c.jpg",
+    ]  # fmt: skip
     assert studio.running.chosen.settings.gps is False
     fields = {f["name"]: f["value"] for f in answer.json()["form"]["fields"]}
     assert {k: fields[k] for k in values if k != "scale_bar"} == {k: values[k] for k in values if k != "scale_bar"}
 
 
 @pytest.mark.parametrize(
-    ("values", "words"),
+    ("values", "code", "names"),
     [
-        ({"feature_count": 3}, r"feature_count = 3 .*100\..*\[setting\.too_small\]"),
-        ({"start": "now"}, r"start = 'now' .*\[setting\.not_one_of\]"),
-        ({"scale_bar": "A B 1.5"}, "scale_bar = A B 1.5 .*A B LENGTH SIGMA.*setting.word_count"),
-        ({"scale_bar": "A B one 0.1"}, "A B one 0.1 .* 4 .*A B LENGTH SIGMA.*setting.word_count"),
-        ({"control": "'open"}, "control = 'open.*setting.quotation_open"),
-        ({"photos": " "}, "studio.no_photographs"),
-        ({"photos": ["a"]}, "photos = .*setting.no_text"),
-        ({"gps": "yes"}, "gps = yes .*setting.wrong_kind"),
-        ({"out": "/elsewhere"}, " out .*setting.unknown"),
+        ({"feature_count": 3}, "setting.too_small", ("feature_count", "3", "100")),
+        ({"start": "now"}, "setting.not_one_of", ("start", "now")),
+        ({"scale_bar": "A B 1.5"}, "setting.word_count", ("scale_bar", "1.5", "LENGTH")),
+        ({"scale_bar": "A B one 0.1"}, "setting.word_count", ("scale_bar", "0.1", "4", "LENGTH")),
+        ({"control": "'open"}, "setting.quotation_open", ("control", "'open")),
+        ({"photos": " "}, "studio.no_photographs", ()),
+        ({"photos": ["a"]}, "setting.no_text", ("photos",)),
+        ({"gps": "yes"}, "setting.wrong_kind", ("gps", "yes")),
+        ({"out": "/elsewhere"}, "setting.unknown", ("out",)),
     ],
 )
-def test_settings_that_cannot_be_are_refused_by_name(client, studio, values, words):
+def test_settings_that_cannot_be_are_refused_by_name(client, studio, values, code, names):
     before = studio.running.what()
     answer = chosen(client, **values)
     assert answer.status_code == 409
-    assert re.search(words, answer.json()["error"])
+    assert answer.json()["code"] == code
+    assert all(name in answer.json()["error"] for name in names)
     assert studio.running.chosen == before
 
 
@@ -106,8 +108,7 @@ def test_run_stop_run_again(client, studio, project, tmp_path):
     until(client, lambda r: any(s["state"] in {"done", "kept"} for s in r["stages"]))
     assert client.post("/api/stop", json={}).json() == {"stopping": True}
     stopped = until(client, lambda r: r["outcome"] != "running")
-    assert stopped["outcome"] == "stopped"
-    assert "what is finished is kept" in stopped["words"]
+    assert (stopped["outcome"], stopped["words"]) == ("stopped", "")
     kept = {s["title"] for s in stopped["stages"] if s["state"] in {"done", "kept"}}
     opened = Project.open(project, create=False)
     assert kept <= {r.name for r in opened.stages()}
@@ -123,7 +124,7 @@ def test_run_stop_run_again(client, studio, project, tmp_path):
     overview = client.get("/api/overview").json()
     assert overview["times"] == before + 1
     assert [m["point"] for m in overview["state"]["marks"]] == ["gate"]
-    assert client.get("/api/adjustments").json()["adjustments"][-1]["words"] == "oriented here"
+    assert client.get("/api/adjustments").json()["adjustments"][-1]["origin"] == "oriented"
     orient(photos, tmp_path / "same", feature_count=2000, precise=False, report=False)
     ours, theirs = (read_result(p / "result") for p in (project, tmp_path / "same"))
     for name in ("sigma0", "redundancy", "observations"):
@@ -163,12 +164,12 @@ def test_a_program_ends_with_a_studio_that_is_killed(project, tmp_path):
     """Its input ends then, and it stops as if interrupted; what it has finished is kept."""
     photos = [str(p) for p in sorted((project.parent / "photos").glob("*.jpg"))]
     child = Child.begin(["orient", *photos, "--out", str(tmp_path / "other"), "--progress", "json"])
-    told = []
+    steps = []
 
     def progress(step, _):
-        if not told:
+        if not steps:
             child.process.stdin.close()
-        told.append(step)
+        steps.append(step)
 
     status, _ = child.follow(progress)
     assert status == 130
@@ -178,7 +179,7 @@ def test_a_program_ends_with_a_studio_that_is_killed(project, tmp_path):
 def test_nul_in_a_path_is_refused(client):
     answer = chosen(client, photos="a\0b.jpg")
     assert answer.status_code == 409
-    assert "[setting.impossible_character]" in answer.json()["error"]
+    assert answer.json()["code"] == "setting.impossible_character"
 
 
 def test_a_run_that_fails_says_what_the_command_says(client, project):
@@ -195,5 +196,5 @@ def test_nothing_runs_in_a_block(client, studio, project, monkeypatch):
     monkeypatch.setattr(studio.desk, "source", project / "result" / "block")
     found = client.get("/api/run").json()
     assert found["form"] is None
-    assert "[studio.nothing_to_run]" in found["why"]
+    assert found["why"] == message("studio.nothing_to_run").text(COMMAND_LINE)
     assert client.post("/api/run", json={}).status_code == 409

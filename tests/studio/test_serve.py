@@ -10,6 +10,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
+from raybundle.cli.main import main
 from tests.barriers import DEADLINE_S
 
 
@@ -27,6 +28,12 @@ def started(project, temporary):
         connection.request("GET", "/")
         assert connection.getresponse().status == 401
     return server
+
+
+def test_a_language_without_a_catalogue_is_refused(tmp_path, capsys):
+    assert main(["studio", str(tmp_path), "--no-browser", "--language", "xx"]) == 2
+    assert "report.unknown_language" in capsys.readouterr().err
+    assert not [*tmp_path.iterdir()]
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")

@@ -11,7 +11,7 @@ from raybundle import words
 from raybundle.errors import InputError, Message, NoOrientation, Severity, Text, message_of
 from raybundle.words.catalogue import code_of, entries, entry_of
 from raybundle.words.render import Reader
-from tests.sources import texts, trees
+from tests.sources import SOURCE, texts, trees
 
 LONGEST = 100
 """Characters of a headline"""
@@ -24,6 +24,8 @@ KIN = frozenset(
 RESERVED = frozenset(
     "file line column details undetermined open_names code ids reason measured severity also".split()  # noqa: SIM905
 )
+PAGE = SOURCE.parents[1] / "web/studio"
+"""Scripts of the studio's page: they use the groups studio_... and label"""
 TEXTS = 3
 """Calls that make a message of a text, as long as they are moved to catalogues: may only shrink"""
 
@@ -98,7 +100,8 @@ def test_every_code_in_the_source_has_words_and_is_given_what_they_need():
 
 
 def test_every_code_is_used():
-    used = {c for text in texts().values() for c in re.findall(r"[\"'](\w+(?:\.\w+)?)[\"']", text)}
+    page = [p.read_text(encoding="utf-8") for p in (*PAGE.glob("*.ts"), SOURCE / "studio/static/index.html")]
+    used = {c for text in (*texts().values(), *page) for c in re.findall(r"[\"'](\w+(?:\.\w+)?)[\"']", text)}
     unused = [c for c in (*words.codes(), *words.text_codes()) if c not in used]
     assert not unused, f"no place makes these messages: {', '.join(unused)}"
 
@@ -128,7 +131,7 @@ def test_every_entry_is_complete(language):
                     wrong.append(f"{entry.file}: {name}: {text}")
                 if not part and language == words.ENGLISH and len(text) > LONGEST:
                     wrong.append(f"{entry.file}: {name}: headline of {len(text)} characters: {text}")
-            if set(parts) - {"", "why", "do"}:
+            if set(parts) - {"", "why", "do", *(["title"] if name.startswith("studio_") else [])}:
                 wrong.append(f"{entry.file}: {name}: attributes {sorted(parts)}")
     assert not wrong, "\n".join(wrong)
 
@@ -173,6 +176,12 @@ def test_numbers_follow_the_language():
     values = {"chosen": "x", "known": [1.5, 2.25]}
     assert "1,5; 2,25" in words.action("environment.native_unknown", values, Reader("de"))
     assert "1.5, 2.25" in words.action("environment.native_unknown", values)
+
+
+def test_probabilities_follow_the_language():
+    assert "(p 0,35)" in words.headline("epochs.stable_points_differ", {"p": 0.35}, Reader("de"))
+    assert "(p 0.35)" in words.headline("epochs.stable_points_differ", {"p": 0.35})
+    assert "(p < 1e-16)" in words.headline("epochs.stable_points_differ", {"p": 0.0}, Reader("de"))
 
 
 def test_an_error_carries_its_message():

@@ -1,5 +1,5 @@
 // Actions on their way: one after the other, each sent again until it is answered; sent twice it counts once.
-import { Refused, tell } from "./api";
+import { Refused, send } from "./api";
 import { ActionAnswer } from "./types";
 
 interface Waiting {
@@ -60,7 +60,7 @@ export class Actions {
       const { path, body, done, refused } = this.waiting[0];
       this.onwaiting(this.waiting.length, pause > 250);
       try {
-        const answer = await tell<ActionAnswer>(path, body);
+        const answer = await send<ActionAnswer>(path, body);
         this.waiting.shift();
         pause = 250;
         done(answer);

@@ -1,7 +1,9 @@
 // Asking the server: answers as data, refusals with their reason.
+import { say } from "./words";
 
 export class Refused extends Error {
-  constructor(readonly status: number, message: string) {
+  /** code  of the message, where the server has one */
+  constructor(readonly status: number, message: string, readonly code = "") {
     super(message);
   }
 }
@@ -16,30 +18,32 @@ function address(path: string, query: Query): string {
   return text ? `${path}?${text}` : path;
 }
 
-async function reason(answer: Response): Promise<string> {
+async function refusal(answer: Response): Promise<Refused> {
+  const { status } = answer;
   try {
-    return ((await answer.json()) as { error: string }).error;
+    const { error, code } = (await answer.json()) as { error: string; code?: string };
+    return new Refused(status, error, code);
   } catch {
-    return `the server answered ${answer.status}`;
+    return new Refused(status, say("studio_page.server_status", { status }), "studio_page.server_status");
   }
 }
 
 export async function ask<T>(path: string, query: Query = {}): Promise<T> {
   const answer = await fetch(address(path, query));
-  if (!answer.ok) throw new Refused(answer.status, await reason(answer));
+  if (!answer.ok) throw await refusal(answer);
   return (await answer.json()) as T;
 }
 
 export async function bytes(path: string): Promise<ArrayBuffer> {
   const answer = await fetch(path);
-  if (!answer.ok) throw new Refused(answer.status, await reason(answer));
+  if (!answer.ok) throw await refusal(answer);
   return answer.arrayBuffer();
 }
 
-export async function tell<T>(path: string, body: unknown): Promise<T> {
+export async function send<T>(path: string, body: unknown): Promise<T> {
   const answer = await fetch(path, {
     method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(body),
   });
-  if (!answer.ok) throw new Refused(answer.status, await reason(answer));
+  if (!answer.ok) throw await refusal(answer);
   return (await answer.json()) as T;
 }

@@ -9,25 +9,27 @@ import { DecideRun } from "./decide_run";
 import { DecideSelect } from "./decide_select";
 import { DecideTargets } from "./decide_targets";
 import { Model } from "./model";
+import { say } from "./words";
 import type { Leaf, Ways } from "./leaf";
 
 export class Decide {
-  private readonly leaves: [name: string, words: string, leaf: Leaf][];
+  private readonly leaves: [name: string, code: string, leaf: Leaf][];
   private readonly heads: HTMLButtonElement[];
   private now = 0;
 
   constructor(private readonly model: Model, private readonly isOpen: () => boolean, ways: Ways) {
     this.leaves = [
-      ["run", "Run", new DecideRun(model)], ["options", "Options", new DecideOptions(model)], ["parameters", "Parameters", new DecideParameters(model)],
-      ["select", "Select", new DecideSelect(model, ways)], ["compare", "Compare", new DecideCompare(model, ways)],
-      ["calibration", "Calibration", new DecideCalibration(model)], ["targets", "Targets", new DecideTargets(model, ways)], ["report", "Report", new DecideReport()],
+      ["run", "studio_decide.run", new DecideRun(model)], ["options", "studio_decide.options", new DecideOptions(model)],
+      ["parameters", "studio_decide.parameters", new DecideParameters(model)], ["select", "studio_decide.select", new DecideSelect(model, ways)],
+      ["compare", "studio_decide.compare", new DecideCompare(model, ways)], ["calibration", "studio_decide.calibration", new DecideCalibration(model)],
+      ["targets", "studio_decide.targets", new DecideTargets(model, ways)], ["report", "studio_page.report", new DecideReport()],
     ];
-    this.heads = this.leaves.map(([name, words], k) => {
-      const head = button(words, `Show ${words.toLowerCase()}`, () => this.turn(k));
+    this.heads = this.leaves.map(([name, code], k) => {
+      const head = button(code, () => this.turn(k));
       head.id = `decide-${name}`;
       return head;
     });
-    element("decide-bar").append(h("span", { class: "group", role: "group", "aria-label": "What is decided" }, ...this.heads));
+    element("decide-bar").append(h("span", { class: "group", role: "group", "aria-label": say("studio_decide.parts") }, ...this.heads));
     element("decide").append(...this.leaves.map(([, , leaf]) => leaf.root));
     this.turn(1);
     model.on(["read", "state", "targets"], () => this.isOpen() && this.show());
@@ -41,6 +43,6 @@ export class Decide {
   }
 
   show(): void {
-    this.leaves[this.now][2].show().catch((error: Error) => this.model.say(error.message, "bad"));
+    this.leaves[this.now][2].show().catch((error) => this.model.fail(error));
   }
 }

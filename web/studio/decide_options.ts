@@ -1,24 +1,25 @@
 // The options of the next adjustment: a form that the server makes of the settings of `adjust`, and the command.
-import { ask, tell } from "./api";
+import { ask, send } from "./api";
 import { button, element, h } from "./dom";
 import { Model } from "./model";
 import { OptionFields, Values } from "./option_form";
 import { OptionForm } from "./types";
+import { say } from "./words";
 
 export class DecideOptions {
-  readonly root = h("section", { class: "leaf", "aria-label": "Options of the adjustment" });
+  readonly root = h("section", { class: "leaf", "aria-label": say("studio_decide.options") });
   private readonly form = new OptionFields("option", (values) => void this.send(values));
   private readonly command = h("code", { class: "command" });
 
   constructor(private readonly model: Model) {
-    const go = button("Adjust with these options", "Adjust block and marks in the background", () => element("adjust").click(), "main");
+    const go = button("studio_decide.adjust", () => element("adjust").click(), "main");
     go.id = "options-adjust";
-    const usual = button("As usual", "All options as they are by default", () => void this.send({}));
+    const usual = button("studio_decide.reset", () => void this.send({}));
     usual.id = "options-usual";
     this.root.append(
-      h("p", { class: "note" }, "They hold for every adjustment that is begun here, from this page or from the button above. While it runs, the line below shows how far it is; Stop ends it and changes nothing."),
+      h("p", { class: "note" }, say("studio_decide.options_note")),
       this.form.root, h("div", { class: "deeds" }, go, usual),
-      h("h3", {}, "The same on the command line"), h("p", {}, this.command));
+      h("h3", {}, say("studio_decide.command")), h("p", {}, this.command));
   }
 
   async show(): Promise<void> {
@@ -27,10 +28,10 @@ export class DecideOptions {
 
   private async send(values: Values): Promise<void> {
     try {
-      this.fill(await tell<OptionForm>("/api/options", { values }));
-      this.model.say("Options of the next adjustment.", "good");
+      this.fill(await send<OptionForm>("/api/options", { values }));
+      this.model.say("studio_decide.options_stored", {}, "good");
     } catch (error) {
-      this.model.say((error as Error).message, "bad");
+      this.model.fail(error);
     }
   }
 

@@ -1,27 +1,27 @@
 // Gradual selection: a limit that is moved, how much is beyond it, where that is, and one action that rejects it.
 import { ask } from "./api";
 import { beyond } from "./beyond";
-import { afterPause, button, h } from "./dom";
+import { afterPause, button, h, sign } from "./dom";
 import type { Ways } from "./leaf";
 import { Model } from "./model";
-import { count, short, withUnit } from "./numbers";
+import { short, withUnit } from "./numbers";
 import { Criterion, Quantity, Selection } from "./types";
+import { say } from "./words";
 
 const STEPS = 1000;
 const LISTED = 60;
-const NAMES: Record<Quantity, string> = { w: "|w|", sigma: "sigma XYZ", rays: "rays", redundancy: "redundancy number" };
 
 export class DecideSelect {
-  readonly root = h("section", { class: "leaf", "aria-label": "Selection by a limit" });
-  private readonly kinds = h("fieldset", { class: "kinds" }, h("legend", {}, "Image observations by"));
-  private readonly slider = h("input", { type: "range", id: "select-slider", min: 0, max: STEPS, value: 0, "aria-label": "Limit" });
+  readonly root = h("section", { class: "leaf", "aria-label": say("studio_decide.select") });
+  private readonly kinds = h("fieldset", { class: "kinds" }, h("legend", {}, say("studio_decide.observations_by")));
+  private readonly slider = h("input", { type: "range", id: "select-slider", min: 0, max: STEPS, value: 0, "aria-label": say("studio_decide.limit") });
   private readonly limit = h("input", { type: "text", id: "select-limit", inputmode: "decimal", autocomplete: "off" });
   private readonly unit = h("span", { class: "note" });
   private readonly words = h("p", { class: "note" });
   private readonly counts = h("p", { class: "counts", role: "status", "aria-live": "polite" });
   private readonly hand = h("p", { class: "note" });
   private readonly command = h("code", { class: "command" });
-  private readonly list = h("div", { class: "found", tabindex: 0, role: "region", "aria-label": "What is beyond the limit" });
+  private readonly list = h("div", { class: "found", tabindex: 0, role: "region", "aria-label": say("studio_decide.beyond") });
   private readonly draw = h("input", { type: "checkbox", id: "select-draw" });
   private readonly reject: HTMLButtonElement;
   private readonly shows: HTMLButtonElement[];
@@ -32,22 +32,22 @@ export class DecideSelect {
   private readonly soon = afterPause(() => void this.count(), 50);
 
   constructor(private readonly model: Model, private readonly ways: Ways) {
-    this.reject = button("Reject all of them", "One action, taken back with one undo", () => void this.rejectAll(), "main");
+    this.reject = button("studio_decide.reject_all", () => void this.rejectAll(), "main");
     this.reject.id = "select-reject";
     this.slider.disabled = this.limit.disabled = true; // until the criteria are there
     this.shows = [
-      button("Show in images", "Rings about what is beyond the limit", () => this.drawn(() => ways.images(beyond.worstImage))),
-      button("Show in space", "The object points that are beyond the limit", () => this.drawn(() => ways.space())),
+      button("studio_decide.show_in_images", () => this.drawn(() => ways.images(beyond.worstImage))),
+      button("studio_decide.show_in_space", () => this.drawn(() => ways.space())),
     ];
     this.draw.addEventListener("change", () => void this.count());
     model.on(["read", "state"], () => this.draw.checked && void this.count());
     this.slider.addEventListener("input", () => this.moved());
-    this.limit.addEventListener("change", () => this.typed());
+    this.limit.addEventListener("change", () => this.setLimit());
     this.root.append(this.kinds, this.words,
-      h("div", { class: "limit" }, h("label", { for: "select-limit" }, "limit"), this.slider, this.limit, this.unit),
+      h("div", { class: "limit" }, h("label", { for: "select-limit" }, say("studio_decide.limit")), this.slider, this.limit, this.unit),
       this.counts, this.hand, h("div", { class: "deeds" }, this.reject, ...this.shows,
-        h("label", { class: "row" }, this.draw, "draw it in images and space")),
-      h("h3", {}, "The same on the command line"), h("p", {}, this.command), this.list);
+        h("label", { class: "row" }, this.draw, say("studio_decide.draw"))),
+      h("h3", {}, say("studio_decide.command")), h("p", {}, this.command), this.list);
   }
 
   async show(): Promise<void> {
@@ -64,7 +64,7 @@ export class DecideSelect {
       this.by = c.name;
       this.take();
     });
-    return h("label", { title: c.words }, input, NAMES[c.name]);
+    return h("label", { title: say("studio_decide.quantity_meaning", { quantity: c.name }) }, input, say("studio_decide.quantity", { quantity: c.name }));
   }
 
   private get criterion(): Criterion {
@@ -89,8 +89,10 @@ export class DecideSelect {
 
   private take(): void {
     const c = this.criterion;
-    const range = c.known ? `from ${withUnit(short(c.low), c.unit)} to ${withUnit(short(c.high), c.unit)}, half of them ${c.above ? "above" : "below"} ${withUnit(short(c.middle), c.unit)}` : "not known: the adjustment is without statistics";
-    this.words.textContent = `${c.words[0].toUpperCase()}${c.words.slice(1)}: ${range}. Selected is what is ${c.above ? "above" : "below"} the limit.`;
+    const [low, high, middle] = [c.low, c.high, c.middle].map((v) => withUnit(short(v), c.unit));
+    const side = c.above ? "above" : "below";
+    const range = c.known ? say("studio_decide.range", { low, high, middle }) : say("studio_decide.no_range");
+    this.words.textContent = [say("studio_decide.quantity_meaning", { quantity: c.name }), range, say("studio_decide.selected", { side })].join(" ");
     this.limit.value = String(this.limits.get(this.by));
     this.slider.value = String(this.step(this.limits.get(this.by)!));
     this.slider.setAttribute("aria-valuetext", this.limit.value);
@@ -106,9 +108,9 @@ export class DecideSelect {
     this.soon();
   }
 
-  private typed(): void {
+  private setLimit(): void {
     const limit = this.limit.value.trim() ? Number(this.limit.value.replace(",", ".")) : NaN;
-    if (!(limit >= 0)) return this.model.say("Limit: give a number.", "bad");
+    if (!(limit >= 0)) return this.model.say("studio_point.number_missing", { field: say("studio_decide.limit") }, "bad");
     this.limits.set(this.by, limit);
     this.slider.value = String(this.step(limit));
     void this.count();
@@ -121,30 +123,30 @@ export class DecideSelect {
 
   private async count(): Promise<void> {
     const turn = ++this.turn;
-    this.reject.disabled = true; // nothing is rejected whose count is not shown
+    this.reject.disabled = true; // nothing is rejected before its count is shown
     this.counts.setAttribute("aria-busy", "true");
     try {
       const found = await ask<Selection>("/api/selection", { by: this.by, limit: this.limits.get(this.by)! });
-      if (turn === this.turn) this.told(found);
+      if (turn === this.turn) this.report(found);
     } catch (error) {
-      this.model.say((error as Error).message, "bad");
+      this.model.fail(error);
     }
   }
 
-  private told(s: Selection): void {
+  private report(s: Selection): void {
     beyond.show(this.draw.checked ? s.rows : []);
     const share = s.used ? (100 * s.observations) / s.used : 0;
     this.counts.setAttribute("aria-busy", "false");
-    this.counts.textContent = `${count(s.observations, "image observation")} of ${count(s.points, "point")} beyond it: ${short(share, 2)} % of ${s.used.toLocaleString("en")}.`;
-    this.hand.textContent = s.marks ? `${count(s.marks, "mark")} made by hand beyond it: not rejected here; move or remove ${s.marks === 1 ? "it" : "them"}.` : "";
+    this.counts.textContent = say("studio_decide.counts", { n: s.observations, points: s.points, percent: short(share, 2), used: s.used });
+    this.hand.textContent = s.marks ? say("studio_decide.marks_beyond", { n: s.marks }) : "";
     this.command.textContent = s.command;
     this.reject.disabled = !s.observations;
     this.shows.forEach((show) => (show.disabled = !s.observations));
     const rows = s.rows.slice(0, LISTED).map(([image, point]) =>
-      h("li", {}, button(`${point} in ${image}`, `Show ${point} in ${image}`, () => this.ways.visit(point, image), "link")));
+      h("li", {}, sign(say("studio_decide.point_in_image", { point, image }), say("studio_decide.show_point", { point, image }), () => this.ways.visit(point, image), "link")));
     const rest = s.observations - rows.length;
     this.list.hidden = !rows.length;
-    this.list.replaceChildren(h("ul", {}, ...rows), ...(rest > 0 ? [h("p", { class: "note" }, `and ${rest.toLocaleString("en")} more${s.all_shown ? "" : "; not all are drawn"}`)] : []));
+    this.list.replaceChildren(h("ul", {}, ...rows), ...(rest > 0 ? [h("p", { class: "note" }, say("studio_decide.more", { n: rest, drawn: s.all_shown ? "all" : "some" }))] : []));
   }
 
   private async rejectAll(): Promise<void> {
@@ -154,9 +156,9 @@ export class DecideSelect {
       const answer = await this.model.actions.reject(this.by, limit);
       this.model.command = answer.command;
       this.model.take(answer.state);
-      this.model.say(`Rejected what is beyond ${limit} in ${NAMES[this.by]}; adjust again.`, "good");
+      this.model.say("studio_decide.rejected", { limit: short(limit), quantity: this.by }, "good");
     } catch (error) {
-      this.model.say((error as Error).message, "bad");
+      this.model.fail(error);
       await this.count();
     }
   }

@@ -1,13 +1,14 @@
 // Targets: how many each photograph shows and what became of them, those of one photograph, and the sheet to print.
-import { ask, tell } from "./api";
+import { ask, send } from "./api";
 import type { Ways } from "./leaf";
-import { button, h } from "./dom";
+import { button, h, heads, sign } from "./dom";
 import { Model } from "./model";
 import { fixed } from "./numbers";
 import { OptionFields, Values } from "./option_form";
 import { FATES } from "./overlay_targets";
 import { targetLayer } from "./target_layer";
 import { Fate, OptionForm, TargetsOf } from "./types";
+import { say } from "./words";
 
 interface Row {
   image: string;
@@ -27,15 +28,18 @@ interface Overview {
 }
 
 type Sheet = OptionForm & { files: string[] };
-const HEADS = ["image", "found", ...FATES.map(([fate]) => fate), "median sigma px", "where from"];
+const HEADS = [
+  "label.image", "studio_target.found", "studio_target.used", "studio_target.rejected", "studio_target.apart", "studio_target.unidentified",
+  "studio_target.median_sigma", "studio_target.source",
+];
 
 export class DecideTargets {
-  readonly root = h("section", { class: "leaf", "aria-label": "Targets" });
-  private readonly family = h("input", { type: "text", id: "targets-family", list: "targets-known", placeholder: "FAMILY", autocomplete: "off", spellcheck: "false" });
+  readonly root = h("section", { class: "leaf", "aria-label": say("studio_decide.targets") });
+  private readonly family = h("input", { type: "text", id: "targets-family", list: "targets-known", placeholder: say("studio_target.family"), autocomplete: "off", spellcheck: "false" });
   private readonly known = h("datalist", { id: "targets-known" });
   private readonly forms = h("p", { class: "note" });
-  private readonly go = button("Find in all photographs", "Find the targets in the background; Stop in the line below ends it", () => void this.begin(), "main");
-  private readonly told = h("p", { class: "note", role: "status" });
+  private readonly go = button("studio_target.find", () => void this.begin(), "main");
+  private readonly status = h("p", { class: "note", role: "status" });
   private readonly body = h("tbody", {});
   private readonly one = h("div", {});
   private readonly sheet = new OptionFields("sheet", () => {});
@@ -44,19 +48,19 @@ export class DecideTargets {
 
   constructor(private readonly model: Model, private readonly ways: Ways) {
     this.go.id = "targets-begin";
-    const print = button("Make the sheet", "A PDF at true size with a scale bar, and a TOML file with what is printed where", () => void this.print(), "main");
+    const print = button("studio_target.make_sheet", () => void this.print(), "main");
     print.id = "sheet-make";
     this.family.addEventListener("change", () => {
       targetLayer.choose(this.family.value.trim());
       void this.show();
     });
     this.root.append(
-      h("div", { class: "deeds first" }, h("label", { for: "targets-family" }, "family"), this.family, this.known, this.go),
-      this.forms, this.told,
-      h("table", { class: "figures-of", "aria-label": "Targets by photograph" },
-        h("thead", {}, h("tr", {}, ...HEADS.map((words, k) => h("th", { scope: "col", class: k === HEADS.length - 1 ? "l" : "" }, words)))), this.body),
+      h("div", { class: "deeds first" }, h("label", { for: "targets-family" }, say("studio_target.family")), this.family, this.known, this.go),
+      this.forms, this.status,
+      h("table", { class: "figures-of", "aria-label": say("studio_target.by_photograph"), id: "targets-by-photograph" },
+        heads(HEADS, [HEADS.length - 1]), this.body),
       this.one,
-      h("h3", {}, "A sheet to print"), h("p", { class: "note" }, "Print without scaling, and measure the scale bar on the paper. The TOML file goes with it: `raybundle calibrate --sheet` reads it."),
+      h("h3", {}, say("studio_target.sheet")), h("p", { class: "note" }, say("studio_target.sheet_note")),
       this.sheet.root, h("div", { class: "deeds" }, print, this.files), h("p", {}, this.command));
     targetLayer.onchange(() => this.root.offsetParent && void this.details());
   }
@@ -65,11 +69,11 @@ export class DecideTargets {
     const [found, sheet] = await Promise.all([ask<Overview>("/api/targets", targetLayer.query), ask<Sheet>("/api/sheet")]);
     if (document.activeElement !== this.family) this.family.value = found.families;
     this.known.replaceChildren(...found.known.map((k) => h("option", { value: k })));
-    this.forms.textContent = `Known: ${found.forms.join("; ")}.`;
+    this.forms.textContent = say("studio_target.families", { names: found.forms.join("; ") });
     this.go.disabled = !found.families;
     const none = found.images.every((i) => i.found === null);
-    this.told.textContent = !found.families ? "Name the family that was photographed." : none ? "Nothing is kept of these targets; they are found in a photograph as soon as it is shown with them, or in all of them by the button." : "";
-    this.told.hidden = !this.told.textContent;
+    this.status.textContent = !found.families ? say("studio_target.family_missing") : none ? say("studio_target.none_stored") : "";
+    this.status.hidden = !this.status.textContent;
     this.body.replaceChildren(...found.images.map((i) => this.row(i)));
     this.take(sheet);
     await this.details();
@@ -77,9 +81,9 @@ export class DecideTargets {
 
   private row(i: Row): HTMLElement {
     const words = i.why || i.remarks.join("; ");
-    return h("tr", {}, h("th", { scope: "row" }, button(i.image, `Show ${i.image} with its targets`, () => this.look(i.image), "link")),
+    return h("tr", {}, h("th", { scope: "row" }, sign(i.image, say("studio_target.show", { image: i.image }), () => this.look(i.image), "link")),
       h("td", {}, i.found === null ? "–" : String(i.found)), ...FATES.map(([fate]) => h("td", {}, i.found === null ? "–" : String(i.fates[fate] ?? 0))),
-      h("td", {}, fixed(i.median_s, 3)), h("td", { class: `l ${i.why ? "doubt" : ""}` }, [i.from, words].filter((w) => w).join("; ") || "not found yet"));
+      h("td", {}, fixed(i.median_s, 3)), h("td", { class: `l ${i.why ? "doubt" : ""}` }, [i.from && say("studio_target.origin", { origin: i.from }), words].filter((w) => w).join("; ") || say("studio_target.not_found")));
   }
 
   private look(image: string): void {
@@ -93,29 +97,29 @@ export class DecideTargets {
     if (!image) return;
     const t = await ask<TargetsOf>("/api/targets/image", { image, ...targetLayer.query });
     const rows = t.rows.slice(0, 500).map((r) => h("tr", {}, h("th", { scope: "row" }, r.name || "–"), h("td", {}, fixed(r.x, 2)), h("td", {}, fixed(r.y, 2)),
-      h("td", {}, fixed(r.s, 3)), h("td", {}, r.ellipse ? fixed(r.ellipse.a, 2) : "–"), h("td", {}, r.ellipse ? fixed(r.ellipse.b, 2) : "–"), h("td", { class: "l" }, r.fate)));
-    this.one.replaceChildren(...(rows.length ? [h("details", {}, h("summary", {}, `Targets of ${image}: ${t.rows.length}`),
-      h("table", { class: "figures-of", "aria-label": `Targets of ${image}` },
-        h("thead", {}, h("tr", {}, ...["name", "x px", "y px", "sigma px", "semi-axis a px", "b px", "what became of it"].map((w, k) => h("th", { scope: "col", class: k === 6 ? "l" : "" }, w)))),
+      h("td", {}, fixed(r.s, 3)), h("td", {}, r.ellipse ? fixed(r.ellipse.a, 2) : "–"), h("td", {}, r.ellipse ? fixed(r.ellipse.b, 2) : "–"), h("td", { class: "l" }, say("studio_target.fate", { fate: r.fate }))));
+    this.one.replaceChildren(...(rows.length ? [h("details", {}, h("summary", {}, say("studio_target.of_image", { image, n: t.rows.length })),
+      h("table", { class: "figures-of", "aria-label": say("studio_target.of_image", { image, n: t.rows.length }) },
+        heads(["label.name", "studio_table.x", "studio_table.y", "studio_target.sigma", "studio_target.semi_axis_a", "studio_target.semi_axis_b", "label.status"], [6]),
         h("tbody", {}, ...rows)))] : []));
   }
 
   private async begin(): Promise<void> {
     try {
-      await tell("/api/targets", { families: this.family.value.trim(), images: [] });
-      this.model.say("Finding targets.");
+      await send("/api/targets", { families: this.family.value.trim(), images: [] });
+      this.model.say("studio_target.finding");
     } catch (error) {
-      this.model.say((error as Error).message, "bad");
+      this.model.fail(error);
     }
   }
 
   private async print(): Promise<void> {
     try {
       const values: Values = Object.fromEntries(Object.entries(this.sheet.values()).filter(([, v]) => v !== null));
-      this.take(await tell<Sheet>("/api/sheet", { values }));
-      this.model.say("The sheet is made.", "good");
+      this.take(await send<Sheet>("/api/sheet", { values }));
+      this.model.say("studio_target.sheet_made", {}, "good");
     } catch (error) {
-      this.model.say((error as Error).message, "bad");
+      this.model.fail(error);
     }
   }
 

@@ -1,4 +1,5 @@
 // Elements by hand: texts are always text, never markup.
+import { say, titleOf, Values } from "./words";
 
 export const element = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 
@@ -18,8 +19,22 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-export const button = (words: string, title: string, press: () => void, kind = ""): HTMLButtonElement =>
-  h("button", { type: "button", title, class: kind, onclick: press }, words);
+/** A button that shows a sign or a name; its title is in words. */
+export const sign = (shown: string, title: string, press: () => void, kind = ""): HTMLButtonElement =>
+  h("button", { type: "button", title, class: kind, onclick: press }, shown);
+
+/** A button with the words of a code and their title. */
+export const button = (code: string, press: () => void, kind = "", values: Values = {}): HTMLButtonElement =>
+  sign(say(code, values), titleOf(code, values), press, kind);
+
+/** The head of a table, a code for each column; `left`: columns of text. */
+export const heads = (codes: string[], left: number[] = []): HTMLElement =>
+  h("thead", {}, h("tr", {}, ...codes.map((code, k) =>
+    h("th", { scope: "col", class: left.includes(k) ? "l" : "", title: titleOf(code) }, code && say(code)))));
+
+/** A choice by words: values and what is shown of each. */
+export const choices = (values: readonly string[], shown: (value: string) => string, chosen = ""): HTMLOptionElement[] =>
+  values.map((value) => h("option", { value, selected: value === chosen }, shown(value)));
 
 /** Whether what is typed goes into a field. */
 export function typing(target: EventTarget | null): boolean {
@@ -29,12 +44,12 @@ export function typing(target: EventTarget | null): boolean {
 
 /** A call at most once a frame. */
 export function onceAFrame(call: () => void): () => void {
-  let asked = false;
+  let pending = false;
   return () => {
-    if (asked) return;
-    asked = true;
+    if (pending) return;
+    pending = true;
     requestAnimationFrame(() => {
-      asked = false;
+      pending = false;
       call();
     });
   };
@@ -42,13 +57,13 @@ export function onceAFrame(call: () => void): () => void {
 
 /** A call at once where the page is seen, else once when it is: three hundred tabs behind another ask nothing. */
 export function whenSeen(call: () => void): () => void {
-  let asked = false;
+  let pending = false;
   return () => {
     if (!document.hidden) return call();
-    if (asked) return;
-    asked = true;
+    if (pending) return;
+    pending = true;
     document.addEventListener("visibilitychange", () => {
-      asked = false;
+      pending = false;
       call();
     }, { once: true });
   };

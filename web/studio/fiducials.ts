@@ -1,14 +1,15 @@
 // Fiducial marks of scanned film: measured like points, each by its name in the certificate.
-import { button, element, h } from "./dom";
+import { button, element, h, sign } from "./dom";
 import { Model } from "./model";
-import { count } from "./numbers";
+import { fixed } from "./numbers";
+import { say } from "./words";
 
 export class Fiducials {
-  private readonly rows = h("table", { "aria-label": "Fiducial marks of the active image" });
-  private readonly head = h("summary", {}, "Fiducial marks");
+  private readonly rows = h("table", { "aria-label": say("studio_point.fiducials") });
+  private readonly head = h("summary", {}, say("studio_point.fiducials"));
   private readonly about = h("p", { class: "note" });
   private readonly card = h("details", { class: "card", id: "fiducials", open: true, hidden: true }, this.head, this.about, this.rows,
-    button("Find the others", "Where those that are measured say that they must be", () => void this.find()));
+    button("studio_point.find_fiducials", () => void this.find()));
 
   constructor(private readonly model: Model) {
     element("right").prepend(this.card);
@@ -22,10 +23,10 @@ export class Fiducials {
       const answer = await model.actions.fiducials(image);
       model.take(answer.state);
       const left = Object.entries(answer.left).map(([name, why]) => `${name}: ${why}`);
-      model.say([`${count(answer.found.length, "fiducial mark")} found`, ...left].join("; "), left.length ? "bad" : "good");
+      model.show([say("studio_point.fiducials_found", { n: answer.found.length }), ...left].join("; "), left.length ? "bad" : "good", "studio_point.fiducials_found");
       model.chooseFiducial("");
     } catch (error) {
-      model.say((error as Error).message, "bad");
+      model.fail(error);
     }
   }
 
@@ -36,18 +37,18 @@ export class Fiducials {
     const image = model.panes[model.active];
     if (!names.length || !image) return;
     const there = new Map(model.fiducialsIn(image).map((f) => [f.name, f]));
-    this.head.textContent = `Fiducial marks of ${image}: ${there.size} of ${count(names.length, "mark")}`;
+    this.head.textContent = say("studio_point.fiducials_of", { image, n: there.size, of: names.length });
     this.about.textContent = model.fiducial
-      ? `Click ${model.fiducial} in the scan; Esc ends.`
-      : "Choose one and click it in the scan: they say where the scan lies in its camera's frame.";
+      ? say("studio_point.click_fiducial", { name: model.fiducial })
+      : say("studio_point.fiducials_note");
     this.rows.replaceChildren(...names.map((name) => {
       const f = there.get(name);
-      const choose = button(name, `Measure ${name}`, () => model.chooseFiducial(model.fiducial === name ? "" : name), "link");
+      const choose = sign(name, say("studio_point.measure", { name }), () => model.chooseFiducial(model.fiducial === name ? "" : name), "link");
       choose.setAttribute("aria-pressed", String(model.fiducial === name));
-      const away = () => void model.act("fiducial", { image, name }, `${name} taken away`);
+      const away = () => void model.act("fiducial", { image, name }, "studio_point.removed", { name });
       return h("tr", { class: model.fiducial === name ? "at" : "" }, h("td", {}, choose),
-        h("td", {}, f ? `${f.x.toFixed(1)}, ${f.y.toFixed(1)}` : "–"), h("td", {}, f?.how ?? ""),
-        h("td", {}, ...(f ? [button("✕", `Take ${name} away`, away, "small")] : [])));
+        h("td", {}, f ? `${fixed(f.x, 1)}; ${fixed(f.y, 1)}` : "–"), h("td", {}, f ? say("studio_point.how", { how: f.how }) : ""),
+        h("td", {}, ...(f ? [sign("✕", say("studio_point.remove", { name }), away, "small")] : [])));
     }));
   }
 }

@@ -1,9 +1,10 @@
-// The images on the left: a small picture, the name, what the adjustment says of it.
+// The images on the left: a small picture, the name, its rays and residuals.
 import { Choice } from "./choice";
 import { element, h } from "./dom";
 import { Model, Picture } from "./model";
-import { count, short } from "./numbers";
+import { short } from "./numbers";
 import { lastLevel, tileKey, tiles } from "./tiles";
+import { say } from "./words";
 
 const WIDTH = 72;
 const HEIGHT = 54;
@@ -15,7 +16,7 @@ export class ImageList {
   private readonly watch: IntersectionObserver;
 
   constructor(private readonly model: Model, open: (image: string, beside: boolean) => void) {
-    this.list = new Choice<Picture>("Images", (p) => p.id, (p) => this.row(p), (p, event) => {
+    this.list = new Choice<Picture>(say("studio_page.images"), (p) => p.id, (p) => this.row(p), (p, event) => {
       open(p.id, (event as MouseEvent | KeyboardEvent).shiftKey);
     });
     const box = element("image-list");
@@ -34,16 +35,17 @@ export class ImageList {
     this.small.clear();
     const shown = [...this.model.images.values()].filter((p) => p.id.toLowerCase().includes(part));
     this.list.set(shown, this.model.panes[this.model.active]);
-    element("images-head").textContent = count(shown.length, "image");
+    element("images-head").textContent = say("studio_photo.count", { n: shown.length });
   }
 
   private row(picture: Picture): Node[] {
     const canvas = h("canvas", { width: WIDTH * 2, height: HEIGHT * 2, "aria-hidden": "true" });
     this.small.set(canvas, picture);
     queueMicrotask(() => this.watch.observe(canvas));
-    const rms = picture.rms_px === null ? "" : `, ${short(picture.rms_px, 2)} px`;
-    const marks = this.model.marksIn(picture.id).length;
-    const about = picture.oriented ? `${count(picture.rays, "ray")}${rms}` : `not oriented${marks ? `, ${count(marks, "mark")}` : ""}`;
+    const rms = picture.rms_px === null ? "" : `, ${short(picture.rms_px, 2)}\u00a0px`;
+    const about = picture.oriented
+      ? say("studio_photo.rays", { n: picture.rays }) + rms
+      : say("studio_photo.not_oriented", { n: this.model.marksIn(picture.id).length });
     return [canvas, h("span", { class: "about", title: picture.id }, h("b", {}, picture.id), h("small", { class: picture.oriented ? "" : "open" }, about))];
   }
 

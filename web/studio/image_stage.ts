@@ -1,18 +1,19 @@
 // The panes of photographs side by side, and how all of them are shown.
 import { beyond } from "./beyond";
-import { button, element, h } from "./dom";
+import { choices, element, h, sign } from "./dom";
 import { COLOUR, Filter, looks } from "./looks";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
+import { fixed } from "./numbers";
 import { FATES } from "./overlay_targets";
 import { Pane, Stage } from "./pane";
 import { targetLayer } from "./target_layer";
+import { say, titleOf } from "./words";
 
-const LEGEND: [string, string, string][] = [
-  ["used", "○", "used"], ["weak", "□", "fewer than 3 rays"], ["rejected", "✕", "rejected"],
-  ["control", "△", "control"], ["check", "◇", "check"], ["mark", "✛", "marked by hand"], ["predicted", "◌", "predicted, 1 and 3 sigma"],
-  ["beyond", "◯", "beyond the limit"], ["masked", "▨", "masked"],
-];
+const LEGEND = {
+  used: "○", weak: "□", rejected: "✕", control: "△", check: "◇", mark: "✛", predicted: "◌", beyond: "◯", masked: "▨",
+};
+const FILTERS: Filter[] = ["all", "rejected", "weak", "control", "worst", "none"];
 
 export class ImageStage implements Stage {
   private panes: Pane[] = [];
@@ -22,12 +23,12 @@ export class ImageStage implements Stage {
   private loupe!: HTMLInputElement;
   private readonly targets = h("input", { type: "checkbox", id: "targets" });
 
-  constructor(private readonly model: Model, private readonly measuring: Measuring, private readonly tell: (words: string) => void) {
+  constructor(private readonly model: Model, private readonly measuring: Measuring, private readonly showPlace: (words: string) => void) {
     element("looks").append(...this.bar());
-    element("image-legend").append(...LEGEND.map(([name, sign, words]) => {
-      const dot = h("span", { class: "sign", "aria-hidden": "true" }, sign);
+    element("image-legend").append(...Object.entries(LEGEND).map(([name, shape]) => {
+      const dot = h("span", { class: "sign", "aria-hidden": "true" }, shape);
       dot.style.color = COLOUR[name as keyof typeof COLOUR];
-      return h("li", { id: `legend-${name}`, hidden: name === "beyond" || name === "masked" }, dot, words);
+      return h("li", { id: `legend-${name}`, hidden: name === "beyond" || name === "masked" }, dot, say("studio_photo.legend", { name }));
     }));
     model.on(["looks", "state", "prediction", "current", "fiducial"], () => this.panes.forEach((p) => p.redraw()));
     beyond.onchange(() => {
@@ -35,16 +36,16 @@ export class ImageStage implements Stage {
       this.panes.forEach((p) => p.redraw());
     });
     this.targets.addEventListener("change", () => targetLayer.switch(this.targets.checked));
-    const legend = FATES.map(([, colour, sign, words]) => {
-      const dot = h("span", { class: "sign", "aria-hidden": "true" }, sign);
+    const legend = FATES.map(([fate, colour, shape]) => {
+      const dot = h("span", { class: "sign", "aria-hidden": "true" }, shape);
       dot.style.color = colour;
-      return h("li", { hidden: true }, dot, words);
+      return h("li", { hidden: true, id: `legend-target-${fate}` }, dot, say("studio_target.legend", { fate }));
     });
     element("image-legend").append(...legend);
     targetLayer.onchange(() => {
       this.targets.checked = targetLayer.on;
       legend.forEach((each) => (each.hidden = !targetLayer.on));
-      if (targetLayer.on && targetLayer.told) model.say(targetLayer.told, "bad");
+      if (targetLayer.on && targetLayer.reason) model.show(targetLayer.reason, "bad");
       this.panes.forEach((p) => p.redraw());
     });
     model.on("read", () => targetLayer.forget());
@@ -55,43 +56,39 @@ export class ImageStage implements Stage {
 
   private bar(): HTMLElement[] {
     this.counts = [1, 2, 4].map((n) => {
-      const words = n === 1 ? "1 image" : `${n} images side by side`;
-      const made = button(String(n), words, () => this.setCount(n));
+      const words = say("studio_photo.panes", { n });
+      const made = sign(String(n), words, () => this.setCount(n));
       made.setAttribute("aria-label", words);
       return made;
     });
-    const filters: [Filter, string][] = [
-      ["all", "all"], ["rejected", "rejected"], ["weak", "weak"], ["control", "control"], ["worst", "worst |w|"], ["none", "none"],
-    ];
-    const select = h("select", { id: "filter" }, ...filters.map(([value, words]) => h("option", { value }, words)));
+    const select = h("select", { id: "filter" }, ...choices(FILTERS, (filter) => say("studio_photo.filter", { filter })));
     select.addEventListener("change", () => this.look(() => (looks.filter = select.value as Filter)));
     this.loupe = h("input", { type: "checkbox", id: "loupe" });
     this.loupe.addEventListener("change", () => this.look(() => (looks.loupe = this.loupe.checked)));
     const linked = h("input", { type: "checkbox", id: "linked", checked: true });
     linked.addEventListener("change", () => (looks.linked = linked.checked));
     return [
-      h("span", { class: "group", role: "group", "aria-label": "Number of images" }, ...this.counts),
-      h("label", {}, linked, "linked"), h("label", {}, this.loupe, "loupe"),
-      h("label", { title: "Targets found in the photographs" }, this.targets, "targets"), h("label", {}, "points", select),
-      this.slider("vectors", "residuals", 0, 30, 16, (v) => (looks.vectors = v ? Math.round(10 ** (v / 10)) : 0), () => String(looks.vectors)),
-      this.slider("brightness", "brightness", 2, 30, 10, (v) => (looks.brightness = v / 10), () => looks.brightness.toFixed(1)),
-      this.slider("contrast", "contrast", 2, 30, 10, (v) => (looks.contrast = v / 10), () => looks.contrast.toFixed(1)),
+      h("span", { class: "group", role: "group", "aria-label": say("studio_photo.pane_count") }, ...this.counts),
+      h("label", {}, linked, say("studio_photo.linked")), h("label", {}, this.loupe, say("studio_photo.loupe")),
+      h("label", { title: titleOf("studio_photo.targets") }, this.targets, say("studio_photo.targets")), h("label", {}, say("label.points"), select),
+      this.slider("vectors", "studio_photo.residuals", 0, 30, 16, (v) => (looks.vectors = v ? Math.round(10 ** (v / 10)) : 0), () => String(looks.vectors)),
+      this.slider("brightness", "studio_photo.brightness", 2, 30, 10, (v) => (looks.brightness = v / 10), () => fixed(looks.brightness, 1)),
+      this.slider("contrast", "studio_photo.contrast", 2, 30, 10, (v) => (looks.contrast = v / 10), () => fixed(looks.contrast, 1)),
     ];
   }
 
-  private slider(id: string, words: string, min: number, max: number, value: number, take: (v: number) => void, told: () => string): HTMLElement {
+  private slider(id: string, code: string, min: number, max: number, value: number, take: (v: number) => void, shown: () => string): HTMLElement {
     const input = h("input", { type: "range", id, min, max, value });
-    const out = h("output", { for: id }, told());
+    const out = h("output", { for: id }, shown());
     input.addEventListener("input", () => this.look(() => {
       take(Number(input.value));
-      out.textContent = told();
+      out.textContent = shown();
     }));
     input.addEventListener("dblclick", () => {
       input.value = String(value);
       input.dispatchEvent(new Event("input"));
     });
-    const title = id === "vectors" ? "Length on the screen of a residual of 1 px" : "A double click sets it back";
-    return h("label", { title }, words, input, out);
+    return h("label", { title: titleOf(code) }, say(code), input, out);
   }
 
   private look(change: () => void): void {
@@ -183,7 +180,7 @@ export class ImageStage implements Stage {
   }
 
   close(pane: Pane): void {
-    if (this.panes.length < 2) return this.model.say("The last image stays open.");
+    if (this.panes.length < 2) return this.model.say("studio_photo.last_open");
     this.panes.splice(this.panes.indexOf(pane), 1);
     pane.gone();
     this.most = this.panes.length > 2 ? 4 : this.panes.length;
@@ -202,7 +199,7 @@ export class ImageStage implements Stage {
   }
 
   pointer(words: string): void {
-    this.tell(words);
+    this.showPlace(words);
   }
 
   /** Open an image with a place of it in the middle. */

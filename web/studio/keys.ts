@@ -1,28 +1,26 @@
-// All keys of the page in one table: what is told in the help is what is done.
+// All keys of the page in one table, and what they do.
 import { button, element, h, typing } from "./dom";
+import { say } from "./words";
 
 export interface Deeds {
   [name: string]: () => void;
 }
 
-/** Keys that are told of; those of a photograph are done by its pane. */
-const TOLD: [string, [string, string][]][] = [
-  ["Anywhere", [
-    ["N", "new point"], ["V", "next image where the current point is visible, not measured"], ["W", "worst next"],
-    ["Ctrl Z", "undo"], ["Ctrl Shift Z", "redo"], ["S", "next way of snapping"], ["L", "loupe: held, or pressed once"],
-    ["C", "centre all panes on the current point"], ["G", "1, 2 or 4 images"], ["[  ]", "image before, image behind"],
-    ["Esc", "no current point"], ["F2", "type the name of a point"], ["?", "this table"],
+/** Keys and their deeds; those of a photograph are done by its pane.  A key of several letters has words, too. */
+const TABLE: [group: string, [key: string, deed: string][]][] = [
+  ["studio_keys.anywhere", [
+    ["N", "studio_keys.new_point"], ["V", "studio_keys.next_image"], ["W", "studio_keys.worst"], ["studio_keys.ctrl_z", "studio_keys.undo"],
+    ["studio_keys.ctrl_shift_z", "studio_keys.redo"], ["S", "studio_keys.snap"], ["L", "studio_keys.loupe"], ["C", "studio_keys.centre"],
+    ["G", "studio_keys.panes"], ["[  ]", "studio_keys.neighbour"], ["Esc", "studio_keys.no_point"], ["F2", "studio_keys.name"], ["?", "studio_keys.this_table"],
   ]],
-  ["In a photograph", [
-    ["Arrow keys", "move the cross hair; with Ctrl 1 px"], ["Enter", "mark the current point at the cross hair"],
-    ["Shift and arrows", "move the mark of the current point by 0.1 px; with Alt 0.01 px"], ["Delete", "remove the mark"],
-    ["P", "choose the image point here"], ["X", "reject the image observation here, or accept it again"],
-    ["Enter, Delete, Esc", "while a mask is drawn: one corner more at the cross hair, the last one back, no mask"],
-    ["+  -", "zoom"], ["0", "whole photograph"], ["1", "pixel by pixel"], ["R", "turn"],
+  ["studio_keys.in_photograph", [
+    ["studio_keys.arrows", "studio_keys.hair"], ["Enter", "studio_keys.mark"], ["studio_keys.shift_arrows", "studio_keys.move"],
+    ["studio_keys.delete", "studio_keys.remove"], ["P", "studio_keys.choose"], ["X", "studio_keys.reject"], ["studio_keys.of_mask", "studio_keys.mask"],
+    ["+  -", "studio_keys.zoom"], ["0", "studio_keys.whole"], ["1", "studio_keys.pixels"], ["R", "studio_keys.turn"],
   ]],
-  ["By mouse", [
-    ["Click", "mark the current point; on a mark: choose it"], ["Ctrl click", "choose the image point there"],
-    ["Drag", "move the photograph, or a mark"], ["Wheel", "zoom"], ["Shift click in the list", "open the image beside"],
+  ["studio_keys.by_mouse", [
+    ["studio_keys.click", "studio_keys.click_deed"], ["studio_keys.ctrl_click", "studio_keys.choose"], ["studio_keys.drag", "studio_keys.drag_deed"],
+    ["studio_keys.wheel", "studio_keys.zoom"], ["studio_keys.shift_click", "studio_keys.beside"],
   ]],
 ];
 
@@ -30,15 +28,15 @@ export function help(): void {
   const box = element<HTMLDialogElement>("keys");
   if (box.open) return box.close();
   box.replaceChildren(
-    h("h2", { id: "keys-head" }, "Keys"),
-    h("div", { class: "keys" }, ...TOLD.map(([where, rows]) => h("section", {}, h("h3", {}, where), h("dl", {},
-      ...rows.flatMap(([key, words]) => [h("dt", {}, h("kbd", {}, key)), h("dd", {}, words)]))))),
-    button("Close", "Close this table (Esc)", () => box.close(), "main"),
+    h("h2", { id: "keys-head" }, say("studio_keys.title")),
+    h("div", { class: "keys" }, ...TABLE.map(([group, rows]) => h("section", {}, h("h3", {}, say(group)), h("dl", {},
+      ...rows.flatMap(([key, deed]) => [h("dt", {}, h("kbd", {}, say(key))), h("dd", {}, say(deed))]))))),
+    button("studio_keys.close", () => box.close(), "main"),
   );
   box.showModal();
 }
 
-/** Let keys do what they say, wherever nothing is typed. */
+/** Let keys do their deeds, wherever nothing is typed. */
 export function keys(deeds: Deeds, loupe: (on: boolean) => void, loupeOn: () => boolean): void {
   let held = 0;
   let before = false;

@@ -1,7 +1,7 @@
 // The live connection: it comes back by itself, and everything is read again when it does.
 import { Live } from "./types";
 
-export function connect(heard: (message: Live) => void, changed: (open: boolean, again: boolean) => void): void {
+export function connect(receive: (message: Live) => void, changed: (open: boolean, again: boolean) => void): void {
   let pause = 500;
   let before = false;
   const open = () => {
@@ -12,7 +12,7 @@ export function connect(heard: (message: Live) => void, changed: (open: boolean,
       changed(true, before);
       before = true;
     });
-    socket.addEventListener("message", (event) => heard(JSON.parse(event.data as string) as Live));
+    socket.addEventListener("message", (event) => receive(JSON.parse(event.data as string) as Live));
     socket.addEventListener("close", () => {
       clearInterval(here);
       changed(false, before);

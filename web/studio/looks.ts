@@ -20,7 +20,7 @@ export const looks: Looks = {
 
 export const SNAPS: SnapKind[] = ["auto", "ellipse", "corner", "cross", "patch", "hand"];
 
-/** Okabe and Ito 2008: told apart by everybody; each has a shape of its own beside. */
+/** Okabe and Ito 2008: distinct to all eyes; each has a shape of its own beside. */
 export const COLOUR = {
   used: "#56b4e9", weak: "#e69f00", rejected: "#d55e00", control: "#f0e442", check: "#2fc79a", mark: "#f5a3cf",
   current: "#ffffff", predicted: "#f0e442", beyond: "#ff5ad1", masked: "#ff7f2a",

@@ -3,12 +3,14 @@ import { Actions } from "./actions";
 import { ask, Refused } from "./api";
 import { afterPause, whenSeen } from "./dom";
 import { tiles } from "./tiles";
+import { say, Values } from "./words";
 import { Fiducial, ImageInfo, Mark, Observations, Overview, Predictions, Role, Run, State } from "./types";
 
 export type Topic =
   | "overview" | "state" | "current" | "prediction" | "panes" | "looks" | "observations" | "message" | "read" | "fiducial" | "run" | "targets";
 
 export interface Message {
+  code: string;
   words: string;
   kind: "" | "bad" | "good";
 }
@@ -32,12 +34,12 @@ export class Model {
   active = 0;
   /** The run that goes on or was the last; null: none. */
   run: Run | null = null;
-  message: Message = { words: "", kind: "" };
+  message: Message = { code: "", words: "", kind: "" };
   command = "";
   private readonly marks = new Map<string, Mark[]>();
   private readonly given = new Map<string, Promise<Observations>>();
   private readonly listeners = new Map<Topic, (() => void)[]>();
-  private asked = 0;
+  private turn = 0;
   private readonly predictSoon = afterPause(whenSeen(() => void this.predict()), 20);
 
   on(topics: Topic | Topic[], call: () => void): void {
@@ -63,7 +65,7 @@ export class Model {
     this.predictSoon();
   }
 
-  /** A state as the server told it; an older one than is known is left out. */
+  /** A state of the server; an older one than is known is left out. */
   take(state: State): void {
     if (this.state && state.seq < this.state.seq) return;
     this.state = state;
@@ -73,23 +75,35 @@ export class Model {
     this.predictSoon();
   }
 
-  /** Do something; the reason is shown where it cannot be done.  Returns whether it was done. */
-  async act(verb: string, args: Record<string, unknown> = {}, words = ""): Promise<boolean> {
+  /** Do something, and show the text of a code; where it cannot be done, the reason.  Returns whether it was done. */
+  async act(verb: string, args: Record<string, unknown>, code: string, values: Values = {}): Promise<boolean> {
     try {
       const answer = await this.actions.send(verb, args);
       this.command = answer.command;
       this.take(answer.state);
-      this.say(words || `${verb}: done`, words ? "good" : "");
+      this.say(code, values, "good");
       return true;
     } catch (error) {
-      this.say((error as Error).message, "bad");
+      this.fail(error);
       return false;
     }
   }
 
-  say(words: string, kind: Message["kind"] = ""): void {
-    this.message = { words, kind };
+  /** Show the text of a code in the line below. */
+  say(code: string, values: Values = {}, kind: Message["kind"] = ""): void {
+    this.show(say(code, values), kind, code);
+  }
+
+  /** Show a text there; an error of the server with its code, by which `raybundle explain` finds it. */
+  show(words: string, kind: Message["kind"] = "", code = ""): void {
+    const explained = kind === "bad" && code && !code.startsWith("studio_");
+    this.message = { code, words: explained ? `${words} [${code}]` : words, kind };
     this.emit("message");
+  }
+
+  /** Show why something could not be done. */
+  fail(error: unknown): void {
+    this.show((error as Error).message, "bad", error instanceof Refused ? error.code : "");
   }
 
   choose(point: string): void {
@@ -149,7 +163,7 @@ export class Model {
   }
 
   private async predict(): Promise<void> {
-    const turn = ++this.asked;
+    const turn = ++this.turn;
     const point = this.current;
     if (!point) {
       this.prediction = null;
@@ -158,11 +172,11 @@ export class Model {
     }
     try {
       const found = await ask<Predictions>("/api/predict", { point, images: [...new Set(this.panes)] });
-      if (turn !== this.asked) return;
+      if (turn !== this.turn) return;
       this.prediction = found;
       this.emit("prediction");
     } catch (error) {
-      if (error instanceof Refused) this.say(error.message, "bad");
+      if (error instanceof Refused) this.fail(error);
     }
   }
 }

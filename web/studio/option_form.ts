@@ -1,5 +1,5 @@
 // A form that the server makes of the settings of a command: a field for each, with its help and limits.
-import { h } from "./dom";
+import { choices, h } from "./dom";
 import { OptionField } from "./types";
 
 type Input = HTMLInputElement | HTMLSelectElement;
@@ -39,7 +39,7 @@ export class OptionFields {
     const id = `${this.prefix}-${field.name}`;
     const more = { id, name: field.name, "aria-describedby": `${id}-help`, title: field.help };
     let input: Input;
-    if (field.kind === "choice") input = h("select", more, ...field.choices.map((c) => h("option", { value: c }, c.replace("_", " ") || "–")));
+    if (field.kind === "choice") input = h("select", more, ...choices(field.choices, (c) => c.replace("_", " ") || "–"));
     else if (field.kind === "flag") input = h("input", { ...more, type: "checkbox" });
     else if (field.kind === "number")
       input = h("input", { ...more, type: "number", min: field.low ?? "", max: field.high ?? "", step: field.whole ? 1 : "any", placeholder: field.metavar });

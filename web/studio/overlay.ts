@@ -88,7 +88,7 @@ function drawVectors(pen: Pen, view: View, o: Observations, rows: number[]): voi
   }
 }
 
-/** One shape for each status, so that colour is not all that tells them apart. */
+/** One shape for each status, so that they differ by more than colour. */
 function shape(pen: Pen, status: Status, u: number, v: number, size: number): void {
   const r = status === "control" || status === "check" ? 6 : size;
   if (status === "rejected") {

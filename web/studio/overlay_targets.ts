@@ -1,5 +1,6 @@
 // Targets over a photograph: the ellipse of a dot or the place of a corner, what it is called, how precise it is.
 import { COLOUR } from "./looks";
+import { fixed } from "./numbers";
 import { label, twice } from "./overlay";
 import { Fate, TargetsOf } from "./types";
 import { View } from "./view";
@@ -11,11 +12,10 @@ const FULL = 2 * Math.PI;
 const MOST_LABELS = 400;
 /** Semi-axis of the smallest ones on the screen. */
 const LEAST = 5;
-export const FATES: [Fate, string, string, string][] = [
-  ["used", COLOUR.used, "◯", "target used"], ["rejected", COLOUR.rejected, "⊗", "target rejected"],
-  ["not in the block", COLOUR.check, "◌", "target not in the block"], ["unidentified", COLOUR.weak, "◍", "dot without a name"],
+export const FATES: [fate: Fate, colour: string, shape: string][] = [
+  ["used", COLOUR.used, "◯"], ["rejected", COLOUR.rejected, "⊗"], ["apart", COLOUR.check, "◌"], ["unidentified", COLOUR.weak, "◍"],
 ];
-const DASH: Record<Fate, number[]> = { used: [], rejected: [], "not in the block": [6, 4], unidentified: [2, 3] };
+const DASH: Record<Fate, number[]> = { used: [], rejected: [], apart: [6, 4], unidentified: [2, 3] };
 
 export function drawTargets(pen: Pen, view: View, shown: TargetsOf): void {
   const turned = Math.atan2(view.sin, view.cos);
@@ -28,7 +28,7 @@ export function drawTargets(pen: Pen, view: View, shown: TargetsOf): void {
   for (const [fate, colour] of FATES)
     for (const t of seen.filter((s) => s.fate === fate)) {
       const [u, v] = view.toScreen(t.x, t.y);
-      const precise = view.scale > 1.5 && t.s !== null ? ` ± ${t.s.toFixed(3)} px` : "";
+      const precise = view.scale > 1.5 && t.s !== null ? ` ± ${fixed(t.s, 3)} px` : "";
       const words = `${t.name}${precise}`;
       const up = semiAxis(t, view) + 9; // above its target, where no other one of its row stands
       if (words && labels.length < MOST_LABELS && free(labels, [u - 5, v - up - 7, 7.6 * words.length, 14])) label(pen, words, u - 5, v - up, colour);

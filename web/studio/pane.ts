@@ -1,5 +1,5 @@
 // One photograph in its pane: drawn, moved, measured in.
-import { button, h, onceAFrame } from "./dom";
+import { button, h, onceAFrame, sign } from "./dom";
 import { drawing } from "./drawing";
 import { masked } from "./masked";
 import { COLOUR, looks, photoFilter } from "./looks";
@@ -9,9 +9,10 @@ import { drawOverlay, filtered, nearestPoint, Shown, statusOf } from "./overlay"
 import { drawTargets } from "./overlay_targets";
 import { paneKeys } from "./pane_keys";
 import { drawPhoto } from "./photo";
-import { short } from "./numbers";
+import { fixed, short } from "./numbers";
 import { targetLayer } from "./target_layer";
 import { tiles } from "./tiles";
+import { say } from "./words";
 import { Mark, Observations } from "./types";
 import { View } from "./view";
 
@@ -31,7 +32,7 @@ export class Pane {
   readonly view: View;
   private readonly photo = h("canvas", { class: "photo" });
   private readonly over = h("canvas", { class: "over" });
-  private readonly told = h("p", { class: "told" });
+  private readonly status = h("p", { class: "status" });
   private readonly tip = h("div", { class: "tip", hidden: true });
   private observations: Observations | null = null;
   private hover = -1;
@@ -47,9 +48,9 @@ export class Pane {
     this.view = new View(picture.width, picture.height, picture.turn);
     this.body = h("div", {
       class: "canvas", tabindex: 0, role: "application",
-      "aria-label": `Photograph ${picture.id}: arrow keys move the cross hair, Enter marks, question mark shows all keys`,
-    }, this.photo, this.over, this.told, this.tip);
-    this.root = h("section", { class: "pane", "aria-label": `Image ${picture.id}` }, this.head(), this.body);
+      "aria-label": say("studio_photo.canvas", { image: picture.id }),
+    }, this.photo, this.over, this.status, this.tip);
+    this.root = h("section", { class: "pane", "aria-label": say("studio_photo.pane", { image: picture.id }) }, this.head(), this.body);
     this.forget = tiles.onarrival(() => this.draw());
     this.watch.observe(this.body);
     this.pointers();
@@ -60,19 +61,20 @@ export class Pane {
   }
 
   private head(): HTMLElement {
-    return h("header", {}, h("b", { class: "name" }, this.picture.id),
-      button("⟲", `Turn ${this.picture.id} to the left`, () => this.turn(3)),
-      button("⟳", `Turn ${this.picture.id} to the right`, () => this.turn(1)),
-      button("1:1", `Show ${this.picture.id} pixel by pixel`, () => this.zoom(1 / this.view.scale)),
-      button("Fit", `Show all of ${this.picture.id}`, () => this.fit()),
-      button("✕", `Close ${this.picture.id}`, () => this.stage.close(this)));
+    const image = this.picture.id;
+    return h("header", {}, h("b", { class: "name" }, image),
+      sign("⟲", say("studio_photo.turn_left", { image }), () => this.turn(3)),
+      sign("⟳", say("studio_photo.turn_right", { image }), () => this.turn(1)),
+      sign("1:1", say("studio_photo.pixels", { image }), () => this.zoom(1 / this.view.scale)),
+      button("studio_photo.fit", () => this.fit(), "", { image }),
+      sign("✕", say("studio_photo.close", { image }), () => this.stage.close(this)));
   }
 
   async read(): Promise<void> {
     try {
       this.observations = await this.model.observations(this.picture.id);
     } catch (error) {
-      this.model.say((error as Error).message, "bad");
+      this.model.fail(error);
     }
     this.redraw();
   }
@@ -141,7 +143,7 @@ export class Pane {
     if (targets) drawTargets(over, view, targets);
     if (looks.loupe && (this.at || document.activeElement === this.body)) needed.push(...this.loupe(over, ratio));
     tiles.want(this, needed);
-    this.told.textContent = picture.photo ? tiles.why(needed[0]) : "The photograph is not known: give its folder with --photos.";
+    this.status.textContent = picture.photo ? tiles.why(needed[0]) : say("studio_photo.unknown");
   }
 
   /** A part four times larger that goes with the pointer, or the cross hair. */
@@ -186,21 +188,21 @@ export class Pane {
   fit(): void {
     this.view.fit();
     this.redraw();
-    this.tellPlace();
+    this.showPlace();
   }
 
   zoom(factor: number, u?: number, v?: number): void {
     this.view.zoomAt(factor, u, v);
     this.stage.moved(this, 0, 0, factor);
     this.redraw();
-    this.tellPlace();
+    this.showPlace();
   }
 
   pan(du: number, dv: number): void {
     this.view.panBy(du, dv);
     this.stage.moved(this, du, dv, 1);
     this.redraw();
-    this.tellPlace();
+    this.showPlace();
   }
 
   /** Bring a place to the middle; no less than so large. */
@@ -208,12 +210,12 @@ export class Pane {
     this.view.scale = Math.max(this.view.scale, least);
     this.view.centre(x, y);
     this.redraw();
-    this.tellPlace();
+    this.showPlace();
   }
 
-  private tellPlace(): void {
+  private showPlace(): void {
     const [x, y] = this.keyboard || !this.at ? [this.view.x, this.view.y] : this.view.toImage(...this.at);
-    this.stage.pointer(`${this.picture.id}  x ${x.toFixed(2)}  y ${y.toFixed(2)} px  ·  ${short(100 * this.view.scale, 3)} %`);
+    this.stage.pointer(`${this.picture.id}  x ${fixed(x, 2)}  y ${fixed(y, 2)} px  ·  ${short(100 * this.view.scale, 3)} %`);
   }
 
   // --- the hand -----------------------------------------------------------------------------------
@@ -246,7 +248,7 @@ export class Pane {
         last = at;
         this.redraw();
       } else this.hovered(...at);
-      this.tellPlace();
+      this.showPlace();
     });
     body.addEventListener("pointerup", (event) => {
       const at = this.place(event);
@@ -304,11 +306,11 @@ export class Pane {
   /** Mark the current point at a place of the pane. */
   enter(u = this.view.width / 2, v = this.view.height / 2): void {
     if (drawing.on) {
-      if (!drawing.add(this.picture.id, this.clamped(u, v))) this.model.say(`The area is drawn in ${drawing.image}: Esc ends that.`, "bad");
+      if (!drawing.add(this.picture.id, this.clamped(u, v))) this.model.say("studio_point.mask_elsewhere", { image: drawing.image }, "bad");
       return;
     }
     const [x, y] = this.view.toImage(u, v);
-    if (!this.view.inside(x, y)) return this.model.say("This is outside the photograph.", "bad");
+    if (!this.view.inside(x, y)) return this.model.say("studio_photo.outside", {}, "bad");
     void this.measuring.place(this.picture.id, x, y, this.view.scale);
   }
 
@@ -341,11 +343,14 @@ export class Pane {
 
   private words(i: number): string {
     const o = this.observations!;
-    const v = o.vx[i] === null ? "no residual" : `v ${short(o.vx[i], 2)}, ${short(o.vy[i], 2)} px`;
-    const w = o.w[i] === null ? "" : `, |w| ${short(o.w[i], 2)}`;
     const status = statusOf(o, i, this.rejectedHere());
-    const why = status === "rejected" ? `\nrejected: ${o.rejected[i] || "by hand"}` : "";
-    return `${o.point[i]} (${status})\n${v}${w}, ${o.rays[i]} rays${why}`;
+    const name = say("studio_photo.legend", { name: status });
+    const lines = [
+      `${o.point[i]} (${name})`,
+      say("studio_photo.residual", { vx: short(o.vx[i], 2), vy: short(o.vy[i], 2), w: short(o.w[i], 2), n: o.rays[i] }),
+    ];
+    if (status === "rejected") lines.push(say("studio_photo.rejected", { cause: o.rejected[i] || say("studio_photo.by_hand") }));
+    return lines.join("\n");
   }
 
   /** The image point under the pointer or the cross hair. */
@@ -361,6 +366,6 @@ export class Pane {
     this.keyboard = true;
     this.tip.hidden = true;
     this.redraw();
-    this.tellPlace();
+    this.showPlace();
   }
 }

@@ -23,7 +23,7 @@ export interface KeyedPane {
   pointHere(): string | null;
 }
 
-/** Do what a key says; false where it says nothing here. */
+/** Do the deed of a key; false where it has none here. */
 export function paneKeys(pane: KeyedPane, event: KeyboardEvent): boolean {
   const arrow = ARROWS[event.key];
   if (arrow) return moved(pane, event, ...arrow);
@@ -61,13 +61,13 @@ function moved(pane: KeyedPane, event: KeyboardEvent, a: number, b: number): boo
 function chosen(pane: KeyedPane): boolean {
   const point = pane.pointHere();
   if (point) pane.model.choose(point);
-  else pane.model.say("There is no image point here.");
+  else pane.model.say("studio_photo.no_point_here");
   return true;
 }
 
 function rejected(pane: KeyedPane): boolean {
   const point = pane.pointHere();
   if (point) void pane.measuring.reject(pane.picture.id, point);
-  else pane.model.say("There is no image point here: point at one, or bring the cross hair there.");
+  else pane.model.say("studio_photo.no_point_here");
   return true;
 }

@@ -1,12 +1,13 @@
 // The measuring panel: the current point, its marks, where else it may be measured.
 import { ask } from "./api";
 import { Choice } from "./choice";
-import { afterPause, button, element, h, whenSeen } from "./dom";
+import { afterPause, button, choices, element, h, heads, sign, whenSeen } from "./dom";
 import { looks, SNAPS } from "./looks";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
-import { count, decimalsOf, fixed, short, withUnit } from "./numbers";
+import { decimalsOf, fixed, short } from "./numbers";
 import { Mark, Page, PointRow, Predictions, SnapKind } from "./types";
+import { say } from "./words";
 
 export interface Going {
   /** Show a place of an image. */
@@ -17,28 +18,28 @@ type Visible = Predictions["visible"][number];
 
 export class Panel {
   private readonly name = h("input", {
-    id: "point-name", type: "text", "aria-label": "Name of the current point", placeholder: "none: N begins a new one",
+    id: "point-name", type: "text", "aria-label": say("studio_point.current_name"), placeholder: say("studio_point.current_none"),
     autocomplete: "off", spellcheck: "false", list: "point-names", maxlength: 200,
   });
   private readonly names = h("datalist", { id: "point-names" });
-  private readonly where = h("table", { class: "where", "aria-label": "Coordinates of the current point" });
+  private readonly where = h("table", { class: "where", "aria-label": say("studio_point.coordinates") });
   private readonly about = h("p", { class: "note", "aria-live": "polite" });
-  private readonly marks = h("table", { class: "marks", "aria-label": "Marks of the current point" });
+  private readonly marks = h("table", { class: "marks", "aria-label": say("studio_point.marks") });
   private readonly visible: Choice<Visible>;
-  private readonly visibleHead = h("h3", {}, "Visible there, not measured");
+  private readonly visibleHead = h("h3", {});
   private readonly points: Choice<PointRow>;
-  private readonly search = h("input", { type: "search", id: "point-search", "aria-label": "Filter points by name", placeholder: "Filter points", autocomplete: "off", spellcheck: "false" });
-  private readonly pointsHead = h("summary", {}, "Points");
-  private readonly snap = h("select", { id: "snap" }, ...SNAPS.map((kind) => h("option", { value: kind }, kind === "hand" ? "hand: as clicked" : kind)));
+  private readonly search = h("input", { type: "search", id: "point-search", "aria-label": say("studio_point.filter"), placeholder: say("studio_point.filter"), autocomplete: "off", spellcheck: "false" });
+  private readonly pointsHead = h("summary", {}, say("studio_point.points"));
+  private readonly snap = h("select", { id: "snap" }, ...choices(SNAPS, (how) => say("studio_point.how", { how })));
   private visited = -1;
 
   constructor(private readonly model: Model, private readonly measuring: Measuring, private readonly going: Going) {
-    this.visible = new Choice<Visible>("Images in which the current point is visible and not measured", (v) => v.image,
-      (v) => [h("b", {}, v.image), h("small", { title: "angle to the nearest ray that is measured" }, `${v.angle_deg.toFixed(0)}°`)],
+    this.visible = new Choice<Visible>(say("studio_point.visible_images"), (v) => v.image,
+      (v) => [h("b", {}, v.image), h("small", { title: say("studio_point.angle") }, `${v.angle_deg.toFixed(0)}°`)],
       (v) => going.visit(v.image, v.x, v.y));
-    this.points = new Choice<PointRow>("Points", (p) => p.point, (p) => this.pointRow(p), (p) => model.choose(p.point));
+    this.points = new Choice<PointRow>(say("studio_point.points"), (p) => p.point, (p) => this.pointRow(p), (p) => model.choose(p.point));
     element("right").append(this.current(), this.list());
-    this.name.addEventListener("change", () => this.typed());
+    this.name.addEventListener("change", () => this.chooseNamed());
     this.name.addEventListener("input", afterPause(() => void this.suggest(), 150));
     this.search.addEventListener("input", afterPause(() => void this.showPoints(), 150));
     this.snap.addEventListener("change", () => (looks.snap = this.snap.value as SnapKind));
@@ -53,11 +54,11 @@ export class Panel {
   }
 
   private current(): HTMLElement {
-    return h("section", { class: "card", "aria-label": "Current point" },
-      h("h2", {}, "Current point"),
-      h("div", { class: "row" }, this.name, this.names, button("New", "New point (N)", () => void this.measuring.newPoint(), "main")),
-      h("div", { class: "row" }, h("label", {}, "snap to", this.snap),
-        button("Worst next", "The next of what is worth looking at (W)", () => void this.worst())),
+    return h("section", { class: "card", "aria-label": say("studio_point.current") },
+      h("h2", {}, say("studio_point.current")),
+      h("div", { class: "row" }, this.name, this.names, button("studio_point.new", () => void this.measuring.newPoint(), "main")),
+      h("div", { class: "row" }, h("label", {}, say("studio_point.snap"), this.snap),
+        button("studio_point.worst_next", () => void this.worst())),
       this.where, this.about, this.marks, this.visibleHead, this.visible.root);
   }
 
@@ -65,7 +66,7 @@ export class Panel {
     return h("details", { class: "card", open: true }, this.pointsHead, h("div", { class: "row" }, this.search), this.points.root);
   }
 
-  private typed(): void {
+  private chooseNamed(): void {
     this.model.choose(this.name.value.trim());
     this.name.blur();
   }
@@ -83,13 +84,13 @@ export class Panel {
   nextSnap(): void {
     looks.snap = SNAPS[(SNAPS.indexOf(looks.snap) + 1) % SNAPS.length];
     this.snap.value = looks.snap;
-    this.model.say(`Snapping: ${looks.snap}`);
+    this.model.say("studio_point.snapping", { how: looks.snap });
   }
 
   /** The next image in which the current point is visible and not measured. */
   visitNext(): void {
     const there = this.model.prediction?.visible ?? [];
-    if (!there.length) return this.model.say("There is no image in which the current point is known to be visible and not measured.");
+    if (!there.length) return this.model.say("studio_point.none_visible");
     this.visited = (this.visited + 1) % there.length;
     const { image, x, y } = there[this.visited];
     this.visible.select(image);
@@ -117,7 +118,7 @@ export class Panel {
     if (there) this.going.visit(there.image, there.x, there.y);
   }
 
-  // --- what is told -------------------------------------------------------------------------------
+  // --- what is shown ------------------------------------------------------------------------------
 
   private show(): void {
     const { model } = this;
@@ -126,7 +127,7 @@ export class Panel {
     this.where.replaceChildren();
     if (p?.located.xyz) {
       const s = p.located.sigma;
-      const head = h("tr", {}, h("td"), h("th", { scope: "col" }, withUnit("", unit) || "no unit"), h("th", { scope: "col" }, "sigma"));
+      const head = h("tr", {}, h("td"), h("th", { scope: "col" }, unit || say("studio_point.no_unit")), h("th", { scope: "col" }, say("label.sigma")));
       this.where.append(head, ...["X", "Y", "Z"].map((axis, k) => h("tr", {}, h("th", { scope: "row" }, axis),
         h("td", {}, fixed(p.located.xyz![k], decimalsOf(s?.[k]))), h("td", { class: "sigma" }, s ? fixed(s[k], decimalsOf(s[k])) : "–"))));
     }
@@ -134,34 +135,28 @@ export class Panel {
     this.showMarks(p);
     const there = p?.visible ?? [];
     this.visibleHead.hidden = this.visible.root.hidden = !there.length;
-    this.visibleHead.textContent = `Visible there, not measured (${there.length})`;
+    this.visibleHead.textContent = say("studio_point.visible", { n: there.length });
     this.visible.set(there);
   }
 
   private words(p: Predictions | null): string {
     const { model } = this;
-    if (!model.current) return "Choose a point by a click in an image or below, or begin a new one.";
+    if (!model.current) return say("studio_point.choose_or_begin");
     if (!p) return "";
     const { source, rays, neglected } = p.located;
-    const told: Record<string, string> = {
-      adjusted: "as adjusted", updated: "adjusted, with the marks made since", intersected: "intersected from its marks",
-      ray: "seen once: its depth is not known", unknown: "not seen yet",
-    };
-    const left = neglected ? ` Sigma leaves out: ${neglected}.` : "";
-    return `${told[source] ?? source}; ${count(rays, "ray")}.${left}`;
+    return [say("studio_point.located", { source, n: rays }), neglected].join(" ");
   }
 
   private showMarks(p: Predictions | null): void {
     const { model } = this;
     const marks = model.marksOf(model.current);
     this.marks.hidden = !marks.length;
-    const heads = ["image", "how", "s px", "vx", "vy", ""].map((words) => h("th", { scope: "col" }, words));
-    this.marks.replaceChildren(h("tr", {}, ...heads), ...marks.map((m) => {
+    this.marks.replaceChildren(heads(["label.image", "studio_point.by", "studio_point.sigma_px", "studio_point.vx", "studio_point.vy", ""]), ...marks.map((m) => {
       const v = p?.located.residuals[m.image];
-      const show = button(m.image, `Show the mark in ${m.image}`, () => this.going.visit(m.image, m.x, m.y), "link");
-      const remove = button("✕", `Remove the mark in ${m.image}`, () => void model.act("remove", { image: m.image, point: m.point }, "mark removed"), "small");
+      const show = sign(m.image, say("studio_point.show", { point: m.image }), () => this.going.visit(m.image, m.x, m.y), "link");
+      const remove = sign("✕", say("studio_point.remove", { name: m.image }), () => void model.act("remove", { image: m.image, point: m.point }, "studio_point.mark_removed", { point: m.point }), "small");
       const s = Math.sqrt(Math.max(m.cov[0], m.cov[1]));
-      return h("tr", {}, h("td", {}, show), h("td", {}, m.how), h("td", {}, short(s, 2)),
+      return h("tr", {}, h("td", {}, show), h("td", {}, say("studio_point.how", { how: m.how })), h("td", {}, short(s, 2)),
         ...this.residual(m, v), h("td", {}, remove));
     }));
   }
@@ -181,7 +176,10 @@ export class Panel {
   private pointRow(p: PointRow): Node[] {
     const marks = this.model.marksOf(p.point).length;
     const sigma = Math.max(...p.sigma.map((s) => s ?? -1));
-    const parts = [p.role === "tie" ? "" : p.role, marks ? count(marks, "mark") : "", p.rays ? count(p.rays, "ray") : "", sigma >= 0 ? `s ${short(sigma, 2)}` : ""];
+    const parts = [
+      p.role === "tie" ? "" : say("studio_point.role", { role: p.role }), marks ? say("studio_point.mark_count", { n: marks }) : "",
+      p.rays ? say("studio_photo.rays", { n: p.rays }) : "", sigma >= 0 ? `s ${short(sigma, 2)}` : "",
+    ];
     return [h("b", {}, p.point), h("small", {}, parts.filter((t) => t).join(" · "))];
   }
 
@@ -196,6 +194,6 @@ export class Panel {
     });
     const names = new Set(measured.map((p) => p.point));
     this.points.set([...measured, ...found.rows.filter((row) => !names.has(row.point))], model.current);
-    this.pointsHead.textContent = `Points: ${count(model.state.points.length, "measured", "measured")}, ${model.overview.points.toLocaleString("en")} of the block`;
+    this.pointsHead.textContent = say("studio_point.points_of", { n: model.state.points.length, of: model.overview.points });
   }
 }

@@ -13,6 +13,7 @@ import { SpaceMeasure } from "./space_measure";
 import { SpacePairs } from "./space_pairs";
 import { SpaceScene } from "./space_scene";
 import { SpaceSection } from "./space_section";
+import { say } from "./words";
 
 const NEAR_PX = 10;
 /** Time that a picture of a motion should take [ms]. */
@@ -25,15 +26,15 @@ const LARGE_PX = 1.5e6;
 /** Whether pictures are made by the processor: their edges are not smoothed then, which is the greater part of the work. */
 function drawnBySoftware(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
-  const told = gl?.getExtension("WEBGL_debug_renderer_info");
-  const name = gl ? String(gl.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : gl.RENDERER)) : "";
+  const info = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = gl ? String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER)) : "";
   gl?.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
 export class Space {
   private readonly box = element("space");
-  private readonly told = element("space-told");
+  private readonly status = element("space-status");
   private readonly tip = h("div", { class: "tip", hidden: true });
   private readonly bar: SpaceBar;
   private readonly measure: SpaceMeasure;
@@ -75,7 +76,7 @@ export class Space {
         this.take(new SpaceData(await bytes("/api/scene")));
       } catch (error) {
         this.stale = true;
-        return this.model.say((error as Error).message, "bad");
+        return this.model.fail(error);
       }
     }
     this.sized();
@@ -86,14 +87,14 @@ export class Space {
     try {
       this.renderer = new THREE.WebGLRenderer({ antialias: !this.software });
     } catch {
-      this.box.textContent = "This browser shows no 3D graphics (WebGL is switched off). Tables and images show the same points.";
+      this.box.textContent = say("studio_space.no_graphics");
       return false;
     }
     this.renderer.localClippingEnabled = true;
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "application");
-    canvas.setAttribute("aria-label", "Object space: arrow keys turn, plus and minus zoom, 0 shows all");
+    canvas.setAttribute("aria-label", say("studio_space.canvas"));
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.box.append(canvas, this.tip);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -120,7 +121,7 @@ export class Space {
     this.shown();
     this.current();
     this.far();
-    this.told.textContent = data.points < data.head.total ? `${data.points.toLocaleString("en")} of ${data.head.total.toLocaleString("en")} points are shown.` : "Click a point to choose it, a station to open its image.";
+    this.status.textContent = data.points < data.head.total ? say("studio_space.points_shown", { n: data.points, of: data.head.total }) : say("studio_space.click");
   }
 
   private axis(k: number): THREE.Vector3 {
@@ -215,7 +216,7 @@ export class Space {
     drawn.bars.visible = bar.shows("bars");
     if (drawn.ellipsoids.visible) drawn.enlarge(bar.enlarged);
     legend.push(...this.pairs.legend);
-    if (beyond.points.size) legend.push(["#c2188f", `beyond the limit: ${beyond.points.size.toLocaleString("en")}`]);
+    if (beyond.points.size) legend.push(["#c2188f", say("studio_space.beyond", { n: beyond.points.size })]);
     element("space-legend").replaceChildren(...legend.map(([hex, words]) => {
       const dot = h("span", { class: "dot" });
       dot.style.background = hex;
@@ -225,7 +226,7 @@ export class Space {
   }
 
   private cut(): void {
-    this.section.tell();
+    this.section.show();
     this.drawn?.cut(this.section.planes);
     this.render();
   }
@@ -251,7 +252,7 @@ export class Space {
     const rows = this.measure.names.map((n) => this.drawn!.data.rowOf(n)).filter((r) => r !== undefined);
     this.drawn.between(rows, this.measure.closed);
     this.section.measured();
-    if (this.measure.words) this.told.textContent = this.measure.words;
+    if (this.measure.words) this.status.textContent = this.measure.words;
     this.render();
   }
 
@@ -307,9 +308,10 @@ export class Space {
   private words(row: number): string {
     const { data } = this.drawn!;
     const unit = data.head.unit;
-    const sigma = data.sigma[row] > 0 ? `, sigma ${withUnit(short(data.sigma[row], 2), unit)}` : "";
-    const w = data.w[row] >= 0 ? `, |w| ${short(data.w[row], 2)}` : "";
-    return `${data.nameOf(row) || "a point"}\n${data.rays[row]} rays${sigma}${w}`;
+    return say("studio_space.point", {
+      name: data.nameOf(row) || "none", n: data.rays[row], sigma: data.sigma[row] > 0 ? withUnit(short(data.sigma[row], 2), unit) : "none",
+      w: data.w[row] >= 0 ? short(data.w[row], 2) : "none",
+    });
   }
 
   private click(at: [number, number]): void {
@@ -321,7 +323,7 @@ export class Space {
     if (this.measure.on) this.measure.add(name);
     else {
       this.model.choose(name);
-      this.told.textContent = this.words(row);
+      this.status.textContent = this.words(row);
     }
   }
 

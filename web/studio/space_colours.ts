@@ -1,7 +1,8 @@
-// Colours of the points of object space: by role, rays, standard deviation, test value, redundancy, residual; blue to orange, told apart by everybody.
+// Colours of the points of object space: by role, rays, standard deviation, test value, redundancy, residual; blue to orange, distinct to all eyes.
 import { Color } from "three";
-import { short } from "./numbers";
+import { local, short, withUnit } from "./numbers";
 import { SpaceData } from "./space_data";
+import { say } from "./words";
 
 export type Colouring = "role" | "rays" | "sigma" | "w" | "redundancy" | "residual";
 
@@ -17,28 +18,33 @@ const UNKNOWN = "#9aa3ab";
 
 export function coloured(data: SpaceData, by: Colouring): Coloured {
   if (by === "role") return byRole(data);
-  if (by === "rays") return inClasses(data.rays, [2, 3, 5, 9], [...SCALE].reverse(), ["2 rays or fewer", "3", "4 to 5", "6 to 9", "10 and more"]);
-  if (by === "w") return inClasses(data.w, [1, 2, 2.6, 3.3], SCALE, ["|w| up to 1", "to 2", "to 2.6", "to 3.3", "above 3.3"]);
-  if (by === "redundancy") return inClasses(data.r, [0.1, 0.3, 0.5, 0.7], [...SCALE].reverse(), ["smallest redundancy number up to 0.1", "to 0.3", "to 0.5", "to 0.7", "above 0.7"]);
-  if (by === "residual") return inFifths(data.v, "residual (rms)", "px");
-  return inFifths(data.sigma, "sigma", data.head.unit);
+  if (by === "rays") return inClasses(data.rays, [2, 3, 5, 9], [...SCALE].reverse(), [say("studio_space.few_rays"), "3", "4–5", "6–9", "≥ 10"]);
+  if (by === "w") return inClasses(data.w, [1, 2, 2.6, 3.3], SCALE, classes(by, "", ["1", "2", "2.6", "3.3"]));
+  if (by === "redundancy") return inClasses(data.r, [0.1, 0.3, 0.5, 0.7], [...SCALE].reverse(), classes(by, "", ["0.1", "0.3", "0.5", "0.7"]));
+  if (by === "residual") return inFifths(data.v, by, "px");
+  return inFifths(data.sigma, by, data.head.unit);
 }
 
 function byRole(data: SpaceData): Coloured {
   const colours = packed(ROLE_COLOURS);
   const rgb = new Uint32Array(data.points);
   for (let i = 0; i < data.points; i++) rgb[i] = colours[Math.min(data.role[i], 2)];
-  const names = ["tie points", "control points", "check points"];
-  return { rgb: new Uint8Array(rgb.buffer), legend: names.map((n, k): [string, string] => [ROLE_COLOURS[k], n]).filter((_, k) => data.role.includes(k)) };
+  const roles = ["tie", "control", "check"];
+  return { rgb: new Uint8Array(rgb.buffer), legend: roles.map((role, k): [string, string] => [ROLE_COLOURS[k], say("studio_space.role", { role })]).filter((_, k) => data.role.includes(k)) };
 }
 
 /** Five classes of equal number: the values are spread too wide for a linear scale. */
-function inFifths(values: Float32Array, what: string, unit: string): Coloured {
+function inFifths(values: Float32Array, by: Colouring, unit: string): Coloured {
   const known = values.filter((s) => s > 0).sort();
   if (!known.length) return inClasses(values, [0, 0, 0, 0], SCALE, []);
   const limits = [0.2, 0.4, 0.6, 0.8].map((q) => known[Math.floor(q * (known.length - 1))]);
-  const name = (k: number) => `${short(limits[k], 2)} ${unit}`.trim();
-  return inClasses(values, limits, SCALE, [`${what} up to ${name(0)}`, `to ${name(1)}`, `to ${name(2)}`, `to ${name(3)}`, `above ${name(3)}`]);
+  return inClasses(values, limits, SCALE, classes(by, unit, limits.map((limit) => short(limit, 2))));
+}
+
+/** The classes between limits; the quantity stands with the first. */
+function classes(by: Colouring, unit: string, limits: string[]): string[] {
+  const named = limits.map((limit) => withUnit(local(limit), unit));
+  return [say("studio_space.up_to", { by, limit: named[0] }), ...named.slice(1).map((n) => `≤ ${n}`), `> ${named[3]}`];
 }
 
 function inClasses(values: Float32Array | Uint16Array, limits: number[], scale: string[], words: string[]): Coloured {
@@ -54,7 +60,7 @@ function inClasses(values: Float32Array | Uint16Array, limits: number[], scale: 
     rgb[i] = value >= 0 ? colours[k] : none;
   }
   const legend = words.map((text, k): [string, string] => [scale[k], text]);
-  return { rgb: new Uint8Array(rgb.buffer), legend: unknown ? [...legend, [UNKNOWN, "not known"]] : legend };
+  return { rgb: new Uint8Array(rgb.buffer), legend: unknown ? [...legend, [UNKNOWN, say("studio_space.unknown")]] : legend };
 }
 
 /** Colours as four bytes in one number each, linear as three.js wants them. */

@@ -1,39 +1,35 @@
 // Measuring between points of object space: the server answers with standard deviations of the full covariance.
 import { ask } from "./api";
-import { button, h } from "./dom";
+import { button, choices, h } from "./dom";
 import { Model } from "./model";
 import { decimalsOf, fixed, withUnit } from "./numbers";
 import { SpaceData } from "./space_data";
+import { say, titleOf } from "./words";
 
 interface Answer {
-  words: string;
   values: { name: string; value: number; sigma: number | null; unit: string }[];
   remark: string;
 }
 
-const KINDS: Record<string, string> = {
-  "": "by number of points", coordinates: "coordinates", distance: "distance", angle: "angle", area: "area",
-  length: "length of a polyline", plane: "flatness", line: "straightness",
-  to_plane: "first to a plane", to_line: "first to a line",
-};
-const SHOWN = 6; // values of an answer; the command line tells all
+const KINDS = ["", "coordinates", "distance", "angle", "area", "length", "plane", "line", "to_plane", "to_line"];
+const SHOWN = 6; // values of an answer; the command line prints all
+const kindName = (kind: string): string => say("studio_space.quantity", { kind: kind || "any" });
 
 export class SpaceMeasure {
   readonly parts: HTMLElement[];
   names: string[] = [];
   words = "";
   private readonly box = h("input", { type: "checkbox", id: "space-measure" });
-  private readonly kind = h("select", { id: "space-kind", "aria-label": "What is measured" },
-    ...Object.entries(KINDS).map(([kind, words]) => h("option", { value: kind }, words)));
+  private readonly kind = h("select", { id: "space-kind", "aria-label": say("studio_space.measured") }, ...choices(KINDS, kindName));
   private turn = 0;
 
   constructor(model: Model, private readonly changed: () => void) {
     this.box.addEventListener("change", () => this.clear());
-    this.kind.addEventListener("change", () => void this.asked());
+    this.kind.addEventListener("change", () => void this.answer());
     this.parts = [h("span", { class: "group" },
-      h("label", { title: "Clicks choose points to measure between: 2 a distance, 3 an angle, more an area" }, this.box, "measure"),
-      this.kind, button("Add current", "Measure to the current point, too", () => model.current && this.add(model.current)),
-      button("Clear", "Measure anew", () => this.clear()),
+      h("label", { title: titleOf("studio_space.measure") }, this.box, say("studio_space.measure")),
+      this.kind, button("studio_space.add_current", () => model.current && this.add(model.current)),
+      button("studio_space.clear", () => this.clear()),
     )];
   }
 
@@ -56,16 +52,16 @@ export class SpaceMeasure {
 
   add(name: string): void {
     this.names = this.names.includes(name) ? this.names.filter((n) => n !== name) : [...this.names, name];
-    void this.asked();
+    void this.answer();
   }
 
   private clear(): void {
     this.names = [];
-    this.words = this.on ? "Click the points to measure between." : "Click a point to choose it, a station to open its image.";
+    this.words = this.on ? say("studio_space.click_points") : say("studio_space.click");
     this.changed();
   }
 
-  private async asked(): Promise<void> {
+  private async answer(): Promise<void> {
     const turn = ++this.turn;
     this.words = this.names.join(", ");
     this.changed();
@@ -77,8 +73,8 @@ export class SpaceMeasure {
         const whole = `${fixed(value, decimalsOf(sigma))} ± ${fixed(sigma, decimalsOf(sigma))}`;
         return `${found.values.length > 1 ? `${name} ` : ""}${withUnit(whole, unit.replace("^2", "²").replace("deg", "°"))}`;
       });
-      const rest = values.length > SHOWN ? ` and ${values.length - SHOWN} more` : "";
-      this.words = `${found.words}: ${values.slice(0, SHOWN).join(", ")}${rest}${found.remark ? `\n${found.remark}` : ""}`;
+      const rest = values.length > SHOWN ? ` (+${values.length - SHOWN})` : "";
+      this.words = `${kindName(this.what)} ${this.names.join(", ")}: ${values.slice(0, SHOWN).join("; ")}${rest}${found.remark ? `\n${found.remark}` : ""}`;
     } catch (error) {
       if (turn !== this.turn) return;
       this.words = `${this.names.join(", ")}: ${(error as Error).message}`;

@@ -2,26 +2,28 @@
 import * as THREE from "three";
 import { positions } from "../common/shapes";
 import { h } from "./dom";
+import { grouped } from "./numbers";
 import { SpaceData } from "./space_data";
+import { say, titleOf } from "./words";
 
 const STEPS = 100;
-/** Weak, middle and strong connections, told apart by all eyes. */
+/** Weak, middle and strong connections, distinct to all eyes. */
 export const PAIR_COLOURS = ["#882255", "#ddaa33", "#0072b2"];
 
 export class SpacePairs {
   readonly parts: HTMLElement[];
   readonly lines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ vertexColors: true }));
   private readonly box = h("input", { type: "checkbox", id: "show-pairs" });
-  private readonly least = h("input", { type: "range", id: "pairs-least", min: 0, max: STEPS, value: 0, "aria-label": "Fewest common points of a connection" });
+  private readonly least = h("input", { type: "range", id: "pairs-least", min: 0, max: STEPS, value: 0, "aria-label": say("studio_space.fewest") });
   private readonly words = h("output", { for: "pairs-least" });
   private data: SpaceData | null = null;
 
   constructor(private readonly changed: () => void) {
     for (const each of [this.box, this.least]) each.addEventListener("input", () => this.show());
     this.parts = [h("span", { class: "group" },
-      h("label", { title: "Lines between photographs that share points" }, this.box, "match graph"), this.least, this.words)];
+      h("label", { title: titleOf("studio_space.pairs") }, this.box, say("studio_space.pairs")), this.least, this.words)];
     this.lines.frustumCulled = false;
-    this.tell();
+    this.showFewest();
   }
 
   take(data: SpaceData): void {
@@ -40,14 +42,14 @@ export class SpacePairs {
     this.show();
   }
 
-  /** What its colours say. */
+  /** Its colours. */
   get legend(): [string, string][] {
     if (!this.box.checked || !this.data) return [];
     const { few, strong } = this.data.head;
     const counts = [0, 0, 0];
     for (let k = 0; k < this.drawn; k++) counts[this.data.common[k] < few ? 0 : this.data.common[k] < strong ? 1 : 2]++;
-    const words = [`fewer than ${few} common points`, `${few} to ${strong - 1}`, `${strong} and more`];
-    return PAIR_COLOURS.map((hex, k): [string, string] => [hex, `${words[k]}: ${counts[k].toLocaleString("en")}`]);
+    const words = [say("studio_space.weak_pairs", { limit: few }), `${few}–${strong - 1}`, `≥ ${strong}`];
+    return PAIR_COLOURS.map((hex, k): [string, string] => [hex, `${words[k]}: ${grouped(counts[k])}`]);
   }
 
   /** Common points from which on a connection is drawn: even steps of the logarithm. */
@@ -70,12 +72,12 @@ export class SpacePairs {
   private show(): void {
     this.lines.visible = this.box.checked;
     if (this.data) this.lines.geometry.setDrawRange(0, 2 * this.drawn);
-    this.tell();
+    this.showFewest();
     this.changed();
   }
 
-  private tell(): void {
-    this.words.textContent = `≥ ${this.fewest.toLocaleString("en")}`;
-    this.least.setAttribute("aria-valuetext", `${this.fewest} common points`);
+  private showFewest(): void {
+    this.words.textContent = `≥ ${grouped(this.fewest)}`;
+    this.least.setAttribute("aria-valuetext", String(this.fewest));
   }
 }

@@ -1,18 +1,20 @@
 // A slab of object space: what lies before and behind it is not drawn.
 import * as THREE from "three";
-import { h } from "./dom";
+import { choices, h } from "./dom";
+import { short, withUnit } from "./numbers";
 import { SpaceData } from "./space_data";
+import { say, titleOf } from "./words";
 
 const STEPS = 200;
 type Across = "" | "0" | "1" | "2" | "points";
+const ACROSS: Record<Across, string> = { "": "none", 0: "side", 1: "front", 2: "level", points: "points" };
 
 export class SpaceSection {
   readonly parts: HTMLElement[];
   private readonly across = h("select", { id: "section-across", },
-    ...[["", "none"], ["0", "upright, from the side"], ["1", "upright, facing"], ["2", "level"], ["points", "by 3 measured points"]]
-      .map(([value, words]) => h("option", { value }, words)));
-  private readonly place = h("input", { type: "range", id: "section-place", min: 0, max: STEPS, value: STEPS / 2, "aria-label": "Place of the section" });
-  private readonly thick = h("input", { type: "range", id: "section-thickness", min: 1, max: STEPS, value: STEPS / 10, "aria-label": "Thickness of the section" });
+    ...choices(["", "0", "1", "2", "points"], (across) => say("studio_space.across", { across: ACROSS[across as Across] })));
+  private readonly place = h("input", { type: "range", id: "section-place", min: 0, max: STEPS, value: STEPS / 2, "aria-label": say("studio_space.section_place") });
+  private readonly thick = h("input", { type: "range", id: "section-thickness", min: 1, max: STEPS, value: STEPS / 10, "aria-label": say("studio_space.section_thickness") });
   private readonly words = h("output", { for: "section-place section-thickness" });
   private data: SpaceData | null = null;
   private normal = new THREE.Vector3();
@@ -23,8 +25,8 @@ export class SpaceSection {
   constructor(private readonly names: () => string[], private readonly changed: () => void) {
     this.across.addEventListener("change", () => this.turn());
     for (const each of [this.place, this.thick]) each.addEventListener("input", () => this.changed());
-    this.parts = [h("span", { class: "group" }, h("label", { title: "Draws the points between two planes alone" }, "section", this.across),
-      h("label", { title: "Place of the section" }, "at", this.place), h("label", { title: "Thickness of the section" }, "thick", this.thick), this.words)];
+    this.parts = [h("span", { class: "group" }, h("label", { title: titleOf("studio_space.section") }, say("studio_space.section"), this.across),
+      h("label", { title: say("studio_space.section_place") }, "↔", this.place), h("label", { title: say("studio_space.section_thickness") }, "↕", this.thick), this.words)];
     this.place.disabled = this.thick.disabled = true;
   }
 
@@ -51,12 +53,10 @@ export class SpaceSection {
     return Math.abs(this.normal.x * x + this.normal.y * y + this.normal.z * z - this.middle) <= this.half;
   }
 
-  /** Where it is, in words. */
-  tell(): void {
-    const { data } = this;
-    const unit = data?.head.unit ?? "";
-    const digits = (v: number) => `${Number(v.toPrecision(3)).toLocaleString("en")}${unit ? ` ${unit}` : ""}`;
-    this.words.textContent = !this.across.value ? "" : this.on ? `± ${digits(this.half)}` : "measure between three points first";
+  /** Show how thick it is. */
+  show(): void {
+    const half = `± ${withUnit(short(this.half), this.data?.head.unit ?? "")}`;
+    this.words.textContent = !this.across.value ? "" : this.on ? half : say("studio_space.three_points_first");
   }
 
   private get on(): boolean {

@@ -1,6 +1,7 @@
 // How far the photographs are oriented, what the next one needs, and marks that contradict the others.
-import { button, element, h } from "./dom";
+import { element, h, sign } from "./dom";
 import { Model } from "./model";
+import { say } from "./words";
 
 export class StandingLine {
   constructor(private readonly model: Model, private readonly goTo: (point: string, image: string) => void) {
@@ -18,10 +19,10 @@ export class StandingLine {
     const bare = new Set(standing.lacking.filter((l) => l.kind === "marks" && !l.have).map((l) => l.words));
     const words = standing.words.filter((line) => !wrong.has(line) && !bare.has(line));
     box.replaceChildren(
-      h("p", { id: "standing-line", class: standing.oriented < standing.images ? "open" : "" }, standing.line),
+      h("p", { id: "standing-line", class: standing.oriented < standing.images ? "open" : "" }, standing.line.join("; ")),
       h("ul", {},
         ...standing.wrong.map((w) => h("li", { class: "wrong" },
-          button(w.words, `Show ${w.point}`, () => this.goTo(w.point, w.images[0]), "link"))),
+          sign(w.words, say("studio_point.show", { point: w.point }), () => this.goTo(w.point, w.images[0]), "link"))),
         ...words.map((line) => h("li", {}, line))),
     );
   }

@@ -1,11 +1,12 @@
 // The line below and the buttons above: what is going on, what was done last.
-import { Refused, tell } from "./api";
+import { send } from "./api";
+import { stageName } from "./decide_run";
 import { element } from "./dom";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
-import { short } from "./numbers";
 import { targetLayer } from "./target_layer";
 import { Live, Run } from "./types";
+import { say } from "./words";
 
 export class Status {
   private readonly undo = element<HTMLButtonElement>("undo");
@@ -18,7 +19,7 @@ export class Status {
     this.undo.addEventListener("click", () => void measuring.undo());
     this.redo.addEventListener("click", () => void measuring.redo());
     this.adjust.addEventListener("click", () => void this.begin());
-    element("stop").addEventListener("click", () => void tell("/api/stop", {}));
+    element("stop").addEventListener("click", () => void send("/api/stop", {}));
     model.on("state", () => this.buttons());
     model.on("message", () => this.message());
     model.on("overview", () => this.names());
@@ -31,8 +32,9 @@ export class Status {
   }
 
   private message(): void {
-    const { words, kind } = this.model.message;
+    const { code, words, kind } = this.model.message;
     const line = element("message");
+    line.dataset.code = code;
     line.textContent = line.title = words;
     line.className = kind;
     const command = element("command");
@@ -43,20 +45,20 @@ export class Status {
     const o = this.model.overview;
     element("title").textContent = document.title = `${o.title} – studio`;
     element("title").textContent = o.title || "raybundle studio";
-    const sigma0 = o.sigma0 === null ? "" : `sigma0 ${short(o.sigma0)}`;
-    const told = [o.headline, sigma0, o.free_scale ? "free scale" : ""].filter((t) => t).join(" · ");
+    const facts = [o.headline, o.sigma0 === null ? "" : say("studio_page.sigma0", { sigma0: o.sigma0 }), o.free_scale ? say("studio_page.free_scale") : ""];
     const line = element("headline");
-    line.textContent = line.title = told || `${o.kind}: ${o.images.length} images, ${o.points} points`;
+    line.textContent = line.title = facts.filter((t) => t).join(" · ") || say("studio_page.contents", { kind: o.kind, images: o.images.length, points: o.points });
     line.className = o.grade;
     element("report").hidden = !o.report;
   }
 
   private async begin(): Promise<void> {
     try {
-      const { begun } = await tell<{ begun: boolean }>("/api/adjust", {});
-      this.model.say(begun ? "Adjusting block and marks." : "Something is being adjusted already.");
+      const { begun } = await send<{ begun: boolean }>("/api/adjust", {});
+      if (begun) this.model.say("studio_page.adjusting");
+      else this.model.say("studio_page.busy");
     } catch (error) {
-      this.model.say(error instanceof Refused ? error.message : "The server does not answer.", "bad");
+      this.model.fail(error);
     }
   }
 
@@ -65,39 +67,40 @@ export class Status {
   }
 
   connection(open: boolean): void {
-    const told = element("connection");
-    told.textContent = open ? "connected" : "connection lost: trying again";
-    told.className = open ? "" : "bad";
+    const line = element("connection");
+    line.textContent = open ? say("studio_page.connected") : say("studio_page.connection_lost");
+    line.className = open ? "" : "bad";
   }
 
   private waiting(n: number, lost: boolean): void {
     if (!lost) return;
-    this.model.say(n ? `No answer: ${n} ${n === 1 ? "action waits" : "actions wait"} and will be sent again.` : "", "bad");
+    if (n) this.model.say("studio_page.actions_wait", { n }, "bad");
+    else this.model.show("");
   }
 
-  heard(message: Live): void {
+  receive(message: Live): void {
     if (message.type === "state") this.model.take(message.state);
     else if (message.type === "oriented") void this.model.read().catch(() => {});
     else if (message.type === "progress") {
       element("work").hidden = false;
       this.adjust.disabled = true;
       this.progress.value = message.share;
-      element("work-stage").textContent = message.stage;
-    } else if (message.type === "run") this.ran(message.run);
-    else if (message.type === "targets") this.found(message.images, message.error);
+      element("work-stage").textContent = stageName(message.stage);
+    } else if (message.type === "run") this.showRun(message.run);
+    else if (message.type === "targets") this.showTargets(message);
     else void this.adjusted(message);
   }
 
-  private found(images: string[], error: string): void {
+  private showTargets({ images, error, code }: Live & { type: "targets" }): void {
     element("work").hidden = true;
     this.adjust.disabled = false;
-    if (error) this.model.say(error, "bad");
-    else this.model.say(`Targets found in ${images.length === 1 ? images[0] : `${images.length} photographs`}.`, "good");
+    if (error) this.model.show(error, "bad", code);
+    else this.model.say("studio_target.found_in", { n: images.length, image: images[0] ?? "" }, "good");
     targetLayer.forget();
     this.model.emit("targets");
   }
 
-  private ran(run: Run): void {
+  private showRun(run: Run): void {
     const before = this.outcome;
     this.outcome = run.outcome;
     this.model.run = run;
@@ -105,22 +108,26 @@ export class Status {
     element("work").hidden = !goes;
     this.adjust.disabled = goes;
     this.progress.value = run.share;
-    element("work-stage").textContent = `${run.name}: ${run.step}`;
+    element("work-stage").textContent = `${run.name}: ${stageName(run.step)}`;
     this.model.emit("run");
     if (goes || before === run.outcome) return;
     const last = run.words.split("\n");
-    if (run.outcome === "done") this.model.say(last[0].trim(), "good");
-    else this.model.say(run.outcome === "failed" ? last[last.length - 1] : run.words, run.outcome === "failed" ? "bad" : "");
+    if (run.outcome === "done") this.model.show(last[0].trim(), "good");
+    else if (run.outcome === "failed") this.model.show(last[last.length - 1], "bad");
+    else this.model.say("studio_run.stopped");
     if (run.outcome === "done") void this.model.read().catch(() => {});
   }
 
   private async adjusted(message: Live & { type: "adjusted" }): Promise<void> {
     element("work").hidden = true;
     this.adjust.disabled = false;
-    if (message.error) return this.model.say(message.error, "bad");
+    if (message.error) return this.model.show(message.error, "bad", message.code);
     await this.model.read();
-    const sigma0 = message.sigma0 === null ? "" : `: sigma0 ${short(message.sigma0)}`;
-    const folder = message.folder ? `; the result is in ${message.folder}` : "";
-    this.model.say(`Adjusted${sigma0}${folder}`, "good");
+    this.showResult(message.folder);
+  }
+
+  /** That it is adjusted, how well, and where the result is. */
+  showResult(folder: string): void {
+    this.model.say("studio_page.adjusted", { sigma0: this.model.overview.sigma0, folder: folder || "none" }, "good");
   }
 }

@@ -14,15 +14,16 @@ import { looks } from "./looks";
 import { Masks } from "./masks";
 import { Measuring } from "./measuring";
 import { Model } from "./model";
-import { short } from "./numbers";
 import { Panel } from "./panel";
 import { Space } from "./space";
 import { StandingLine } from "./standing";
 import { Status } from "./status";
 import { isPair, isPoint, Tables } from "./tables";
 import { Tabs } from "./tabs";
+import { fillPage } from "./words";
 
 async function start(): Promise<void> {
+  fillPage();
   const model = new Model();
   const measuring = new Measuring(model);
   const status = new Status(model, measuring);
@@ -108,18 +109,17 @@ async function begin(model: Model, status: Status): Promise<void> {
   try {
     await model.read();
   } catch (error) {
-    model.say((error as Error).message, "bad");
+    model.fail(error);
     throw error;
   }
-  const told = () => {
-    const { sigma0 } = model.overview;
-    if (sigma0 !== null && !model.message.words) model.say(`Adjusted: sigma0 ${short(sigma0)}`, "good");
+  const report = () => {
+    if (model.overview.sigma0 !== null && !model.message.words) status.showResult("");
   };
-  told();
-  const again = afterPause(() => void model.read().then(told).catch(() => {}), 100);
-  connect((message) => status.heard(message), (open, before) => {
+  report();
+  const again = afterPause(() => void model.read().then(report).catch(() => {}), 100);
+  connect((message) => status.receive(message), (open, before) => {
     status.connection(open);
-    // an adjustment that ended before the connection stood was told to nobody
+    // an adjustment that ended before the connection stood was reported to nobody
     if (open && (before || model.overview.sigma0 === null)) again();
   });
 }

@@ -1,9 +1,10 @@
 // Tables of points and image observations: rows come from the server as they are scrolled to.
 import { ask } from "./api";
-import { afterPause, element, h, onceAFrame } from "./dom";
+import { afterPause, choices, element, h, onceAFrame } from "./dom";
 import { Model } from "./model";
-import { fixed, decimalsOf, short } from "./numbers";
+import { fixed, decimalsOf, grouped, short } from "./numbers";
 import { ObservationRow, Page, PairRow, PointRow } from "./types";
+import { say } from "./words";
 
 const ROW = 26;
 const PAGE = 200;
@@ -17,20 +18,21 @@ const PATHS: Record<Kind, string> = { points: "/api/points", observations: "/api
 
 const COLUMNS: Record<Kind, Column[]> = {
   points: [
-    ["point", "point", (r: PointRow) => r.point], ["role", "role", (r: PointRow) => r.role],
+    ["point", say("label.point"), (r: PointRow) => r.point], ["role", say("label.role"), (r: PointRow) => say("studio_point.role", { role: r.role })],
     ...["X", "Y", "Z"].map((axis, k): Column => [axis, axis, (r: PointRow) => fixed(r.xyz[k], decimalsOf(r.sigma[k]))]),
-    ...["X", "Y", "Z"].map((axis, k): Column => [`s${axis}`, `s${axis}`, (r: PointRow) => fixed(r.sigma[k], decimalsOf(r.sigma[k]))]),
-    ["rays", "rays", (r: PointRow) => String(r.rays)], ["w", "max |w|", (r: PointRow) => fixed(r.w, 2)],
+    ...["X", "Y", "Z"].map((axis, k): Column => [`s${axis}`, say("label.sigma_of", { symbol: axis }), (r: PointRow) => fixed(r.sigma[k], decimalsOf(r.sigma[k]))]),
+    ["rays", say("label.rays"), (r: PointRow) => String(r.rays)], ["w", say("studio_table.largest_w"), (r: PointRow) => fixed(r.w, 2)],
   ],
   observations: [
-    ["image", "image", (r: ObservationRow) => r.image], ["point", "point", (r: ObservationRow) => r.point],
-    ["x", "x px", (r: ObservationRow) => r.x.toFixed(2)], ["y", "y px", (r: ObservationRow) => r.y.toFixed(2)],
-    ["vx", "vx px", (r: ObservationRow) => fixed(r.vx, 3)], ["vy", "vy px", (r: ObservationRow) => fixed(r.vy, 3)],
-    ["w", "|w|", (r: ObservationRow) => fixed(r.w, 2)], ["r", "redundancy", (r: ObservationRow) => fixed(r.r, 2)], ["", "rejected", (r: ObservationRow) => r.rejected],
+    ["image", say("label.image"), (r: ObservationRow) => r.image], ["point", say("label.point"), (r: ObservationRow) => r.point],
+    ["x", say("studio_table.x"), (r: ObservationRow) => fixed(r.x, 2)], ["y", say("studio_table.y"), (r: ObservationRow) => fixed(r.y, 2)],
+    ["vx", say("studio_table.vx"), (r: ObservationRow) => fixed(r.vx, 3)], ["vy", say("studio_table.vy"), (r: ObservationRow) => fixed(r.vy, 3)],
+    ["w", say("studio_table.w"), (r: ObservationRow) => fixed(r.w, 2)], ["r", say("studio_table.redundancy"), (r: ObservationRow) => fixed(r.r, 2)],
+    ["", say("label.rejected"), (r: ObservationRow) => r.rejected],
   ],
   pairs: [
-    ["image", "image", (r: PairRow) => r.image], ["other", "other image", (r: PairRow) => r.other],
-    ["common", "common points", (r: PairRow) => r.common.toLocaleString("en")], ["base", "base", (r: PairRow) => short(r.base, 4)],
+    ["image", say("label.image"), (r: PairRow) => r.image], ["other", say("studio_table.other_image"), (r: PairRow) => r.other],
+    ["common", say("label.common_points"), (r: PairRow) => grouped(r.common)], ["base", say("studio_table.base"), (r: PairRow) => short(r.base, 4)],
   ],
 };
 
@@ -42,19 +44,19 @@ export class Tables {
   private at = -1;
   private pages = new Map<number, Row[] | null>();
   private turn = 0;
-  private readonly search = h("input", { type: "search", id: "table-search", "aria-label": "Filter rows by name", placeholder: "Filter by name", autocomplete: "off", spellcheck: "false" });
-  private readonly told = h("span", { class: "note", "aria-live": "polite" });
+  private readonly search = h("input", { type: "search", id: "table-search", "aria-label": say("studio_table.filter"), placeholder: say("studio_table.filter"), autocomplete: "off", spellcheck: "false" });
+  private readonly status = h("span", { class: "note", "aria-live": "polite" });
   private readonly head = h("div", { role: "row", class: "head" });
   private readonly rows = h("div", { class: "rows" });
   private readonly tall = h("div", { class: "tall" }, this.rows);
-  private readonly scroll = h("div", { class: "scroll", tabindex: 0, role: "rowgroup", "aria-label": "Rows: arrow keys choose one, Enter opens it" }, this.tall);
-  private readonly grid = h("div", { role: "table", class: "grid", "aria-label": "Table" }, this.head, this.scroll);
+  private readonly scroll = h("div", { class: "scroll", tabindex: 0, role: "rowgroup", "aria-label": say("studio_table.rows") }, this.tall);
+  private readonly grid = h("div", { role: "table", class: "grid", "aria-label": say("studio_table.table") }, this.head, this.scroll);
   private readonly drawSoon = onceAFrame(() => this.draw());
 
   constructor(model: Model, private readonly isOpen: () => boolean, private readonly opened: (row: Row) => void) {
-    const kinds = h("select", { id: "table-kind", "aria-label": "Table" }, h("option", { value: "points" }, "points"), h("option", { value: "observations" }, "image observations"), h("option", { value: "pairs" }, "pairs of images"));
+    const kinds = h("select", { id: "table-kind", "aria-label": say("studio_table.table") }, ...choices(Object.keys(PATHS), (kind) => say("studio_table.kind", { kind })));
     kinds.addEventListener("change", () => this.of(kinds.value as Kind));
-    element("table-bar").append(kinds, this.search, this.told);
+    element("table-bar").append(kinds, this.search, this.status);
     element("table").append(this.grid);
     this.search.addEventListener("input", afterPause(() => this.begin(), 200));
     this.scroll.addEventListener("scroll", this.drawSoon);
@@ -87,7 +89,7 @@ export class Tables {
         this.begin();
       };
       const cell = h("div", { role: "columnheader", "aria-sort": sorted ? (this.down ? "descending" : "ascending") : "none" });
-      cell.append(name ? h("button", { type: "button", title: `Sort by ${words}`, onclick: press }, `${words}${sorted ? (this.down ? " ▼" : " ▲") : ""}`) : words);
+      cell.append(name ? h("button", { type: "button", title: say("studio_table.sort", { name: words }), onclick: press }, `${words}${sorted ? (this.down ? " ▼" : " ▲") : ""}`) : words);
       return cell;
     }));
   }
@@ -113,7 +115,7 @@ export class Tables {
       if (turn !== this.turn) return;
       this.pages.set(page, found.rows);
       this.total = found.total;
-      this.told.textContent = `${found.total.toLocaleString("en")} rows`;
+      this.status.textContent = say("studio_table.count", { n: found.total });
       this.grid.setAttribute("aria-rowcount", String(found.total + 1));
       this.tall.style.height = `${Math.min(found.total * ROW, TALLEST)}px`;
     } catch {
@@ -184,4 +186,3 @@ export class Tables {
 
 export const isPair = (row: Row): row is PairRow => "other" in row;
 export const isPoint = (row: Row): row is PointRow => "xyz" in row;
-export const rowWords = (row: ObservationRow): string => `${row.point} in ${row.image}: v ${short(row.vx, 2)}, ${short(row.vy, 2)} px, |w| ${short(row.w, 2)}`;

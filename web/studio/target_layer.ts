@@ -1,15 +1,16 @@
-// Targets found in the photographs: read when they are shown, sought where nothing is kept of a photograph.
-import { ask, tell } from "./api";
+// Targets found in the photographs: read when they are shown, sought where nothing is stored of a photograph.
+import { ask, send } from "./api";
 import { TargetsOf } from "./types";
+import { say } from "./words";
 
 class TargetLayer {
   on = false;
-  /** Families with blanks between; null: as the result says that is open. */
+  /** Families with blanks between; null: those of the open result. */
   families: string | null = null;
   /** Why nothing is drawn; "": something is. */
-  told = "";
-  private readonly kept = new Map<string, TargetsOf>();
-  private readonly asked = new Set<string>();
+  reason = "";
+  private readonly found = new Map<string, TargetsOf>();
+  private readonly requested = new Set<string>();
   private readonly sought = new Set<string>();
   private readonly listeners: (() => void)[] = [];
 
@@ -38,30 +39,30 @@ class TargetLayer {
 
   /** Read anew what is shown: after an adjustment, or when targets were found. */
   forget(): void {
-    this.kept.clear();
-    this.asked.clear();
+    this.found.clear();
+    this.requested.clear();
     this.changed();
   }
 
   of(image: string): TargetsOf | null {
-    const found = this.kept.get(image);
-    if (!found && !this.asked.has(image)) void this.read(image);
+    const found = this.found.get(image);
+    if (!found && !this.requested.has(image)) void this.read(image);
     return found ?? null;
   }
 
   private async read(image: string): Promise<void> {
-    this.asked.add(image);
+    this.requested.add(image);
     try {
       const found = await ask<TargetsOf>("/api/targets/image", { image, ...this.query });
-      this.kept.set(image, found);
-      this.told = found.why || (found.families ? "" : "Name the family of the targets under Decide, Targets.");
+      this.found.set(image, found);
+      this.reason = found.why || (found.families ? "" : say("studio_target.name_family"));
       const key = `${image} ${found.families}`;
       if (!found.from && !found.why && found.families && !this.sought.has(key)) {
         this.sought.add(key);
-        await tell("/api/targets", { families: found.families, images: [image] });
+        await send("/api/targets", { families: found.families, images: [image] });
       }
     } catch (error) {
-      this.told = (error as Error).message;
+      this.reason = (error as Error).message;
     }
     this.changed();
   }

@@ -1,9 +1,9 @@
-// Tiles of photographs: kept, asked for in order of need, a few at once, so that other questions find a way through.
+// Tiles of photographs: cached, requested in order of need, a few at once, so that other questions find a way through.
 import { onceAFrame } from "./dom";
 
 export const SIDE = 512;
 const AT_ONCE = 4;
-const KEPT = 320;
+const LARGEST_CACHE = 320;
 const AGAIN_MS = 2500;
 
 export const tileKey = (k: number, level: number, column: number, row: number): string => `${k}/${level}/${column}/${row}`;
@@ -19,12 +19,12 @@ export function lastLevel(width: number, height: number): number {
 }
 
 export class Tiles {
-  private readonly kept = new Map<string, ImageBitmap>();
+  private readonly cache = new Map<string, ImageBitmap>();
   private readonly loading = new Map<string, AbortController>();
   private readonly wanted = new Map<object, { keys: string[]; late: boolean }>();
   private readonly failed = new Map<string, string>();
   private readonly listeners = new Set<() => void>();
-  private readonly told = onceAFrame(() => this.listeners.forEach((call) => call()));
+  private readonly arrived = onceAFrame(() => this.listeners.forEach((call) => call()));
   private timesRead = 0;
   /** How long each took [ms]. */
   readonly times: number[] = [];
@@ -34,21 +34,21 @@ export class Tiles {
     return () => this.listeners.delete(call);
   }
 
-  /** Images have other numbers after the folder was read anew: nothing that was kept is theirs. */
+  /** Images have other numbers after the folder was read anew: nothing in the cache is theirs. */
   readAnew(times: number): void {
     if (times === this.timesRead) return;
     this.timesRead = times;
     this.loading.forEach((control) => control.abort());
-    this.kept.forEach((bitmap) => bitmap.close());
-    this.kept.clear();
+    this.cache.forEach((bitmap) => bitmap.close());
+    this.cache.clear();
     this.failed.clear();
   }
 
   get(key: string): ImageBitmap | undefined {
-    const found = this.kept.get(key);
+    const found = this.cache.get(key);
     if (found) {
-      this.kept.delete(key);
-      this.kept.set(key, found);
+      this.cache.delete(key);
+      this.cache.set(key, found);
     }
     return found;
   }
@@ -60,7 +60,7 @@ export class Tiles {
 
   /** What somebody needs now, the most urgent first; late: after all others. */
   want(owner: object, keys: string[], late = false): void {
-    const missing = keys.filter((key) => !this.kept.has(key) && !this.failed.has(key));
+    const missing = keys.filter((key) => !this.cache.has(key) && !this.failed.has(key));
     if (missing.length) this.wanted.set(owner, { keys: missing, late });
     else this.wanted.delete(owner);
     const still = new Set([...this.wanted.values()].flatMap((w) => w.keys));
@@ -86,7 +86,7 @@ export class Tiles {
       for (let k = 0; k < longest; k++)
         for (const { keys } of lists) {
           const key = keys[k];
-          if (key && !this.loading.has(key) && !this.kept.has(key) && !this.failed.has(key)) return key;
+          if (key && !this.loading.has(key) && !this.cache.has(key) && !this.failed.has(key)) return key;
         }
     }
     return undefined;
@@ -110,16 +110,16 @@ export class Tiles {
       if (!control.signal.aborted) await new Promise((go) => setTimeout(go, AGAIN_MS));
     }
     this.loading.delete(key);
-    this.told();
+    this.arrived();
     this.pump();
   }
 
   private keep(key: string, bitmap: ImageBitmap): void {
-    this.kept.set(key, bitmap);
-    while (this.kept.size > KEPT) {
-      const oldest = this.kept.keys().next().value as string;
-      this.kept.get(oldest)!.close();
-      this.kept.delete(oldest);
+    this.cache.set(key, bitmap);
+    while (this.cache.size > LARGEST_CACHE) {
+      const oldest = this.cache.keys().next().value as string;
+      this.cache.get(oldest)!.close();
+      this.cache.delete(oldest);
     }
   }
 }

@@ -1,4 +1,4 @@
-// What the server says and takes; pixels are those of the files as stored.
+// What the server sends and takes; pixels are those of the files as stored.
 
 export type Role = "tie" | "control" | "check";
 export type How = "hand" | "ellipse" | "corner" | "cross" | "patch" | "file";
@@ -59,7 +59,7 @@ export interface State {
 export interface Standing {
   oriented: number;
   images: number;
-  line: string;
+  line: string[];
   words: string[];
   trouble: string;
   lacking: { image: string; other: string; kind: string; have: number; need: number; words: string }[];
@@ -89,7 +89,6 @@ export interface Overview {
   masks_given: string;
   /** Names of the fiducial marks, where the photographs are scans of film. */
   fiducials: string[];
-  notices: { code: string; message: string }[];
 }
 
 export interface Observations {
@@ -238,7 +237,7 @@ export interface Run {
 }
 
 /** What became of a target in the block. */
-export type Fate = "used" | "rejected" | "not in the block" | "unidentified";
+export type Fate = "used" | "rejected" | "apart" | "unidentified";
 
 export interface TargetsOf {
   image: string;
@@ -275,7 +274,6 @@ export interface Interior {
 
 export interface Criterion {
   name: Quantity;
-  words: string;
   above: boolean;
   unit: string;
   low: number;
@@ -293,16 +291,14 @@ export interface Selection {
   points: number;
   marks: number;
   used: number;
-  words: string;
-  above: boolean;
   rows: [string, string][];
   all_shown: boolean;
   command: string;
 }
 
-export interface Kept {
+export interface AdjustmentRow {
   number: number;
-  words: string;
+  origin: string;
   command: string;
   sigma0: number | null;
   redundancy: number | null;
@@ -326,5 +322,5 @@ export type Live =
   | { type: "oriented"; seq: number }
   | { type: "progress"; stage: string; share: number }
   | { type: "run"; run: Run }
-  | { type: "targets"; images: string[]; error: string }
-  | { type: "adjusted"; sigma0: number | null; folder: string; error: string };
+  | { type: "targets"; images: string[]; error: string; code: string }
+  | { type: "adjusted"; sigma0: number | null; folder: string; error: string; code: string };

@@ -22,10 +22,20 @@ from raybundle.cli.common import FOLDER, NEW_FOLDER, Command
 @click.option(
     "--port", type=click.IntRange(0, 65535), default=0, show_default=True, help="Port of the server; 0: a free one."
 )
+@click.option("--language", default="en", show_default=True, metavar="CODE",
+    help="Language of the page and its reports: en, de.",
+)  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print the address as a JSON object.")
 @click.option("--no-browser", is_flag=True, help="Print the address without opening it.")
 def command(
-    source: Path, out: Path | None, photos: tuple[Path, ...], *, port: int, no_browser: bool, as_json: bool
+    source: Path,
+    out: Path | None,
+    photos: tuple[Path, ...],
+    *,
+    port: int,
+    no_browser: bool,
+    language: str,
+    as_json: bool,
 ) -> None:
     """Look, measure and adjust in the browser.
 
@@ -41,8 +51,10 @@ def command(
       raybundle studio archive/ --out archive-project
     """  # noqa: D301
     from raybundle.commands.new_project import measuring_folder  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.report.languages import checked_language  # noqa: PLC0415
     from raybundle.studio.serve import serve  # noqa: PLC0415
 
+    checked_language(language)
     project = measuring_folder(source, out, lambda line: click.echo(f"   {line}"))
 
     def notify(address: str) -> None:
@@ -50,4 +62,4 @@ def command(
         click.echo(json.dumps({"project": str(project), "address": address}) if as_json else words)
 
     with contextlib.suppress(KeyboardInterrupt):  # the way in which it ends
-        serve(project, photos, port=port, browser=not no_browser, notify=notify)
+        serve(project, photos, port=port, browser=not no_browser, notify=notify, language=language)

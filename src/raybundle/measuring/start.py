@@ -39,7 +39,7 @@ class Standing:
     """why there are no covariances; "" where there are"""
 
     @property
-    def line(self) -> str:
+    def line(self) -> Text:
         """In one line: how many are oriented, and the next step."""
         reported = [note("measuring.oriented", n=self.oriented, of=self.images)]
         if self.lacking:  # the one that needs least comes next

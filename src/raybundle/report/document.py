@@ -12,7 +12,8 @@ from raybundle.errors import joined_texts, phrase
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.arrangement import Division, Measure, PartName, arranged, undivided
 from raybundle.report.chapters import Occasion, chapters
-from raybundle.report.languages.language import Language
+from raybundle.report.languages import ENGLISH
+from raybundle.report.languages.language import Language, language_of
 from raybundle.report.languages.setting import section_in
 from raybundle.report.parts import Section, Table
 from raybundle.report.sections.calibration import headline
@@ -73,14 +74,16 @@ class Document:
         return self.language.moment(self.written)
 
 
-def page(*, title: str, subtitle: str, headline: str, grade: str, sections: tuple[Section, ...]) -> str:
+def page(
+    *, title: str, subtitle: str, headline: str, grade: str, sections: tuple[Section, ...], language: str = ENGLISH
+) -> str:
     """A whole HTML page of one part, with a table of contents."""
-    say = Language()
+    say = language_of(language)
     made: tuple[tuple[PartName, Section], ...] = tuple(("specialist", section_in(s, say)) for s in sections)
     return html(
         Document(
             title=say.text(title), subtitle=say.text(subtitle), headline=say.text(headline), grade=grade, made=made,
-            divided=False,
+            divided=False, language=say,
         )
     )  # fmt: skip
 

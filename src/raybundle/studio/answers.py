@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
+from raybundle.errors import Text
 from raybundle.measuring.frames import file_matrix, to_file
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.predict import Prediction, predict, visible, worst
@@ -50,7 +51,6 @@ def overview(desk: Desk) -> dict[str, Any]:
         "masks_given": "" if (given := masks_given(desk.source)) is None else str(given),
         "fiducials": [] if desk.scans is None else list(desk.scans.calibrated.names),
         "report": (measured_result(desk.source) / "report.html").is_file(),
-        "notices": [] if a is None else [{"code": n.code, "message": n.text} for n in a.notices],
     }  # fmt: skip
 
 
@@ -58,9 +58,11 @@ def standing_of(desk: Desk) -> dict[str, Any]:
     """How far the photographs are oriented, and what the others lack, as data and in words."""
     s = desk.standing
     return {
-        "oriented": s.oriented, "images": s.images, "line": s.line, "words": list(s.words), "trouble": s.trouble,
+        "oriented": s.oriented, "images": s.images, "line": [Text.of(m) for m in s.line.messages],
+        "words": [*(Text.of(k.message) for k in s.lacking), *s.words[len(s.lacking) :]], "trouble": s.trouble,
         "lacking": [
-            {"image": k.image, "other": k.other, "kind": k.kind, "have": k.have, "need": k.need, "words": k.words}
+            {"image": k.image, "other": k.other, "kind": k.kind, "have": k.have, "need": k.need,
+             "words": Text.of(k.message)}
             for k in s.lacking
         ],
         "wrong": [{"point": w.point, "images": list(w.images), "words": w.words} for w in s.wrong],
@@ -121,7 +123,7 @@ def observations(desk: Desk, image: str) -> dict[str, Any]:
     reasons = [s.rejected[int(r)] for r in rows]
     return {
         **found, "vx": numbers(v[:, 0]), "vy": numbers(v[:, 1]), "w": [None if x < 0 else x for x in w.tolist()],
-        "rejected": ["" if r is None else str(r) for r in reasons],
+        "rejected": ["" if r is None else r.text for r in reasons],
     }  # fmt: skip
 
 

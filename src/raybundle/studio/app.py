@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import io
 import json
 from collections.abc import AsyncGenerator, Awaitable, Callable, Mapping
 from contextlib import asynccontextmanager
@@ -18,30 +17,32 @@ from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
 from starlette.middleware import Middleware
 from starlette.requests import Request
-from starlette.responses import JSONResponse, Response
+from starlette.responses import Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from raybundle.errors import InputError, RaybundleError
+from raybundle.errors import InputError, RaybundleError, code_of, phrase
 from raybundle.io.reading.trees import json_of
 from raybundle.measuring.actions.control import control_of_text
+from raybundle.report.languages.language import language_of
 from raybundle.studio import answers, masking, tables
 from raybundle.studio.calibrated import Calibrations
 from raybundle.studio.deciding import PAGE_POLICY, Deciding
 from raybundle.studio.desk import Desk
 from raybundle.studio.detecting import Detecting
 from raybundle.studio.forms import table_of
-from raybundle.studio.guard import POLICY_HEADER, Guard, Session, TooLarge
+from raybundle.studio.guard import LARGEST_BODY, POLICY_HEADER, Guard, Session, TooLarge
 from raybundle.studio.pairs import pairs
-from raybundle.studio.queries import asked
+from raybundle.studio.queries import answer
 from raybundle.studio.running import Running
 from raybundle.studio.scene import scene
 from raybundle.studio.snapping import fiducials_found, snapped
 from raybundle.studio.tables import Wanted
 from raybundle.studio.targeting import Targeting
 from raybundle.studio.verbs import command_of
-from raybundle.studio.watchers import Live
+from raybundle.studio.watchers import Live, cause_of, json_text
 from raybundle.studio.work import Work
+from raybundle.words.catalogue import ENGLISH, entries
 
 PAGE = {
     "": ("index.html", "text/html; charset=utf-8"),
@@ -73,7 +74,7 @@ class Studio:
     @classmethod
     def of(cls, desk: Desk, session: Session) -> Studio:
         """A studio for a desk."""
-        live = Live()
+        live = Live(reader=session.reader)
         work = Work(desk, live)
         return cls(desk, session, live, work, Running(desk, work, live), Detecting(desk, live))
 
@@ -81,7 +82,7 @@ class Studio:
         """The application."""
         deciding = Deciding(self.desk, self.work, self.live)
         targeting = Targeting(self.desk, self.detecting)
-        calibrations = Calibrations(self.desk, self.work.shelf)
+        calibrations = Calibrations(self.desk, self.work.shelf, language_of(self.session.reader.language))
         gets: dict[str, Callable[[Mapping[str, Any]], Any]] = {
             "/api/overview": lambda _: answers.overview(self.desk),
             "/api/observations": lambda q: answers.observations(self.desk, _text(q, "image")),
@@ -110,7 +111,7 @@ class Studio:
             **deciding.posts,
         }
         routes = [
-            *(Route(path, _get(make), methods=["GET"]) for path, make in gets.items()),
+            *(Route(path, self._get(make), methods=["GET"]) for path, make in gets.items()),
             *(Route(path, self._post(make), methods=["POST"]) for path, make in posts.items()),
             Route("/api/predict", self._predict, methods=["GET"]),
             Route("/api/query", self._query, methods=["GET"]),
@@ -125,7 +126,7 @@ class Studio:
         ]
         return Starlette(
             routes=routes, middleware=[Middleware(Guard, session=self.session)], lifespan=self._lifespan,
-            exception_handlers={HTTPException: _refused, RaybundleError: _failed, TooLarge: _large},
+            exception_handlers=dict.fromkeys((HTTPException, RaybundleError, TooLarge), self._refused),
         )  # fmt: skip
 
     @asynccontextmanager
@@ -146,19 +147,22 @@ class Studio:
     async def _page(self, request: Request) -> Response:
         found = PAGE.get(request.path_params["name"])
         if found is None:
-            raise HTTPException(404, "there is no such page")
+            raise HTTPException(404, phrase("studio_page.no_page"))
         name, kind = found
         body = (files("raybundle.studio") / "static" / name).read_bytes()
+        if name == PAGE[""][0]:
+            language = self.session.reader.language
+            body = body.replace(b"{language}", language.encode()).replace(b"{words}", words_of_page(language).encode())
         return Response(body, headers={"content-type": kind})
 
     async def _tile(self, request: Request) -> Response:
         p = [request.path_params[n] for n in ("image", "level", "column", "row")]
         if not all(v.isascii() and v.isdigit() and len(v) < LONGEST_NUMBER for v in p):
-            raise HTTPException(404, "a tile has four numbers")
+            raise HTTPException(404, phrase("studio_page.bad_request", name="tile", kind="number"))
         try:
             body = await run_in_threadpool(self.desk.tiles.tile, *(int(v) for v in p))
         except (InputError, OSError) as error:
-            raise HTTPException(404, str(error)) from None
+            raise HTTPException(404, cause_of(error)) from None
         return Response(body, media_type="image/jpeg", headers={"cache-control": "private, max-age=3600"})
 
     async def _mask(self, request: Request) -> Response:
@@ -171,11 +175,11 @@ class Studio:
     async def _predict(self, request: Request) -> Response:
         q = request.query_params
         found = await run_in_threadpool(answers.predictions, self.desk, _text(q, "point"), [*q.getlist("images")])
-        return _json(found)
+        return self._json(found)
 
     async def _query(self, request: Request) -> Response:
         q = request.query_params
-        return _json(await run_in_threadpool(asked, self.desk, _text(q, "kind"), tuple(q.getlist("points"))))
+        return self._json(await run_in_threadpool(answer, self.desk, _text(q, "kind"), tuple(q.getlist("points"))))
 
     def _stop(self) -> dict[str, Any]:
         """Stop whatever is at work."""
@@ -192,14 +196,9 @@ class Studio:
     def _action(self, given: dict[str, Any]) -> dict[str, Any]:
         verb, arguments = _text(given, "verb"), given.get("arguments", {})
         if not isinstance(arguments, dict):
-            raise HTTPException(400, "arguments is no table")
-        try:
-            seq = self.desk.journal.append_verb(
-                verb, arguments, id=_text(given, "id"), author=str(given.get("author", ""))[:100]
-            )
-        except InputError as error:
-            raise HTTPException(409, str(error)) from None
-        return self._done(seq)
+            raise HTTPException(400, phrase("studio_page.bad_request", name="arguments", kind="table"))
+        author = str(given.get("author", ""))[:100]
+        return self._done(self.desk.journal.append_verb(verb, arguments, id=_text(given, "id"), author=author))
 
     def _done(self, seq: int) -> dict[str, Any]:
         """What is answered of an action that was done, when all tabs have been reported."""
@@ -213,20 +212,16 @@ class Studio:
         """Control coordinates of a table: one action, which holds the rows."""
         name = _text(given, "id")
         if not name:
-            raise HTTPException(400, "a table has an id, as an action has")
-        try:
-            action, remarks = control_of_text(_text(given, "text"), _text(given, "file") or "control.csv")
-            seq = self.desk.journal.append(action, id=name, author=str(given.get("author", ""))[:100])
-        except InputError as error:
-            raise HTTPException(409, str(error)) from None
-        done = self._done(seq)
+            raise HTTPException(400, phrase("studio_page.bad_request", name="id", kind="id"))
+        action, remarks = control_of_text(_text(given, "text"), _text(given, "file") or "control.csv")
+        done = self._done(self.desk.journal.append(action, id=name, author=str(given.get("author", ""))[:100]))
         return {"added": [p.point for p in action.points], "remarks": list(remarks), **done}
 
     def _fiducials(self, given: dict[str, Any]) -> dict[str, Any]:
         """The other fiducial marks of a scan: one action each of those that are found."""
         first = _text(given, "id")
         if not first:
-            raise HTTPException(400, "a search has an id, as an action has")
+            raise HTTPException(400, phrase("studio_page.bad_request", name="id", kind="id"))
         found = fiducials_found(self.desk, _text(given, "image"))
         for k, action in enumerate(found.actions):
             self.desk.journal.append(action, id=f"{first}-{k}", author=str(given.get("author", ""))[:100])
@@ -239,11 +234,31 @@ class Studio:
         async def answer(request: Request) -> Response:
             body = await request.body()
             if len(body) < LARGE:
-                return await run_in_threadpool(_answered, body, make)
+                return self._json(await run_in_threadpool(_answered, body, make))
             async with self.large:  # others are answered meanwhile
-                return await run_in_threadpool(_answered, body, make)
+                return self._json(await run_in_threadpool(_answered, body, make))
 
         return answer
+
+    def _get(self, make: Callable[[Mapping[str, Any]], Any]) -> Answer:
+        async def answer(request: Request) -> Response:
+            return await run_in_threadpool(lambda: self._json(make(request.query_params)))
+
+        return answer
+
+    def _json(self, content: Any, status: int = 200) -> Response:
+        return Response(json_text(content, self.session.reader), status, media_type="application/json")
+
+    async def _refused(self, _: Request, error: Exception) -> Response:
+        status, reason = 409, ""
+        match error:
+            case HTTPException():
+                status, reason = error.status_code, error.detail
+            case TooLarge():
+                status, reason = 413, phrase("studio_page.too_large", most=LARGEST_BODY)
+            case _:
+                reason = cause_of(error)
+        return self._json({"error": reason, "code": code_of(reason)}, status)
 
     async def _live(self, socket: WebSocket) -> None:
         await socket.accept()
@@ -277,49 +292,43 @@ async def _listen(socket: WebSocket) -> None:
             await socket.receive_text()
 
 
-def _answered(body: bytes, make: Callable[[dict[str, Any]], Any]) -> Response:
+def words_of_page(language: str) -> str:
+    """The entries that the page shows, in Fluent, as JSON that cannot end the script element in which it stands."""
+    found = {**entries(ENGLISH), **entries(language)}
+    text = "".join(e.text for name, e in found.items() if name.startswith(("studio_", "label-")))
+    return json.dumps(text, ensure_ascii=False).replace("<", "\\u003c")
+
+
+def _answered(body: bytes, make: Callable[[dict[str, Any]], Any]) -> Any:
     """The answer to a request's body, outside of the loop that serves all tabs."""
     try:
         given = json_of((body or b"{}").decode(), Path("request"))
     except (UnicodeDecodeError, InputError):
-        raise HTTPException(400, "the request is no JSON") from None
+        raise HTTPException(400, phrase("studio_page.bad_request", name="body", kind="json")) from None
     if not isinstance(given, dict):
-        raise HTTPException(400, "the request is no table")
+        raise HTTPException(400, phrase("studio_page.bad_request", name="body", kind="table"))
     try:
         json.dumps(given, ensure_ascii=False).encode()
     except (UnicodeEncodeError, ValueError):
-        raise HTTPException(400, "the request holds halves of characters, or numbers that are none") from None
-    return _json(make(given))
-
-
-def _get(make: Callable[[Mapping[str, Any]], Any]) -> Answer:
-    async def answer(request: Request) -> Response:
-        return await run_in_threadpool(lambda: _json(make(request.query_params)))
-
-    return answer
+        raise HTTPException(400, phrase("studio_page.bad_characters")) from None
+    return make(given)
 
 
 def _figure(calibrations: Calibrations) -> Answer:
     async def answer(request: Request) -> Response:
         number = request.path_params["number"]
         if not (number.isascii() and number.isdigit() and len(number) < LONGEST_NUMBER):
-            raise HTTPException(404, "a figure has a number")
+            raise HTTPException(404, phrase("studio_page.bad_request", name="figure", kind="number"))
         body = await run_in_threadpool(calibrations.figure, int(number))
         return Response(body, media_type="image/svg+xml", headers={POLICY_HEADER: PAGE_POLICY})
 
     return answer
 
 
-def _json(content: Any) -> Response:
-    out = io.StringIO()
-    json.dump(content, out, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    return Response(out.getvalue(), media_type="application/json")
-
-
 def _text(given: Mapping[str, Any], name: str) -> str:
     value = given.get(name, "")
     if not isinstance(value, str):
-        raise HTTPException(400, f"{name} is no text")
+        raise HTTPException(400, phrase("studio_page.bad_request", name=name, kind="text"))
     return value
 
 
@@ -327,22 +336,8 @@ def _wanted(q: Mapping[str, Any]) -> Wanted:
     try:
         offset, limit = int(q.get("offset", 0)), int(q.get("limit", 100))
     except ValueError:
-        raise HTTPException(400, "offset and limit are whole numbers") from None
+        raise HTTPException(400, phrase("studio_page.bad_request", name="offset, limit", kind="number")) from None
     return Wanted(
         sort=q.get("sort", ""), down=q.get("down", "") == "1", search=q.get("search", ""), role=q.get("role", ""),
         offset=offset, limit=limit,
     )  # fmt: skip
-
-
-async def _refused(_: Request, error: Exception) -> Response:
-    assert isinstance(error, HTTPException)
-    return JSONResponse({"error": error.detail}, status_code=error.status_code)
-
-
-async def _failed(_: Request, error: Exception) -> Response:
-    return JSONResponse({"error": str(error)}, status_code=409)
-
-
-async def _large(_: Request, error: Exception) -> Response:
-    del error
-    return JSONResponse({"error": "the request is too large"}, status_code=413)

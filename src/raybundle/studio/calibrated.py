@@ -14,11 +14,13 @@ from raybundle.adjustment.records.figures import InteriorResult
 from raybundle.adjustment.result import Adjustment
 from raybundle.calibration.quality import calibration_quality
 from raybundle.commands.calibrate import quality_table
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.reading.trees import read_json
 from raybundle.planning.next.calibration import advised
 from raybundle.report.figures.interior import coverage_map
-from raybundle.report.parts import Figure, Figures, Folded, Heading, Part
+from raybundle.report.languages.language import Language
+from raybundle.report.languages.setting import drawing_in, section_in
+from raybundle.report.parts import Figure, Figures, Folded, Heading, Part, Section
 from raybundle.report.sections.interior import MOST_DRAWN, interior_section
 from raybundle.report.single_figure import svg_of
 from raybundle.report.view import View, view_of
@@ -45,6 +47,7 @@ class Calibrations:
 
     desk: Desk
     shelf: Shelf
+    language: Language
     _drawn: Drawn | None = None
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
@@ -52,8 +55,8 @@ class Calibrations:
         """The cameras with their verdicts, parameters and numbers of figures, or why there are none."""
         drawn = self._made()
         if drawn is None:
-            return {"cameras": [], "why": "Nothing is adjusted yet; wait until it is done."}
-        why = "" if drawn.cameras else "No camera has an interior orientation of its own that was adjusted."
+            return {"cameras": [], "why": phrase("studio_decide.wait")}
+        why = "" if drawn.cameras else phrase("studio_decide.no_interior")
         return {"cameras": drawn.cameras, "why": why}
 
     def figure(self, number: int) -> str:
@@ -70,26 +73,26 @@ class Calibrations:
             return None
         with self._lock:
             if self._drawn is None or self._drawn.adjustment is not a:
-                self._drawn = _drawn(a, self._stored())
+                self._drawn = _drawn(a, self._stored(), self.language)
             return self._drawn
 
     def _stored(self) -> Mapping[str, Any]:
         """Verdicts that `calibrate` has written, as long as nothing was adjusted since."""
-        kept, result = self.shelf.kept, own_result(self.desk.source)
-        if result is None or (kept and kept[-1].words not in {"as it was opened", "calibrated here"}):
+        last, result = self.shelf.adjustments[-1:], own_result(self.desk.source)
+        if result is None or any(a.origin not in {"opened", "calibrated"} for a in last):
             return {}
         tree = read_json(result / "result.json")
         return {k: v.value for k, v in tree.get("calibration").mapping().items()} if tree.has("calibration") else {}
 
 
-def _drawn(a: Adjustment, stored: Mapping[str, Any]) -> Drawn:
+def _drawn(a: Adjustment, stored: Mapping[str, Any], language: Language) -> Drawn:
     view, found = view_of(a), Drawn(a)
-    figures = _by_camera(view)
+    figures = _by_camera(section_in(interior_section(view), language))
     structure = residual_structure(a) if a.precision is not None and a.noise.kind == "white" else None
     single = [i for i in a.interior if i.image is None]
     for k, interior in enumerate(single[:MOST_DRAWN]):
         numbers: list[dict[str, Any]] = []
-        for figure in (*_coverage(view, interior), *(figures[k] if k < len(figures) else ())):
+        for figure in (*_coverage(view, interior, language), *(figures[k] if k < len(figures) else ())):
             numbers.append({"number": len(found.figures), "caption": figure.caption,
                             "width": figure.drawing.width})  # fmt: skip
             found.figures.append(svg_of(figure))
@@ -135,26 +138,28 @@ def _about(view: View, interior: InteriorResult) -> str:
     camera = next((c for c in view.adjusted.cameras if c.id == interior.camera), None)
     if camera is None:
         return ""
-    return f"model {camera.model}, {camera.width_px} × {camera.height_px} px, pixel {1000 * camera.pixel_mm[0]:.4g} µm"
+    return phrase(
+        "studio_decide.about", model=camera.model, width_px=camera.width_px, height_px=camera.height_px,
+        pixel_um=1000 * camera.pixel_mm[0],
+    )  # fmt: skip
 
 
-def _coverage(view: View, interior: InteriorResult) -> tuple[Figure, ...]:
+def _coverage(view: View, interior: InteriorResult, language: Language) -> tuple[Figure, ...]:
     """How the image points that take part are spread over the format."""
     k = next((i for i, c in enumerate(view.given.cameras) if c.id == interior.camera and not c.is_scene), None)
     if k is None:
         return ()
     o = view.given.observations
     mine = view.used & (view.given.images.camera[o.image] == k)
-    what = f"image points of camera {interior.camera} over the format"
-    drawing = coverage_map(view.given.cameras[k], np.asarray(o.xy_px[mine]), what)
-    caption = "Image points that take part, all photographs together, in each cell of the format."
-    return (Figure(drawing=drawing, caption=caption),)
+    what = language.text(phrase("studio_decide.coverage_of", camera=interior.camera))
+    drawing = drawing_in(coverage_map(view.given.cameras[k], np.asarray(o.xy_px[mine]), what), language)
+    return (Figure(drawing=drawing, caption=phrase("studio_decide.coverage_caption")),)
 
 
-def _by_camera(view: View) -> list[list[Figure]]:
+def _by_camera(section: Section) -> list[list[Figure]]:
     """The figures of the report's section, by its headings: one a camera; single images stand in folded parts."""
     found: list[list[Figure]] = []
-    for part in interior_section(view).parts:
+    for part in section.parts:
         if isinstance(part, Heading):
             found.append([])
         elif found and isinstance(part, Figures | Folded):

@@ -38,9 +38,8 @@ class Child:
     printed: IO[str]
     reported: list[str] = field(default_factory=list[str])
     """lines of errors"""
-    asked: int = 0
-    """how often it was asked to stop"""
-    hears: bool = False
+    stop_requests: int = 0
+    interruptible: bool = False
     """whether it has sent progress: an interrupt before that may be lost while the program is loaded"""
 
     @classmethod
@@ -64,7 +63,7 @@ class Child:
         for line in self.process.stderr:
             found = _progress(line)
             if found is not None:
-                self.hears = True
+                self.interruptible = True
                 progress(*found)
             elif line.strip():
                 self.reported = [*self.reported[-MOST_LINES:], line.rstrip()]
@@ -82,10 +81,12 @@ class Child:
 
         Both keep what is finished: products and results appear whole or not at all.
         """
-        self.asked += 1
+        self.stop_requests += 1
         if self.process.poll() is not None:
             return
-        if self.asked > 1 or not self.hears or sys.platform == "win32":  # there is no Ctrl-C for another process
+        if (
+            self.stop_requests > 1 or not self.interruptible or sys.platform == "win32"
+        ):  # there is no Ctrl-C for another process
             self.process.kill()
         else:
             self.process.send_signal(signal.SIGINT)

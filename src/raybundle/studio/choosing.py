@@ -100,7 +100,7 @@ def _known(value: float | None) -> float | None:
 
 
 def _strongest(interior: InteriorResult, symbol: str, outer: Array | None) -> dict[str, Any] | None:
-    """The largest correlation of a free parameter, with another or with the exterior orientation of an image."""
+    """The largest correlation of a free parameter, with another or, where that is empty, the exterior orientation."""
     if symbol not in interior.free or len(interior.correlations) != len(interior.free):
         return None
     k = interior.free.index(symbol)
@@ -111,7 +111,7 @@ def _strongest(interior: InteriorResult, symbol: str, outer: Array | None) -> di
         r = r[np.isfinite(r)]
         if len(r):
             worst = float(r[np.argmax(np.abs(r))])
-            found.append((abs(worst), worst, "exterior orientation"))
+            found.append((abs(worst), worst, ""))
     found = [f for f in found if np.isfinite(f[0])]
     if not found:
         return None
@@ -135,11 +135,10 @@ def beyond(desk: Desk, quantity: str, limit: float) -> tuple[Quantity, Selected]
 def selection(desk: Desk, quantity: str, limit: float) -> dict[str, Any]:
     """How many image observations are beyond a limit, which, and the command that rejects them."""
     known, found = beyond(desk, quantity, limit)
-    criterion = CRITERIA[known]
     command = ["raybundle", "mark", "reject", f"--{known}", repr(limit), "--", str(desk.source)]
     return {
         "quantity": known, "limit": limit, "observations": len(found.rows), "points": found.points,
-        "marks": found.marks, "used": found.used, "words": criterion.words, "above": criterion.above,
+        "marks": found.marks, "used": found.used,
         "rows": [list(row) for row in found.rows[:MOST_SHOWN]], "all_shown": len(found.rows) <= MOST_SHOWN,
         "command": shlex.join(command),
     }  # fmt: skip
@@ -158,7 +157,7 @@ def criteria(desk: Desk) -> dict[str, Any]:
         if begin is None:
             begin = float(np.quantile(values, 0.99)) if len(values) else 0.0
         found.append({
-            "name": name, "words": criterion.words, "above": criterion.above, "unit": unit if name == "sigma" else "",
+            "name": name, "above": criterion.above, "unit": unit if name == "sigma" else "",
             "low": low, "high": high, "middle": float(np.median(values)) if len(values) else 0.0, "begin": begin,
             "whole": name == "rays", "known": len(values),
         })  # fmt: skip

@@ -12,7 +12,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.measuring.journal import Entry
 from raybundle.studio import choosing
 from raybundle.studio.answers import state_of
@@ -20,7 +20,7 @@ from raybundle.studio.desk import Desk
 from raybundle.studio.forms import table_of
 from raybundle.studio.guard import POLICY_HEADER
 from raybundle.studio.verbs import command_of
-from raybundle.studio.watchers import Live
+from raybundle.studio.watchers import Live, cause_of
 from raybundle.studio.work import Work
 
 PAGE_POLICY = (
@@ -72,7 +72,7 @@ class Deciding:
         """Reject what is beyond a limit now: one action, which holds the image observations that were found."""
         name, journal = given.get("id"), self.desk.journal
         if not isinstance(name, str) or not name:
-            raise HTTPException(400, "an action has an id")
+            raise HTTPException(400, phrase("studio_page.bad_request", name="id", kind="id"))
         entry = next((e for e in journal.entries() if e.id == name), None)  # sent again it counts once
         if entry is None:
             quantity, found = choosing.beyond(self.desk, str(given.get("by", "")), _limit(given.get("limit")))
@@ -80,8 +80,8 @@ class Deciding:
             author = str(given.get("author", ""))[:100]
             seq = journal.append_verb("reject_beyond", arguments, id=name, author=author)
             entry = next(iter(journal.entries(seq - 1)))
-        elif not _same_asked(entry, given):
-            raise HTTPException(409, f"action id {name[:40]!r} was used before; give each action an id of its own")
+        elif not _same_request(entry, given):
+            raise HTTPException(409, phrase("studio_page.id_used", id=name[:40]))
         state = state_of(self.desk)
         self.live.notify_from_thread({"type": "state", "state": state})
         return {"seq": entry.seq, "state": state, "command": command_of(self.desk.source, entry.verb, entry.arguments)}
@@ -92,17 +92,17 @@ class Deciding:
 
     async def _last(self, request: Request) -> Response:
         """A page of the last adjustment with what was measured."""
-        name, kept = request.path_params["name"], self.work.shelf.kept
-        if not kept or kept[-1].number == 0:
-            raise HTTPException(404, "there is no such page; adjust first")
-        return await _document(lambda: self.work.shelf.page(kept[-1].number, name))
+        name, stored = request.path_params["name"], self.work.shelf.adjustments
+        if not stored or stored[-1].number == 0:
+            raise HTTPException(404, phrase("studio_page.no_page"))
+        return await _document(lambda: self.work.shelf.page(stored[-1].number, name))
 
     async def _comparison(self, request: Request) -> Response:
         first, second = (_number(request.path_params[n]) for n in ("first", "second"))
-        return await _document(lambda: self.work.shelf.compared(first, second).encode())
+        return await _document(lambda: self.work.shelf.compared(first, second, self.live.reader.language).encode())
 
 
-def _same_asked(entry: Entry, given: Mapping[str, Any]) -> bool:
+def _same_request(entry: Entry, given: Mapping[str, Any]) -> bool:
     """Whether an action of the journal is what is asked for, sent before."""
     a, limit = entry.arguments, _limit(given.get("limit"))
     return (entry.verb, a.get("quantity"), a.get("limit")) == ("reject_beyond", given.get("by"), limit)
@@ -112,13 +112,13 @@ async def _document(make: Callable[[], bytes]) -> Response:
     try:
         body = await run_in_threadpool(make)
     except InputError as error:
-        raise HTTPException(404, str(error)) from None
+        raise HTTPException(404, cause_of(error)) from None
     return Response(body, headers={"content-type": "text/html; charset=utf-8", POLICY_HEADER: PAGE_POLICY})
 
 
 def _number(text: str) -> int:
     if not (text.isascii() and text.isdigit() and len(text) < 9):
-        raise HTTPException(404, "an adjustment has a number")
+        raise HTTPException(404, phrase("studio_page.no_page"))
     return int(text)
 
 
@@ -126,4 +126,4 @@ def _limit(value: Any) -> float:
     try:
         return float(value)
     except (TypeError, ValueError):
-        raise HTTPException(400, f"limit {value!r} is no number") from None
+        raise HTTPException(400, phrase("studio_page.bad_request", name="limit", kind="number")) from None

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from scipy.spatial import KDTree
 
-from raybundle.errors import InputError, RaybundleError
+from raybundle import errors
+from raybundle.errors import InputError, Text, code_of, phrase
 from raybundle.io.photos.photo import Photo, read_grey
 from raybundle.measuring.frames import to_file
 from raybundle.numerics.arrays import Array, Mask
@@ -19,7 +20,7 @@ from raybundle.pipeline.project import products_of
 from raybundle.results.folder import PROJECT
 from raybundle.studio.answers import finite, numbers
 from raybundle.studio.desk import Desk, named
-from raybundle.studio.watchers import Live
+from raybundle.studio.watchers import Live, cause_of
 from raybundle.targets.families import families
 from raybundle.targets.kinds.rings import Rings
 from raybundle.targets.marks import Marks, Target, detect, forms, target
@@ -29,7 +30,7 @@ NEAR_PX = 1.5
 """How far an image observation may lie from a mark without a name to be of it: the centre of a circle is not quite the
 centre of its ellipse."""
 MOST_ROWS = 5000
-USED, REJECTED, APART, UNNAMED = "used", "rejected", "not in the block", "unidentified"
+USED, REJECTED, APART, UNNAMED = "used", "rejected", "apart", "unidentified"
 Sets = tuple[Marks, ...]
 
 
@@ -84,13 +85,13 @@ class Detecting:
         for image in images:
             named(self.desk, image)
         with self._lock:
-            asked = [(i, text) for i in images or self.desk.block.images.ids if (i, text) not in self._waiting]
-            self._waiting += asked
-            if not self.busy and asked:
+            added = [(i, text) for i in images or self.desk.block.images.ids if (i, text) not in self._waiting]
+            self._waiting += added
+            if not self.busy and added:
                 self._stop.clear()
                 self._thread = threading.Thread(target=self._work, daemon=True)
                 self._thread.start()
-        return {"begun": len(asked)}
+        return {"begun": len(added)}
 
     def stop(self) -> bool:
         """Stop behind the photograph at work; False where nothing is sought."""
@@ -116,24 +117,23 @@ class Detecting:
                 image, text = self._waiting[0]
                 left = len(self._waiting)
             share = len(done) / (len(done) + left)
-            self.live.notify_from_thread({"type": "progress", "stage": f"targets in {image}", "share": share})
+            self.live.notify_from_thread(
+                {"type": "progress", "stage": phrase("studio_target.in_image", image=image), "share": share}
+            )
             try:
                 self._one(image, text)
-            except RaybundleError as error:
-                trouble = self._failed[image, text] = f"{image}: {error.text()}"
             except Exception as error:  # noqa: BLE001  (a thread of its own: whoever waits must hear of it)
-                what = f"a fault of the program: {type(error).__name__}: {error}"
-                trouble = self._failed[image, text] = f"{image}: {what}"
+                trouble = self._failed[image, text] = Text.of(errors.named(image, cause_of(error)))
             done.append(image)
             with self._lock:
                 self._waiting.remove((image, text))
-        self.live.notify_from_thread({"type": "targets", "images": done, "error": trouble})
+        self.live.notify_from_thread({"type": "targets", "images": done, "error": trouble, "code": code_of(trouble)})
 
     def _one(self, image: str, text: str) -> None:
         targets, photo = targets_of(text), self._photo(image)
         if self._known(image, text, targets)[0] is None:
             grey = read_grey(photo)
-            self._found[photo.sha256, text] = "found here", tuple(detect(grey, t) for t in targets)
+            self._found[photo.sha256, text] = "studio", tuple(detect(grey, t) for t in targets)
 
     def _photo(self, image: str) -> Photo:
         return self.desk.tiles.photo(named(self.desk, image))
@@ -143,13 +143,13 @@ class Detecting:
         try:
             photo = self._photo(image)
         except InputError as error:
-            return None, str(error)
+            return None, cause_of(error)
         key = photo.sha256, text
         if key not in self._found:
             kept = _kept(self.desk, photo, targets)
             if kept is None:
                 return None, self._failed.get((image, text), "")
-            self._found[key] = "kept by calibrate", kept
+            self._found[key] = "calibrate", kept
         return self._found[key], ""
 
 

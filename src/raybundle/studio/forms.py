@@ -8,7 +8,7 @@ from typing import Any, TypeVar, cast, get_args, get_origin
 
 from starlette.exceptions import HTTPException
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.settings import Range, Setting, made, settings_of
 
 T = TypeVar("T")
@@ -18,7 +18,7 @@ def table_of(given: Mapping[str, Any], name: str) -> dict[str, Any]:
     """A table of what the page sends; refuses what is none."""
     value = given.get(name)
     if not isinstance(value, dict):
-        raise HTTPException(400, f"{name} is no table")
+        raise HTTPException(400, phrase("studio_page.bad_request", name=name, kind="table"))
     return cast("dict[str, Any]", value)
 
 

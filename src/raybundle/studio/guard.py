@@ -17,6 +17,9 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from raybundle.errors import Text, code_of, phrase
+from raybundle.words import COMMAND_LINE, Reader
+
 COOKIE = "raybundle-studio"
 LARGEST_BODY = 8 * 1024 * 1024
 """Bytes of a request: a table of control with a hundred thousand points."""
@@ -47,6 +50,8 @@ class Session:
     """in the address that is opened first; works once"""
     cookie: str = field(default_factory=lambda: secrets.token_urlsafe(32))
     spent: bool = False
+    reader: Reader = COMMAND_LINE
+    """whoever opens the address"""
 
     @property
     def hosts(self) -> frozenset[str]:
@@ -106,22 +111,22 @@ class Guard:
             return
         await self.app(scope, _Limited(receive), _with_headers(send))
 
-    def _refusal(self, scope: Scope, headers: Headers) -> tuple[int, str] | None:
+    def _refusal(self, scope: Scope, headers: Headers) -> tuple[int, Text] | None:
         if headers.get("host", "").lower() not in self.session.hosts:
-            return 403, "this name is not the studio's; open the address that the command printed"
+            return 403, phrase("studio_page.other_host")
         origin = headers.get("origin")
         if origin is not None and origin.removeprefix("http://").lower() not in self.session.hosts:
-            return 403, "a page of another site may not ask here"
+            return 403, phrase("studio_page.other_site")
         if headers.get("sec-fetch-site", "") in {"cross-site", "same-site"}:
-            return 403, "a page of another site may not ask here"
+            return 403, phrase("studio_page.other_site")
         if scope["type"] == "websocket" and origin is None:
-            return 403, "a connection without its page may not be opened"
+            return 403, phrase("studio_page.no_origin")
         writes = scope.get("method") not in {"GET", "HEAD", None}
         if writes and headers.get("content-type", "").split(";")[0].strip() != "application/json":
-            return 400, "requests are JSON"
+            return 400, phrase("studio_page.not_json")
         length = headers.get("content-length", "0")
         if not length.isdigit() or int(length) > LARGEST_BODY:
-            return 413, f"a request may have {LARGEST_BODY} bytes"
+            return 413, phrase("studio_page.too_large", most=LARGEST_BODY)
         return None
 
     def _handed_over(self, scope: Scope, headers: Headers) -> bool:
@@ -142,16 +147,16 @@ class Guard:
             answer.set_cookie(self.session.jar, self.session.cookie, httponly=True, samesite="strict", path="/")
             await answer(scope, receive, send)
             return
-        words = "no session; open the address that the command printed, it works once"
-        await self._refused(scope, receive, send, 401, words)
+        await self._refused(scope, receive, send, 401, phrase("studio_page.no_session"))
 
-    @staticmethod
-    async def _refused(scope: Scope, receive: Receive, send: Send, status: int, words: str) -> None:
+    async def _refused(self, scope: Scope, receive: Receive, send: Send, status: int, reason: Text) -> None:
+        words = reason.by(self.session.reader)
         if scope["type"] == "websocket":
             await send({"type": "websocket.close", "code": 1008, "reason": words})
             return
         closing = {**HEADERS, "connection": "close"}  # who has no session holds no connection
-        await JSONResponse({"error": words}, status_code=status, headers=closing)(scope, receive, send)
+        content = {"error": words, "code": code_of(reason)}
+        await JSONResponse(content, status_code=status, headers=closing)(scope, receive, send)
 
 
 class TooLarge(Exception):

@@ -10,7 +10,7 @@ from raybundle.measuring.query import ask
 from raybundle.studio.desk import Desk
 
 
-def asked(desk: Desk, kind: str, points: tuple[str, ...]) -> dict[str, Any]:
+def answer(desk: Desk, kind: str, points: tuple[str, ...]) -> dict[str, Any]:
     """Values with their standard deviations; raises InputError where there is no adjustment to ask."""
     known: dict[str, Quantity] = {q: q for q in QUANTITIES}
     quantity = known.get(kind)
@@ -21,7 +21,7 @@ def asked(desk: Desk, kind: str, points: tuple[str, ...]) -> dict[str, Any]:
         raise InputError(desk.session.neglected or "studio.no_adjustment")
     found = ask(a, quantity, points)
     return {
-        "words": f"{kind.replace('_', ' ')} {', '.join(points)}", "remark": found.remark,
+        "remark": found.remark,
         "values": [
             {"name": n, "value": v, "sigma": s, "unit": found.unit}
             for n, v, s in zip(found.names, found.values, found.sigma, strict=True)

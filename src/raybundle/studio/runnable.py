@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 from raybundle.commands.calibrate import CalibrateSettings
 from raybundle.commands.orient import OrientSettings, settings_asked
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.reading.trees import read_json
 from raybundle.pipeline.project import HERE, Project, StageRecord
 from raybundle.results.folder import PROJECT
@@ -20,7 +20,6 @@ from raybundle.studio.forms import fields_of, settings_of_form, words_of
 
 Name = Literal["orient", "calibrate"]
 Settings = OrientSettings | CalibrateSettings
-PHOTOS = "Folders and files of the photographs. Put names with blanks in quotation marks."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,8 +73,9 @@ class Runnable:
         """The settings as a form, and the command."""
         shown, usual = (shlex.join(str(p) for p in s.photos) for s in (self.settings, self.usual))
         photos = {
-            "name": "photos", "flag": "photographs", "kind": "words", "help": PHOTOS, "choices": [], "whole": False,
-            "low": None, "high": None, "metavar": "PHOTOS ...", "value": shown, "default": usual,
+            "name": "photos", "flag": phrase("label.photographs"), "kind": "words",
+            "help": phrase("studio_run.photos_help"), "choices": [],
+            "whole": False, "low": None, "high": None, "metavar": "PHOTOS ...", "value": shown, "default": usual,
         }  # fmt: skip
         return {"name": self.name, "fields": [photos, *fields_of(self.settings)], "command": self.command}
 

@@ -8,12 +8,12 @@ from calendar import timegm
 from dataclasses import dataclass, field
 from typing import Any
 
-from raybundle.errors import InputError, RaybundleError
+from raybundle.errors import InputError, RaybundleError, phrase
 from raybundle.pipeline.project import StageRecord
 from raybundle.studio.child import Child
 from raybundle.studio.desk import Desk
 from raybundle.studio.runnable import Runnable, runnable
-from raybundle.studio.watchers import Live
+from raybundle.studio.watchers import Live, cause_of
 from raybundle.studio.work import Work
 
 EVERY_S = 0.25
@@ -38,7 +38,7 @@ class Run:
     outcome: str = "running"
     """running, done, stopped, failed"""
     words: str = ""
-    """what the command printed, or why it failed"""
+    """what the command printed, or why it failed; empty where it was stopped"""
 
     def reported(self) -> dict[str, Any]:
         """As the page shows it."""
@@ -48,7 +48,7 @@ class Run:
         return {
             "name": self.what.name, "command": self.what.command, "outcome": self.outcome, "words": self.words,
             "seconds": now - self.began, "step": self.step, "share": self.share, "left_s": left,
-            "stopping": bool(self.child.asked) and self.outcome == "running", "stages": self._stages(),
+            "stopping": bool(self.child.stop_requests) and self.outcome == "running", "stages": self._stages(),
         }  # fmt: skip
 
     def _stages(self) -> list[dict[str, Any]]:
@@ -109,7 +109,7 @@ class Running:
         try:
             return {"form": self.what().form(), "why": "", "run": run}
         except InputError as error:
-            return {"form": None, "why": str(error), "run": run}
+            return {"form": None, "why": cause_of(error), "run": run}
 
     def choose(self, values: dict[str, Any]) -> dict[str, Any]:
         """The settings of the next run; raises InputError that names the one that cannot be."""
@@ -167,13 +167,13 @@ class Running:
         beat.join()
         run.ended = time.time()
         stated = "\n".join(run.child.reported)
-        if run.child.asked and status:
-            run.outcome, run.words = "stopped", "stopped; what is finished is kept, another run continues there"
+        if run.child.stop_requests and status:
+            run.outcome = "stopped"
         elif status == 0:
             run.outcome, run.words = "done", printed.strip("\n")
             self._read_anew(run)
         else:
-            run.outcome, run.words = "failed", stated or f"the command ended with status {status}"
+            run.outcome, run.words = "failed", stated or phrase("studio_run.status", status=status)
         self._notify(run)
 
     def _beat(self, run: Run, over: threading.Event) -> None:
@@ -184,11 +184,11 @@ class Running:
 
     def _read_anew(self, run: Run) -> None:
         """Go on with the new result."""
-        words = "oriented here" if run.what.name == "orient" else "calibrated here"
+        origin = "oriented" if run.what.name == "orient" else "calibrated"
         try:
-            self.work.read_anew(words, run.what.command)
+            self.work.read_anew(origin, run.what.command)
         except RaybundleError as error:
-            run.outcome, run.words = "failed", f"the new result cannot be read: {error.text()}"
+            run.outcome, run.words = "failed", phrase("studio_run.unreadable", detail=error.text(self.live.reader))
 
     def _notify(self, run: Run) -> None:
         self._sent = time.time()

@@ -23,6 +23,7 @@ from raybundle.studio.app import Studio
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Session
 from raybundle.studio.sockets import HEADERS_S, Server, Waiting, protocol_of
+from raybundle.words import ENGLISH, Reader
 
 FOLDER = "raybundle-studio-"
 """Begin of the names of folders of decoded photographs; the process that owns it follows."""
@@ -55,7 +56,7 @@ def configured(app: ASGIApp, waiting: Waiting) -> uvicorn.Config:
 
 def serve(
     source: Path, photos: Sequence[Path] = (), *, port: int = 0, browser: bool = True,
-    notify: Callable[[str], None] = print, header_s: float = HEADERS_S,
+    notify: Callable[[str], None] = print, header_s: float = HEADERS_S, language: str = ENGLISH,
 ) -> None:  # fmt: skip
     """Open a project, result or block folder and serve it until interrupted.
 
@@ -63,13 +64,14 @@ def serve(
     browser  open the page
     notify     gets the address once; it works once
     header_s seconds within which the header of a request is complete
+    language of the page and of the reports that it writes
     raises   InputError where there is nothing to open, or the port is taken
     """
     _sweep()
     with TemporaryDirectory(prefix=f"{FOLDER}{os.getpid()}-") as folder:
         desk = Desk.open(source, Path(folder), photos)
         with listening(port) as connection:
-            session = Session(port=connection.getsockname()[1])
+            session = Session(port=connection.getsockname()[1], reader=Reader(language, flags=True))
             config = configured(Studio.of(desk, session).app(), Waiting(seconds=header_s))
             page = hand_over(session.address, Path(folder)) if browser else None
             server = Server(config, lambda: page and webbrowser.open(page.as_uri()))

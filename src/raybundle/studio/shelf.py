@@ -7,7 +7,7 @@ import shutil
 import threading
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -20,22 +20,21 @@ from raybundle.settings import as_typed
 from raybundle.studio.answers import finite
 
 MOST = 8
-"""Adjustments that are kept; the oldest but the first, which was there when the studio was opened, makes room."""
+"""Adjustments on the shelf; the oldest but the first, which was there when the studio was opened, makes room."""
 WORST = 5
 """Residuals that are reported of each."""
-BEFORE = "measured before"
+Origin = Literal["opened", "before", "adjusted", "oriented", "calibrated", "elsewhere"]
 PAGES = ("report.html", "network.html")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Kept:
+class Stored:
     """One adjustment."""
 
     number: int
     """0: the own result of what was opened"""
     folder: Path
-    words: str
-    """where it comes from"""
+    origin: Origin
     command: str = ""
     """that made it; "" of what was there"""
 
@@ -45,7 +44,7 @@ class Shelf:
     """Adjustments that were made, the one that was there when the studio was opened first."""
 
     folder: Path
-    kept: list[Kept] = field(default_factory=list[Kept])
+    adjustments: list[Stored] = field(default_factory=list[Stored])
     _made: int = 0
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _shown: dict[int, dict[str, Any]] = field(default_factory=dict[int, dict[str, Any]])
@@ -60,35 +59,38 @@ class Shelf:
         own = own_result(source)
         before = measured_result(source)
         if own is not None:
-            found._put(Kept(number=0, folder=own, words="as it was opened"))
+            found._put(Stored(number=0, folder=own, origin="opened"))
         if (before / "result.json").is_file():
             found._made = 1
-            found._put(Kept(number=1, folder=before, words=BEFORE))
+            found._put(Stored(number=1, folder=before, origin="before"))
         return found
 
-    def put(self, result: Path, command: str, words: str = "adjusted here") -> int:
+    def put(self, result: Path, command: str, origin: Origin = "adjusted") -> int:
         """Keep a copy of a result folder; its number."""
         with self._lock:
             self._made += 1
-            self._put(Kept(number=self._made, folder=result, words=words, command=command))
-            while len(self.kept) > MOST:
-                oldest = self.kept.pop(1)
+            self._put(Stored(number=self._made, folder=result, origin=origin, command=command))
+            while len(self.adjustments) > MOST:
+                oldest = self.adjustments.pop(1)
                 self._shown.pop(oldest.number, None)
                 shutil.rmtree(oldest.folder, ignore_errors=True)
             return self._made
 
-    def _put(self, made: Kept) -> None:
+    def _put(self, made: Stored) -> None:
         copy = self.folder / f"adjustment-{made.number}"
         shutil.copytree(made.folder, copy, copy_function=_linked, ignore=shutil.ignore_patterns("project"))
-        self.kept.append(replace(made, folder=copy))
+        self.adjustments.append(replace(made, folder=copy))
 
-    def one(self, number: int) -> Kept:
-        """An adjustment that is kept; raises InputError."""
-        for each in [*self.kept]:
+    def one(self, number: int) -> Stored:
+        """An adjustment of the shelf; raises InputError."""
+        for each in [*self.adjustments]:
             if each.number == number:
                 return each
         raise InputError(
-            "studio.adjustment_not_stored", number=number, stored=[k.number for k in self.kept], n=len(self.kept)
+            "studio.adjustment_not_stored",
+            number=number,
+            stored=[k.number for k in self.adjustments],
+            n=len(self.adjustments),
         )
 
     def page(self, number: int, name: str) -> bytes:
@@ -98,15 +100,15 @@ class Shelf:
             raise InputError("studio.adjustment_without_page", number=number, name=name)
         return file.read_bytes()
 
-    def compared(self, first: int, second: int) -> str:
+    def compared(self, first: int, second: int, language: str) -> str:
         """The page that puts two of them side by side, as `raybundle compare` writes it; raises InputError."""
         a, b = (read_result(self.one(n).folder) for n in (first, second))
-        return comparison(a, b)
+        return comparison(a, b, language)
 
     def reported(self) -> list[dict[str, Any]]:
         """Each in figures, the first first."""
         found: list[dict[str, Any]] = []
-        for each in [*self.kept]:
+        for each in [*self.adjustments]:
             if each.number not in self._shown:
                 self._shown[each.number] = _figures(each)
             found.append(self._shown[each.number])
@@ -126,17 +128,17 @@ def _linked(source: str, target: str) -> None:
         shutil.copy2(source, target)
 
 
-def _figures(kept: Kept) -> dict[str, Any]:
+def _figures(stored: Stored) -> dict[str, Any]:
     """What is reported of an adjustment beside the others."""
-    read = read_result(kept.folder)
+    read = read_result(stored.folder)
     r = read.result
     numbers = ("sigma0", "redundancy", "observations", "unknowns", "image_points", "rejected", "mean_std")
     return {
-        "number": kept.number, "words": kept.words, "command": kept.command,
+        "number": stored.number, "origin": stored.origin, "command": stored.command,
         "worst": _worst(read), "check": _check(read),
         **{name: _number(r.get(name)) for name in numbers}, "noise": str(as_mapping(r.get("noise")).get("kind", "")),
         "options": as_typed(options_of(r)), "unit": "" if read.block.free_scale else read.block.length_unit,
-        "report": (kept.folder / "report.html").is_file(), "network": (kept.folder / "network.html").is_file(),
+        "report": (stored.folder / "report.html").is_file(), "network": (stored.folder / "network.html").is_file(),
         "parameters": [
             {"camera": camera, "symbol": symbol, "value": _number(p.get("value")), "sigma": _number(p.get("std")),
              "status": str(p.get("status", "")), "unit": "" if p.get("unit") == "1" else str(p.get("unit", ""))}

@@ -7,7 +7,7 @@ from typing import Any
 import cv2
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.measuring.fiducials import Found, find_fiducials
 from raybundle.measuring.predict import affine
 from raybundle.measuring.snap import MARGIN_PX, REACH_PX, Reference, Snapped, snap
@@ -36,7 +36,7 @@ def snapped(desk: Desk, given: dict[str, Any]) -> dict[str, Any]:
     part, corner = _part(desk, k, x, y)
     reference = _reference(desk, point, image) if point and kind in {"auto", "patch"} else None
     if kind == "patch" and reference is None:
-        return {"why": "a patch is matched against the first image of its point; mark the point in another image first"}
+        return {"why": phrase("studio_point.patch_reference")}
     found = snap(part, x - corner[0], y - corner[1], kind, reference, reach_px=reach)
     if not isinstance(found, Snapped):
         return {"why": found.why}

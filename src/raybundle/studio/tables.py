@@ -80,7 +80,7 @@ def observations(desk: Desk, wanted: Wanted) -> dict[str, Any]:
     return {"total": total, "rows": [
         {"image": block.images.ids[o.image[k]], "point": block.points.ids[o.point[k]], "x": float(o.xy_px[k, 0]),
          "y": float(o.xy_px[k, 1]), "vx": finite(v[k, 0]), "vy": finite(v[k, 1]), "w": finite(w[k]), "r": finite(r[k]),
-         "rejected": "" if reasons is None or reasons[k] is None else str(reasons[k])}
+         "rejected": "" if reasons is None or (reason := reasons[k]) is None else reason.text}
         for k in rows
     ]}  # fmt: skip
 

@@ -15,6 +15,7 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 from raybundle.commands.target_settings import SheetSettings, run_sheet
+from raybundle.errors import phrase
 from raybundle.io.reading.trees import read_json
 from raybundle.settings import as_typed
 from raybundle.studio.desk import Desk
@@ -71,7 +72,7 @@ class Targeting:
     def _begin(self, given: dict[str, Any]) -> dict[str, Any]:
         families, images = given.get("families", ""), given.get("images", [])
         if not isinstance(families, str) or not isinstance(images, list):
-            raise HTTPException(400, "families is a text, images a list")
+            raise HTTPException(400, phrase("studio_page.bad_request", name="images", kind="list"))
         return self.detecting.begin(" ".join(families.split()), [str(i) for i in images])  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
 
     def _form(self) -> dict[str, Any]:
@@ -95,6 +96,6 @@ class Targeting:
         name = request.path_params["name"]
         body = self.printed.get(name)
         if body is None:
-            raise HTTPException(404, "there is no such sheet; make one first")
+            raise HTTPException(404, phrase("studio_page.no_sheet"))
         headers = {"content-disposition": f'attachment; filename="{name}"'}  # a name of ours: sheet.pdf, sheet.toml
         return Response(body, media_type=KINDS[Path(name).suffix], headers=headers)

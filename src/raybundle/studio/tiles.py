@@ -116,10 +116,10 @@ class Tiles:
         photo = self.photo(image)
         file = self.folder / f"{image}-0.npy"
         np.save(file, read_colour(photo))
-        kept = [np.load(file, mmap_mode="r")]
+        made = [np.load(file, mmap_mode="r")]
         for level in range(1, levels(photo.width_px, photo.height_px)):
-            kept.append(_halved(kept[-1], self.folder / f"{image}-{level}.npy"))
-        return _Pyramid(kept, sum(int(a.nbytes) for a in kept))
+            made.append(_halved(made[-1], self.folder / f"{image}-{level}.npy"))
+        return _Pyramid(made, sum(int(a.nbytes) for a in made))
 
     def _make_room(self, latest: int) -> None:
         while sum(p.size for p in self._pyramids.values()) > self.most_bytes and len(self._pyramids) > 1:

@@ -7,6 +7,10 @@ import json
 from dataclasses import dataclass, field
 from typing import Any
 
+from raybundle.errors import RaybundleError, Text, as_detail, phrase
+from raybundle.words import COMMAND_LINE, Reader
+
+PLAIN = frozenset({str, int, float, bool, type(None)})
 QUEUE = 200
 """Messages that wait for a tab that does not read; one that is slower begins anew."""
 
@@ -17,6 +21,8 @@ class Live:
 
     tabs: set[asyncio.Queue[str | None]] = field(default_factory=set[asyncio.Queue[str | None]])
     loop: asyncio.AbstractEventLoop | None = None
+    reader: Reader = COMMAND_LINE
+    """of all tabs"""
 
     def join(self) -> asyncio.Queue[str | None]:
         """A queue for one more tab."""
@@ -31,7 +37,7 @@ class Live:
 
     def notify(self, message: dict[str, Any]) -> None:
         """Send it to every tab, from the server's own thread; what is reported is written down once for all of them."""
-        self._put(_text(message))
+        self._put(json_text(message, self.reader))
 
     def _put(self, text: str) -> None:
         for queue in [*self.tabs]:
@@ -46,8 +52,28 @@ class Live:
     def notify_from_thread(self, message: dict[str, Any]) -> None:
         """Send it to every tab, from any thread."""
         if self.loop is not None and not self.loop.is_closed():
-            self.loop.call_soon_threadsafe(self._put, _text(message))
+            self.loop.call_soon_threadsafe(self._put, json_text(message, self.reader))
 
 
-def _text(message: dict[str, Any]) -> str:
-    return json.dumps(message, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+def json_text(content: Any, reader: Reader) -> str:
+    """JSON of plain data, texts of the catalogues as the reader has them."""
+    return json.dumps(_read(content, reader), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+
+
+def _read(content: Any, reader: Reader) -> Any:
+    match content:
+        case Text():
+            return content.by(reader)
+        case dict():
+            return {k: v if type(v) in PLAIN else _read(v, reader) for k, v in content.items()}  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+        case list() | tuple():
+            return [v if type(v) in PLAIN else _read(v, reader) for v in content]  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+        case _:
+            return content
+
+
+def cause_of(error: Exception) -> Text:
+    """Why something failed in the background, where whoever waits must hear of every error."""
+    if isinstance(error, RaybundleError):
+        return Text.of(as_detail(error))
+    return phrase("studio_page.fault", kind=type(error).__name__, detail=str(error))

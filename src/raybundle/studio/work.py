@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from raybundle.adjustment.records.options import AdjustmentOptions
-from raybundle.errors import RaybundleError
+from raybundle.errors import code_of, phrase
 from raybundle.measuring.actions.decisions import with_decisions
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.merge import merge
@@ -16,9 +16,9 @@ from raybundle.measuring.start import adjusted, begun, standing_after
 from raybundle.report.write import write_result
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
-from raybundle.studio.shelf import Shelf, own_result
+from raybundle.studio.shelf import Origin, Shelf, own_result
 from raybundle.studio.verbs import command_of_adjusting
-from raybundle.studio.watchers import Live
+from raybundle.studio.watchers import Live, cause_of
 from raybundle.workflows.adjust import adjust
 
 REST_S = 0.3
@@ -95,17 +95,16 @@ class Work:
             self._timer.daemon = True
             self._timer.start()
 
-    def read_anew(self, words: str, command: str) -> None:
+    def read_anew(self, origin: Origin, command: str) -> None:
         """Go on with the result that a run wrote; raises InputError where there is none.
 
-        words    what it is called beside the adjustments
         command  that made it
         """
         with self._at_once:  # not while photographs are oriented from their marks
             self.desk.read_anew()
             result = own_result(self.desk.source)
             if result is not None:
-                self.shelf.put(result, command, words)
+                self.shelf.put(result, command, origin)
         if self.desk.to_begin:
             self.soon()
         else:
@@ -127,15 +126,14 @@ class Work:
         try:
             folder = target()
         except Stopped:
-            trouble = "stopped; nothing was changed"
-        except RaybundleError as error:
-            trouble = str(error)
+            trouble = phrase("studio_page.stopped")
         except Exception as error:  # noqa: BLE001  (a thread of its own: whoever waits must hear of it)
-            trouble = f"a fault of the program: {type(error).__name__}: {error}"
+            trouble = cause_of(error)
         a = self.desk.adjustment
         self._over = True
         self.live.notify_from_thread({
             "type": "adjusted", "sigma0": None if a is None else finite(a.sigma0), "folder": folder, "error": trouble,
+            "code": code_of(trouble),
         })  # fmt: skip
         with self._at_once:
             if not self._closed and seq != self.desk.journal.seq:
@@ -149,10 +147,8 @@ class Work:
             seq, state, trouble = self.desk.journal.seq, self.desk.journal.state, ""
             try:
                 found = begun(self.desk.given, state, self.desk.scans)
-            except RaybundleError as error:
-                trouble, found = str(error), None
             except Exception as error:  # noqa: BLE001  (a thread of its own: whoever waits must hear of it)
-                trouble, found = f"a fault of the program: {type(error).__name__}: {error}", None
+                trouble, found = cause_of(error), None
             if self.busy:
                 return  # an adjustment was asked for, which does the same
             if found is None:
@@ -174,13 +170,13 @@ class Work:
             desk.read_anew()
             result = own_result(desk.source)
             if result is not None:
-                self.shelf.put(result, "", "written by another program")
+                self.shelf.put(result, "", "elsewhere")
         state, options = desk.journal.state, self.options
         decided = with_decisions(options, state)
         made = merge(desk.given, state, desk.scans)
         done = adjusted(made, lambda block: adjust(block, decided, self._notify))
         folder = measured_result(desk.source)
-        write_result(done, folder, progress=self._notify)
+        write_result(done, folder, language=self.live.reader.language, progress=self._notify)
         self.shelf.put(folder, command_of_adjusting(desk.source, options))
         desk.replaced(Session.of(done), standing_after(made, done))
         return str(folder)

@@ -50,6 +50,14 @@ class Real(float, FluentType):
         return text.replace(".", _decimal(locale))
 
 
+class Chance(float, FluentType):
+    """A probability behind its letter."""
+
+    def format(self, locale: Locale) -> str:
+        """With the decimal sign of the language."""
+        return probability(float(self)).replace(".", _decimal(locale))
+
+
 class Names(FluentType):
     """The first names or numbers of a list, and how many more there are."""
 
@@ -128,7 +136,7 @@ def functions(*, flags: bool) -> dict[str, Callable[..., Any]]:
     def setting(name: str, *values: Any, flag: str = "") -> str:
         return option_words(name, *map(_typed, values), flag=flag, flags=flags)
 
-    return {"NUM": number, "PERCENT": percent, "LIST": names, "P": probability, "OPTION": setting}
+    return {"NUM": number, "PERCENT": percent, "LIST": names, "P": Chance, "OPTION": setting}
 
 
 def _typed(v: Any) -> object:

@@ -30,6 +30,7 @@ from raybundle.report.comparison.differences import (
     to_first,
 )
 from raybundle.report.comparison.shared import Shared, shared_of
+from raybundle.report.languages import ENGLISH
 from raybundle.report.parts import Folded, Heading, Paragraph, Part, Section, Table, number, pick, table, text
 from raybundle.report.text.numbers import (
     NONE,
@@ -75,10 +76,10 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     return (*_cautions(first, second, differences), *sentences)
 
 
-def comparison(first: ResultFolder, second: ResultFolder) -> str:
+def comparison(first: ResultFolder, second: ResultFolder, language: str = ENGLISH) -> str:
     """The page that `write_comparison` writes."""
     shared = shared_of(first, second)
-    return _html(first, second, *_differences(first, second, shared), shared)
+    return _html(first, second, *_differences(first, second, shared), shared, language)
 
 
 def _differences(first: ResultFolder, second: ResultFolder, shared: Shared) -> tuple[Common, list[PointDifferences]]:
@@ -89,8 +90,9 @@ def _differences(first: ResultFolder, second: ResultFolder, shared: Shared) -> t
 
 
 def _html(
-    first: ResultFolder, second: ResultFolder, points: Common, differences: Sequence[PointDifferences], shared: Shared
-) -> str:
+    first: ResultFolder, second: ResultFolder, points: Common, differences: Sequence[PointDifferences], shared: Shared,
+    language: str = ENGLISH,
+) -> str:  # fmt: skip
     from raybundle.report.document import page  # noqa: PLC0415  (Jinja2 only where it is used)
 
     sections = (
@@ -109,6 +111,7 @@ def _html(
         headline=_headline(first, second, points, differences, shared),
         grade="remarks",
         sections=sections,
+        language=language,
     )
 
 
