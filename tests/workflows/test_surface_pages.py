@@ -23,7 +23,7 @@ from raybundle.results.record import Record
 from raybundle.surfaces.product_grids import Grids, area_of_points
 from raybundle.words import COMMAND_LINE, Reader, headline, reading
 from raybundle.workflows.rectify import grid_over
-from tests.messages import reported
+from tests.cli.reported import reported, values_of
 from tests.workflows.half_portal import half_portal
 
 pytest.importorskip("rasterio")
@@ -121,7 +121,7 @@ def test_the_command_tells_the_fault_and_the_gravest_cautions_and_names_its_page
     assert f": {headline('state.faults', {'n': 1})}" in stated
     assert str(warned / "surface/surface_3d.html") in stated
     assert main(["surface", str(warned), *words, "--json"]) == 0
-    found = reported(capsys)
+    found = values_of(reported(capsys))
     assert found["surface.points"]["maps"] == 3
     assert found["surface.precision_of_axes"]["unit"] == "mm"
     assert sum(found["surface.shares"].values()) == 100

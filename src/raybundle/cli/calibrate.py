@@ -11,7 +11,7 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options
 from raybundle.cli.numbers import Length
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import Summary, not_usable, report
+from raybundle.cli.summary import Summary, not_usable, of_texts, report
 from raybundle.commands.calibrate import CalibrateSettings, run_calibrate
 from raybundle.commands.pages import page_files
 from raybundle.errors import Message, note, phrase
@@ -82,7 +82,7 @@ def _summary(done: Calibration, files: list[Path]) -> Summary:
         done=[used, *map(_grade, done.quality)], next_step=next_step, files=files,
         notices=[*not_usable((*done.refused, *done.not_used)), *notices],
         details=[*_points(done), *(line for q in done.quality for line in camera_lines(done, q)),
-                 *details(done.adjustment), *done.kept],
+                 *details(done.adjustment), *of_texts(done.kept)],
     )  # fmt: skip
 
 
