@@ -18,6 +18,7 @@ from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import read_photo
 from raybundle.pipeline.project import Project
+from raybundle.words import headline
 
 resource = pytest.importorskip("resource", reason="there are no limits of a process here")
 ROOT = Path(__file__).resolve().parents[2]
@@ -153,6 +154,11 @@ def test_two_cameras_are_two(orient, photos, tmp_path):
     assert len(cameras_of(tmp_path)) == 2
 
 
+def line_of(printed, part):
+    """The line that contains a part."""
+    return next(line for line in printed.splitlines() if part in line)
+
+
 def test_photographs_turned_by_a_program_are_oriented_and_told_of(orient, photos, tmp_path, capsys):
     for k in (2, 4):
         with Image.open(photos / f"{k}.jpg") as image:
@@ -160,7 +166,7 @@ def test_photographs_turned_by_a_program_are_oriented_and_told_of(orient, photos
     told = orient(photos)
     assert told.status == 0, told.all
     assert "5 of 5 photographs" in told.out
-    assert re.search(r"2 .*2.jpg, 4.jpg\..*\[stored_turned\]", told.out), told.out
+    assert "2.jpg, 4.jpg." in line_of(told.out, "[stored_turned]")
     assert len(cameras_of(tmp_path)) == 1
     # other programs get the files as they are stored
     out = tmp_path / "colmap"
@@ -180,8 +186,9 @@ def test_photographs_turned_by_a_program_are_oriented_and_told_of(orient, photos
         == 0
     )
     written = capsys.readouterr().out
-    assert "camera virtual-24-24mm is written" in written
-    assert "camera virtual-24-24mm-600x800-turned" in written
+    fitted = {"camera": "", "model": "", "largest_px": 0.0}
+    begin, end = headline("conversion.camera_fitted", fitted).split("  ", 1)[0], " "
+    assert re.findall(rf"{begin} (\S+){end}", written) == ["virtual-24-24mm", "virtual-24-24mm-600x800-turned"]
 
 
 def test_copies_at_half_the_size_share_the_camera_of_the_others(orient, photos, tmp_path):
@@ -192,7 +199,7 @@ def test_copies_at_half_the_size_share_the_camera_of_the_others(orient, photos, 
     told = orient(photos, options=["--no-report", "--jobs", "2"])
     assert told.status == 0, told.all
     assert "5 of 5 photographs" in told.out
-    assert re.search(r"2 .*2.jpg, 4.jpg\..*\[stored_turned\.size\]", told.out), told.out
+    assert "2.jpg, 4.jpg." in line_of(told.out, "[stored_turned.size]")
     assert len(cameras_of(tmp_path)) == 1
 
 
@@ -229,9 +236,10 @@ def test_names_that_are_no_utf8_are_shown_and_written(orient, half, tmp_path):
     shutil.copy(half / "1.jpg", os.fsencode(folder) + b"/twice\xfe.jpg")
     told = orient(folder, out="Süd 雪 'x'/project;")
     assert told.status == 0, told.all
-    assert re.search(r"twice\\xfe.jpg: .* bad\\xff 1.jpg", told.out)
+    first, third = (rf"bad\xff {k}.jpg" for k in (1, 3))
+    assert first in line_of(told.out, r"twice\xfe.jpg:")
     rows = (tmp_path / "Süd 雪 'x'/project;/result/images.csv").read_text(encoding="utf-8")
-    assert r"bad\xff 3.jpg" in rows
+    assert third in rows
     told = orient(folder, out=os.fsdecode(b"project\xff"))
     assert told.status == 2
     assert "[file.name_not_utf8]" in told.err
@@ -319,7 +327,8 @@ def test_a_full_disk_is_named_and_what_is_finished_is_kept(photos, tmp_path, siz
     script = f'mount -t tmpfs -o size={size} t "$0" && "$@"; status=$?; cp -r "$0" {kept}; exit $status'
     told = apart(photos, out, "unshare", "-rm", "bash", "-c", script, str(out))
     assert told.status == 2, told.all
-    assert f"{out}: cannot be written: no space is left; free space and run the same command again" in told.err
+    assert f"error: {out}: " in told.err
+    assert "[project.not_writable]" in told.err
     assert not (kept / "result").exists()
     assert not [p for p in kept.rglob(".*") if p.is_file()]
     products = {p.name: p.stat().st_mtime_ns for p in kept.glob("cache/*/*.npz")}
@@ -343,7 +352,7 @@ def test_a_disk_that_fills_while_the_result_is_written_keeps_the_old_one(orient,
     monkeypatch.setattr(result_folder, "write_table", full)
     told = orient(photos)
     assert told.status == 2
-    assert "(No space left on device)" in told.err
+    assert f"({os.strerror(errno.ENOSPC)})" in told.err
     assert "[file.not_writable]" in told.err
     assert {p.name: p.read_bytes() for p in (tmp_path / "project/result").glob("*.csv")} == before
     assert not list((tmp_path / "project").glob(".*"))

@@ -12,7 +12,6 @@ import raybundle as rb
 from raybundle import adjust
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Attitudes, Role, Stations
-from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics.deviations import PAIRS, correlation_matrices, drawn
@@ -309,7 +308,11 @@ def test_a_rotation_makes_coefficients_of_standard_deviations(table):
     assert np.isnan(plan.sigma[0, 2])
     assert why_not(row_of([1.0, 2.0, np.nan], table=table)).code == "transform.not_given"
     close = why_not(row_of([1e-7, 2.0, 3.0], table=table))
-    assert (close.code, close.values["kind"], close.values["limit"]) == ("transform.too_correlated", "coordinate", 1e-10)
+    assert (close.code, close.values["kind"], close.values["limit"]) == (
+        "transform.too_correlated",
+        "coordinate",
+        1e-10,
+    )
     assert close.values["eigenvalue"] < 1e-10
     assert why_not(row_of([1.0, 2.0, 3.0], [0.9, 0.9, -0.9], table=table)).code == "transform.coefficients"
 

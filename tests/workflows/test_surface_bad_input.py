@@ -22,6 +22,7 @@ from raybundle.pipeline import store as stores
 from raybundle.report.write import write_result
 from raybundle.surfaces.files.heights import read_heights
 from raybundle.surfaces.photographs import photographs_there
+from raybundle.words import headline
 from raybundle.workflows.photograph_contents import contents_of, other_contents
 from tests.messages import failed
 from tests.workflows.half_portal import half_portal
@@ -124,12 +125,12 @@ def test_without_a_scale_metres_are_refused_and_products_say_so(half, tmp_path, 
     assert main([*words, "--free-scale", "--jobs", "1", "--verbose"]) == 0
     told = capsys.readouterr().out
     assert "scale arbitrary" in told
-    assert "coordinates and standard deviations have no unit" in told
+    assert headline("product.las_without_unit", {}) in told
     s = tmp_path / "s"
     assert b'comment scale = "free"' in (s / "points.ply").read_bytes()[:2000]
     assert b'comment scale = "free"' in (s / "mesh.ply").read_bytes()[:2000]
     assert 'scale = "free"' in (s / "heights.toml").read_text()
-    assert "the scale is free" in (s / "mesh.obj").read_text()[:200]
+    assert "scale is free" in (s / "mesh.obj").read_text()[:200]
 
 
 @pytest.mark.parametrize(
@@ -226,8 +227,12 @@ def test_a_photograph_without_a_point_is_told_where_nothing_confirms_it(half, tm
             shown = np.clip(picture("leaves", shown.shape[:2], rng), 0, 255).astype(np.uint8)
         cv2.imwrite(str(tmp_path / path.name), shown)
     assert main([*words, str(tmp_path), *map(str, ("--extent", *BOX)), "--verbose", "--out", str(tmp_path / "s")]) == 0
-    told = capsys.readouterr().out
-    assert re.search(r"no point of portal_08: (other depth maps confirm|no other depth map|no depth was found)", told)
+    (line,) = [x for x in capsys.readouterr().out.splitlines() if "portal_08: " in x]
+    begins = (
+        headline("surface_remark.too_few_confirmed", {"share": 0.0, "needed": 0.0}).split("0")[0],
+        headline("surface_remark.no_depth", {"region": False}),
+    )
+    assert line.partition("portal_08: ")[2].startswith(begins)
 
 
 def without(half, folder, gone):

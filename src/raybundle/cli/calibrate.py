@@ -14,7 +14,7 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, not_usable, of_texts, report
 from raybundle.commands.calibrate import CalibrateSettings, run_calibrate
 from raybundle.commands.pages import page_files
-from raybundle.errors import Message, note, phrase
+from raybundle.errors import Message, named, note, phrase
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -93,12 +93,12 @@ def _grade(q: CalibrationQuality) -> Message:
     return note("calibration.grade", camera=q.camera, grade=grade, typical_px=typical, largest_px=largest)
 
 
-def _points(done: Calibration) -> list[str]:
+def _points(done: Calibration) -> list[Message | str]:
     """Targets that were read, and photographs that were not used."""
-    found = [", ".join(t.title for t in done.targets)] if done.targets else []
-    found += [f"{done.completed} targets completed by prediction"] if done.completed else []
-    found += [f"{done.dots} dots without a code"] if done.dots else []
-    return found + [f"{name}: {reason}" for name, reason in (*done.refused, *done.not_used)]
+    found: list[Message | str] = [", ".join(t.title for t in done.targets)] if done.targets else []
+    found += [note("calibration.completed", n=done.completed)] if done.completed else []
+    found += [note("calibration.dots", n=done.dots)] if done.dots else []
+    return found + [named(*refused) for refused in (*done.refused, *done.not_used)]
 
 
 def camera_lines(done: Calibration, q: CalibrationQuality) -> list[str]:

@@ -20,7 +20,7 @@ from raybundle.cli.summary import Summary, of_adjustment, of_texts, report
 from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.marks_settings import RejectSettings
 from raybundle.commands.pages import LANGUAGE_HELP
-from raybundle.errors import InputError, Severity, note
+from raybundle.errors import InputError, Severity, named, note
 from raybundle.report.languages import checked_language
 from raybundle.report.paper.needed import check_typesetter
 
@@ -473,5 +473,5 @@ def adjust_(
     names = [note("summary.marks_left_out", n=len(left_out), names=list(left_out))] if left_out else []
     report(of_adjustment(
         adjustment, [target], done=[adjusted(adjustment), *names],
-        details=[f"{name}: {why}" for name, why in left_out.items()],
+        details=[named(*reason) for reason in left_out.items()],
     ))  # fmt: skip

@@ -12,7 +12,7 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, not_usable, of_adjustment, report
 from raybundle.commands.orient import OrientSettings, accuracy_outcome, run_orient
 from raybundle.commands.pages import page_files
-from raybundle.errors import Message, message, note, phrase
+from raybundle.errors import Message, message, named, note, phrase
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -104,7 +104,7 @@ def _summary(done: Orientation, settings: OrientSettings) -> Summary:
 
 def _without_orientation(done: Orientation, settings: OrientSettings) -> list[Message | str]:
     """Photographs that are not in the result, and why."""
-    found: list[Message | str] = [f"{name}: {reason}" for name, reason in (*done.refused, *done.not_oriented)]
+    found: list[Message | str] = [named(*refused) for refused in (*done.refused, *done.not_oriented)]
     if done.oriented < len(done.photos) and settings.features == "rootsift":
         found.append(note("summary.try_xfeat"))
     return found

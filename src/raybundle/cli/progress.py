@@ -10,6 +10,7 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from raybundle.errors import text_json
 from raybundle.numerics.progress import Counted, Progress, Remark, silent
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ class _JsonLines:
 
     def __call__(self, stage: str, share: float) -> None:
         if isinstance(share, Remark):
-            self._say({"remark": stage, "seconds": round(time.monotonic() - self.start, 3)})
+            self._say({"remark": stage, **text_json(stage), "seconds": round(time.monotonic() - self.start, 3)})
             return
         line: dict[str, object] = {
             "stage": stage, "share": round(share, 4), "seconds": round(time.monotonic() - self.start, 3),

@@ -223,9 +223,8 @@ def _each(
     if why and not found:
         error = why[0]
         assert error is not None
-        raise type(error)(
-            message("scene.no_place", point=ids[0], n=len(ids), name=str(scene), details=[as_detail(error)])
-        )
+        found, where = as_detail(error), message("scene.no_place", point=ids[0], n=len(ids), name=str(scene))
+        raise type(error)(replace(found, details=(*found.details, where)))
     width = next(iter(found.values())).shape[1] if found else 3
     values = np.full((len(rows), width), np.nan)
     for start, part in found.items():

@@ -162,7 +162,7 @@ def read_calibrations(
     _text(path)  # a folder, or a file too large for a calibration, is refused before it is parsed
     with guarded(path), ledger() as passed_over:
         found = format_.read(path, size_px)
-        remark = not_read(passed_over.counts())
+        remarks = not_read(passed_over.counts())
     for calibration in found:
         size = (calibration.camera.width_px, calibration.camera.height_px)
         if size_px is not None and size != size_px:
@@ -175,7 +175,7 @@ def read_calibrations(
                 given_height_px=size_px[1],
                 file=path,
             )
-    return (replace(found[0], remarks=(*found[0].remarks, remark)), *found[1:]) if remark and found else found
+    return (replace(found[0], remarks=(*found[0].remarks, *remarks)), *found[1:]) if found else found
 
 
 def convert_calibration(

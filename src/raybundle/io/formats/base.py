@@ -16,7 +16,7 @@ from raybundle.io.folders import check_free, check_new_file, make_parent, new_fi
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.ids import check_ids_of
 from raybundle.io.reading.files import guarded, opened
-from raybundle.io.reading.ledger import ledger, not_read_message
+from raybundle.io.reading.ledger import ledger, not_read
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.readable import readable, readable_names
 from raybundle.sensors import ProjectionDiverged, sensor_models
@@ -188,7 +188,7 @@ def read_format(name: str, path: str | Path) -> Import:
     with guarded(path), ledger() as passed_over:
         found = format_.read(path)
         unread = passed_over.counts()
-    remarks = (*found.remarks, *([not_read_message(unread)] if unread else []))
+    remarks = (*found.remarks, *(t.message for t in not_read(unread)))
     return replace(found, remarks=remarks, unread=unread)
 
 

@@ -216,7 +216,7 @@ def check_values(heights: Path, height: Array, sigmas: Path, bands: Mapping[str,
         if name.startswith("sigma"):
             _check_sigma(sigmas, name, values[known])
     if tree.has(OF_HEIGHTS) and sum_of_values(height[None]) != tree.get(OF_HEIGHTS).text():
-        return (phrase("heights.changed_values", name=heights.name),)
+        return (phrase("heights.changed_values", name=str(heights)),)
     return ()
 
 

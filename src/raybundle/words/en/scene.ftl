@@ -312,5 +312,5 @@ scene-pair_contradicts = Scenes { $first } and { $second } contradict each other
 # $name = "scene.tif"
 # $point = "P1"
 # $n = 12
-scene-no_place = { $name }: none of the { $n } points has a place; of point { $point } the cause is:
+scene-no_place = { $name }, point { $point }: none of the { $n } points has a place.
     .do = Check the coordinates of the points.

@@ -129,4 +129,4 @@ scene-contradicts_other = La géométrie de cette scène ({ $model }) contredit 
 
 scene-pair_contradicts = Les scènes { $first } et { $second } se contredisent ; laquelle est fausse est ambigu.
 
-scene-no_place = { $name } : aucun des { $n } points n'a de position ; pour le point { $point }, la cause est :
+scene-no_place = { $name }, point { $point } : aucun des { $n } points n'a de position.
