@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import MISSING, dataclass
+from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -223,8 +223,8 @@ def _each(
     if why and not found:
         error = why[0]
         assert error is not None
-        found, where = as_detail(error), message("scene.no_place", point=ids[0], n=len(ids), name=str(scene))
-        raise type(error)(replace(found, details=(*found.details, where)))
+        cause, where = as_detail(error), message("scene.no_place", point=ids[0], n=len(ids), name=str(scene))
+        raise type(error)(replace(cause, details=(*cause.details, where)))
     width = next(iter(found.values())).shape[1] if found else 3
     values = np.full((len(rows), width), np.nan)
     for start, part in found.items():
