@@ -203,8 +203,8 @@ def test_products_of_an_earlier_run_stay_while_they_are_of_the_same_points(half,
     left.mkdir()  # as a run leaves it that was killed while it wrote
     same = run()
     assert os.name == "nt" or not left.exists()
-    (kept,) = (m for r in same.remarks for m in getattr(r, "messages", ()) if m.code == "surface_remark.earlier")
-    assert set(kept.values["names"]) == names
+    kept = [m for r in same.remarks for m in getattr(r, "messages", ()) if m.code == "surface_remark.earlier"]
+    assert names in [set(m.values["names"]) for m in kept]
     assert names <= {p.name for p in (tmp_path / "s").iterdir()}
     other = run(extent=(-0.5, -0.4, 0.5, 0.5), depths=True)
     gone = [m for r in other.remarks for m in getattr(r, "messages", ()) if m.code == "surface_remark.removed"]
@@ -230,7 +230,7 @@ def test_a_photograph_without_a_point_is_told_where_nothing_confirms_it(half, tm
     (line,) = [x for x in capsys.readouterr().out.splitlines() if "portal_08: " in x]
     begins = (
         headline("surface_remark.too_few_confirmed", {"share": 0.0, "needed": 0.0}).split("0")[0],
-        headline("surface_remark.no_depth", {"region": False}),
+        headline("surface_remark.no_depth", {"region": True}),
     )
     assert line.partition("portal_08: ")[2].startswith(begins)
 
@@ -315,8 +315,9 @@ def test_photographs_with_other_bytes_are_told_and_used(half, tmp_path, capsys):
     source = with_contents(half, tmp_path / "r")
     words = ["surface", str(source), "--photos", str(tmp_path / "photos"), "--density", "4", "--jobs", "1"]
     assert main([*words, "--extent", *map(str, BOX)]) == 0
-    told = "photographs are not the files that were oriented: portal_02.png; where more than their metadata"
-    assert f"warning: {told}" in capsys.readouterr().out
-    assert told in (source / "surface/surface.html").read_text()
+    (line,) = [x for x in capsys.readouterr().out.splitlines() if x.endswith("[surface.photographs_replaced]")]
+    assert "portal_02.png" in line
+    shown = line.removeprefix("warning: ").partition(" [")[0]
+    assert shown in (source / "surface/surface.html").read_text()
     as_they_were, _ = photographs_there(read_block(half / "block"), [half])
     assert not other_contents(as_they_were.values(), contents_of(source))
