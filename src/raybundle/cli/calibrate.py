@@ -60,7 +60,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
     except KeyboardInterrupt:
         click.echo(phrase("interruption.kept", folder=str(out)), err=True)
         return 130
-    files = [out, out / "calibration.toml", *page_files(out, settings, network="")]
+    files = [out, out / "calibration.toml", *page_files(out, report=settings.report, pdf=settings.pdf, network="")]
     report(_summary(done, files))
     return 0
 

@@ -93,7 +93,7 @@ def _summary(done: Orientation, settings: OrientSettings) -> Summary:
         note("summary.part", n=len(part.photographs), folder=str(settings.out / component_folder(k)))
         for k, part in enumerate(other)
     ]
-    files = [result, *page_files(result, settings)]
+    files = [result, *page_files(result, report=settings.report, pdf=settings.pdf)]
     return of_adjustment(
         done.adjustment, files, done=[*first, *parts], notices=not_usable(done.refused),
         next_step=note("summary.next_surface", project=str(settings.out)),
