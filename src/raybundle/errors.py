@@ -401,8 +401,10 @@ class TasksWaiting(RaybundleError):
 class UnknownSensorModel(InputError):
     """No sensor model of this name is registered."""
 
-    def __init__(self, name: str, *, known: Iterable[str], file: Path | str | None = None) -> None:
-        super().__init__(f"unknown sensor model {name!r}; known: {', '.join(sorted(known))}", file=file)
+    def __init__(
+        self, name: str, *, known: Iterable[str], file: Path | str | None = None, line: int | None = None
+    ) -> None:
+        super().__init__("model.unknown_sensor", name=name, known=sorted(known), file=file, line=line)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
