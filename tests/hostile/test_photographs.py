@@ -188,7 +188,7 @@ def test_photographs_turned_by_a_program_are_oriented_and_told_of(orient, photos
     written = capsys.readouterr().out
     fitted = {"camera": "", "model": "", "largest_px": 0.0}
     begin, end = headline("conversion.camera_fitted", fitted).split("  ", 1)[0], " "
-    assert re.findall(rf"{begin} (\S+){end}", written) == ["virtual-24-24mm", "virtual-24-24mm-600x800-turned"]
+    assert re.findall(rf"{begin} (\S+){end}", written) == ["virtual-24-24mm", "virtual-24-24mm-600x800-turned270"]
 
 
 def test_copies_at_half_the_size_share_the_camera_of_the_others(orient, photos, tmp_path):
