@@ -292,9 +292,9 @@ def test_compare_reads_two_results_and_hands_them_on(field, tmp_path, capsys, mo
     assert run("compare", tmp_path / "one", tmp_path / "two", "--out", out) == 0
     assert [handed[0][0].path, handed[0][1].path, handed[0][2]] == [tmp_path / "one", tmp_path / "two", out]
     assert handed[0][0].result["datum"] != handed[0][1].result["datum"]
-    told = capsys.readouterr().out
-    assert "redundancy" in told
-    assert f"warning: {'caution'} [summary.text]\n" in told
+    shown = capsys.readouterr().out
+    assert "redundancy" in shown
+    assert f"warning: {'caution'} [summary.text]\n" in shown
 
 
 @pytest.mark.parametrize("out", ["folder", "image.png", "nowhere/c.html"])

@@ -28,8 +28,8 @@ def said(*words):
 
 def test_undo_and_redo_say_of_what(folder):
     image = small_block().images.ids[1]
-    told = said("mark", "undo", folder)
-    assert all(part in told for part in ("Action 3", "undo", "action 2", image, "gate", "101", "50"))
+    shown = said("mark", "undo", folder)
+    assert all(part in shown for part in ("Action 3", "undo", "action 2", image, "gate", "101", "50"))
     again = said("mark", "redo", folder)
     assert all(part in again for part in ("Action 4", "redo", "action 2"))
     said("mark", "undo", folder)

@@ -123,9 +123,9 @@ def test_without_a_scale_metres_are_refused_and_products_say_so(half, tmp_path, 
     assert re.search(r"(?s)surface\.scale_free.*--free-scale", capsys.readouterr().err)
     assert not (tmp_path / "s").exists()
     assert main([*words, "--free-scale", "--jobs", "1", "--verbose"]) == 0
-    told = capsys.readouterr().out
-    assert "scale arbitrary" in told
-    assert headline("product.las_without_unit", {}) in told
+    shown = capsys.readouterr().out
+    assert "scale arbitrary" in shown
+    assert headline("product.las_without_unit", {}) in shown
     s = tmp_path / "s"
     assert b'comment scale = "free"' in (s / "points.ply").read_bytes()[:2000]
     assert b'comment scale = "free"' in (s / "mesh.ply").read_bytes()[:2000]

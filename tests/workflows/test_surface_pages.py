@@ -143,13 +143,13 @@ def test_status_tells_of_a_result_that_was_adjusted_again(warned, measured, tmp_
     del measured
     shutil.copytree(warned, tmp_path / "r", ignore=shutil.ignore_patterns("cache"))
     words = f"{headline('heights.adjusted_since', {'name': 'r'})} [heights.adjusted_since]"
-    for change, told in (("", 0), ("9", 1)):
+    for change, times in (("", 0), ("9", 1)):
         images = tmp_path / "r/block/images.csv"
         images.write_text(images.read_text().rstrip("\n") + change + "\n")
         for folder in (tmp_path / "r", tmp_path / "r/surface"):
             capsys.readouterr()
             assert main(["status", str(folder)]) == 0
-            assert capsys.readouterr().out.count(f"warning: {words}") == told
+            assert capsys.readouterr().out.count(f"warning: {words}") == times
     assert main(["heights", "volume", str(tmp_path / "r/surface"), "--above", "0", "--most-filled", "100"]) == 0
     assert words in capsys.readouterr().out
 
