@@ -1,7 +1,7 @@
 """Errors by their codes and values: no test compares words."""
 
 import json
-from collections.abc import Generator
+from collections.abc import Generator, Iterable, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -39,11 +39,9 @@ def printed(code: str, /, **values: Any) -> str:
         return failure_lines(InputError(code, **values))[0].removeprefix("error: ")
 
 
-def reported(capsys: pytest.CaptureFixture[str]) -> dict[str, dict[str, Any]]:
-    """Values by code of all that a command with --json has reported since the last call."""
-    found = json.loads(capsys.readouterr().out)
-    parts = ("summary", "faults", "warnings", "notes", "details")
-    return {m["code"]: m["values"] for part in parts for m in found.get(part, ())}
+def coded(texts: Iterable[str]) -> dict[str, Mapping[str, Any]]:
+    """Values of the messages of texts by their codes, with those of their details; of one code those of the last."""
+    return {m.code: m.values for t in texts for m in with_details(*getattr(t, "messages", ()))}
 
 
 def failed(capsys: pytest.CaptureFixture[str]) -> Message:

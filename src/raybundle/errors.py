@@ -152,9 +152,9 @@ def content(code: str | Message, values: Mapping[str, Value]) -> str | Message:
     return code
 
 
-def as_detail(error: RaybundleError) -> Message:
-    """The message of an error with its place, as a detail of another."""
-    if error.message is None:
+def as_detail(error: Exception) -> Message:
+    """The message of an error with its place, as a detail of another; the words of what is no RaybundleError."""
+    if not isinstance(error, RaybundleError) or error.message is None:
         return Message(code="error.other", values={"detail": str(error)})
     place = getattr(error, "place", None)
     return replace(error.message, place=place) if place is not None and place.text() else error.message
@@ -401,8 +401,10 @@ class TasksWaiting(RaybundleError):
 class UnknownSensorModel(InputError):
     """No sensor model of this name is registered."""
 
-    def __init__(self, name: str, *, known: Iterable[str], file: Path | str | None = None) -> None:
-        super().__init__(f"unknown sensor model {name!r}; known: {', '.join(sorted(known))}", file=file)
+    def __init__(
+        self, name: str, *, known: Iterable[str], file: Path | str | None = None, line: int | None = None
+    ) -> None:
+        super().__init__("model.unknown_sensor", name=name, known=sorted(known), file=file, line=line)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

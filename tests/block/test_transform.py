@@ -176,23 +176,25 @@ def test_shifts_of_antennas_turn_and_lever_arms_stay():
 
 
 def test_what_cannot_follow_says_why():
-    def refused(block, way, match):
-        with pytest.raises(InputError, match=match):
+    def refused(block, way, match, reason=""):
+        with pytest.raises(InputError, match=match) as caught:
             transform_block(block, WAYS[way], observed="follow")
+        if reason:
+            assert [d.code for d in caught.value.message.details] == [reason]
         return transform_block(block, WAYS[way], observed="stay")
 
     field = EXAMPLES["field"]()
-    refused(field, "tilted", r"point \w+ .*transform\.row_not_possible")
+    refused(field, "tilted", r"point \w+ [\s\S]*transform\.row_not_possible", "transform.would_correlate")
     kept = refused(EXAMPLES["figures"](), "tilted", r"point|plumb_lines.csv, row 1")
     assert kept.tables.keys() == EXAMPLES["figures"]().tables.keys()
     figures = example("figures", "about the vertical")
-    refused(figures, "tilted", r"plumb_lines.csv, row 1 \(a, point \d+\) .*turned by \d+.*transform\.row_not_possible")
+    refused(figures, "tilted", r"plumb_lines.csv, row 1 \(a, point \d+\) ", "transform.vertical_turned")
     sighted = example("total station", "about the vertical")
     for name in ("directions", "zenith_angles", "slope_distances"):
         alone = replace(sighted, tables={name: sighted.tables[name]})
         refused(alone, "tilted", rf"{name}.csv, row \d+ \(.*point S0")
     alone = replace(sighted, tables={"differences": sighted.tables["differences"]})
-    refused(alone, "tilted", r"differences.csv, row 2 \(point .*\) .*transform\.row_not_possible")
+    refused(alone, "tilted", r"differences.csv, row 2 \(point .*\) [\s\S]*transform\.row_not_possible")
     refused(replace(field, place=Local(origin=(15.0, 48.0, 300.0))), "scale and shift", r"transform\.geodetic_frame")
     refused(EXAMPLES["mixed"](), "scale and shift", r"transform\.scene")
     with pytest.raises(InputError, match=r"0.*transform\.scale_not_positive"):

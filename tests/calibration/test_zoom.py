@@ -15,6 +15,7 @@ from raybundle.io.cameras.zoom_files import read_zoom, write_zoom
 from raybundle.numerics.statistics import mahalanobis2
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
+from tests.messages import coded
 
 FREE = ("c", "x0", "y0", "K1", "K2", "P1", "P2")
 SETTINGS = np.array([24.0, 30.0, 38.0, 48.0, 62.0, 85.0])
@@ -161,14 +162,15 @@ def test_resolution_of_focal_lengths():
 
 def test_focus_that_is_not_known_is_said(exact):
     zoom = calibrate_zoom(exact, resolution_mm=0.0)
-    assert "focus of the calibration is not known" in zoom.predict(40.0, 3.0).remarks[0]
+    assert coded(zoom.predict(40.0, 3.0).remarks) == {"zoom.focus_unknown": {"of": "calibration"}}
     known = calibrate_zoom([replace(s, focus_m=2.0) for s in exact], resolution_mm=0.0)
-    assert "focus of the photograph is not known" in known.predict(40.0).remarks[0]
+    assert coded(known.predict(40.0).remarks) == {"zoom.focus_unknown": {"of": "photograph"}}
     assert known.predict(40.0, 2.0).remarks == ()
     there = known.predict(40.0, 5.0)
     moved = there.camera.values["c"] - known.predict(40.0, 2.0).camera.values["c"]
     assert moved == pytest.approx(-(40.6**2) / 1000 * (1 / 2 - 1 / 5), rel=0.02)
-    assert "change of distortion is not known" in there.remarks[0]
+    remark = {"focus_m": 5.0, "calibrated_m": 2.0, "change_mm": pytest.approx(moved)}
+    assert coded(there.remarks) == {"zoom.refocused": remark}
 
 
 def test_between_two_focuses_everything_is_linear_in_magnification(exact):

@@ -8,9 +8,10 @@ PARTS = ("summary", "details", "faults", "warnings", "notes")
 
 
 def reported(capsys, *arguments, status=0):
-    """The JSON object that a command prints."""
-    capsys.readouterr()
-    assert main([*map(str, arguments), "--json"]) == status
+    """The JSON object that a command prints; without arguments: that the last one has printed."""
+    if arguments:
+        capsys.readouterr()
+        assert main([*map(str, arguments), "--json"]) == status
     return json.loads(capsys.readouterr().out.splitlines()[-1])
 
 

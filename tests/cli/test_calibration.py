@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 from PIL import Image
-from tests.cli.reported import codes_of, refusal, reported, texts_of, values_of
+from tests.cli.reported import codes_of, refusal, reported, values_of
 from tests.messages import refused
 
 from raybundle import adjust
@@ -138,9 +138,9 @@ def test_photographs_stored_upside_down_get_a_camera_of_their_own(tmp_path, caps
     block = stored_turned(block, np.array([1, 2]), 180)
     write_result(adjust(block), tmp_path / "result")
     words = ("convert", tmp_path / "result", "--to", "opencv", "--out", tmp_path / "c.yaml", "--approximate")
-    printed = texts_of(reported(capsys, "calibration", *words))
-    assert "180 deg" in printed
-    assert f"({block.images.ids[1]}, {block.images.ids[2]})" in printed
+    stored = values_of(reported(capsys, "calibration", *words))["calibration_remark.of_stored"]
+    assert stored["turned_deg"] == 180
+    assert stored["images"] == [block.images.ids[1], block.images.ids[2]]
     (other,) = tmp_path.glob("c-*turned180.yaml")
 
     def principal_point(path):

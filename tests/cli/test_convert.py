@@ -1,7 +1,6 @@
 """`raybundle convert`: between block and result folders and foreign formats, with what was assumed printed."""
 
 import json
-import re
 import shutil
 import subprocess
 import sys
@@ -10,7 +9,7 @@ from dataclasses import replace
 import click
 import numpy as np
 import pytest
-from tests.cli.reported import reported, texts_of, values_of
+from tests.cli.reported import codes_of, reported, texts_of, values_of
 
 import raybundle as rb
 from raybundle import adjust
@@ -52,7 +51,8 @@ def test_there_and_back_by_the_command_line(folder, block, tmp_path, capsys):
     found = converted(capsys, folder, "--to", "colmap", "--out", tmp_path / "model")
     counts = {"images": 5, "points": len(block.points), "observations": len(block.observations)}
     assert values_of(found)["block.converted"] == {**counts, "formats": ["colmap"]}
-    assert re.search("as (FULL_)?OPENCV", texts_of(found, ["notes"]))
+    fitted = values_of(found, ["notes"])["conversion.camera_fitted"]
+    assert fitted["model"] in {"OPENCV", "FULL_OPENCV"}
     assert 0 < values_of(found)["block.cameras_fitted"]["largest_px"] < 0.1
     convert(tmp_path / "model", "--to", "block", "--out", tmp_path / "again")
     again = read_block(tmp_path / "again")
@@ -80,7 +80,8 @@ def test_a_result_gives_its_adjusted_values(tmp_path, capsys):
     result = adjust(given, AdjustmentOptions(reject="snooping"))
     write_result(result, tmp_path / "r", report="none")
     found = converted(capsys, tmp_path / "r", "--to", "ply", "--out", tmp_path / "p.ply")
-    assert "rejected image" in texts_of(found, ["notes"])
+    left_out = values_of(found, ["notes"])["conversion.rejected_observations"]
+    assert left_out["n"] == (~result.image_observations.used).sum() > 0
     data = (tmp_path / "p.ply").read_bytes()
     head, _, body = data.partition(b"end_header\n")
     assert b"property float sigma_x" in head
@@ -107,6 +108,7 @@ def test_stations_on_a_map(tmp_path, capsys):
     write_block(flight(), tmp_path / "b")
     out = tmp_path / "s.geojson"
     found = converted(capsys, tmp_path / "b", "--to", "geojson", "--out", out, "--crs", "EPSG:32632")
+    assert values_of(found, ["notes"])["conversion.local_frame"]["system"] == "EPSG:32632"
     assert "EPSG:32632+ellipsoid" in texts_of(found, ["notes"])
     stations = json.loads((tmp_path / "s.geojson").read_text())["features"]
     from pyproj import Transformer
@@ -166,7 +168,7 @@ def test_photographs_without_distortion(photographs, tmp_path, capsys):
         capsys, tmp_path / "b", "--to", "colmap-text", "--out", tmp_path / "dense" / "sparse",
         "--photos", tmp_path / "photos", "--undistort", "inside",
     )  # fmt: skip
-    assert "0.png" in texts_of(found, ["notes"])
+    assert values_of(found, ["notes"])["conversion.photograph_left_out"] == {"name": "0.png"}
     from PIL import Image
 
     cameras = (tmp_path / "dense" / "sparse" / "cameras.txt").read_text().split("\n")[1].split()
@@ -348,9 +350,9 @@ def test_formats_in_metres_want_a_length(free_and_fixed, tmp_path, capsys):
         convert(free_and_fixed / "free", "--to", "kml", "--out", tmp_path / "a.kml", "--crs", "EPSG:25832",
                 "--frame-origin", "500000", "5400000", "100")  # fmt: skip
     free = converted(capsys, free_and_fixed / "free", "--to", "las", "--out", tmp_path / "a.las", "--free-scale")
-    assert "scale" in texts_of(free, ["notes"])
+    assert "conversion.free_scale" in codes_of(free, ["notes"])
     fixed = converted(capsys, free_and_fixed / "fixed", "--to", "las", "--out", tmp_path / "b.las")
-    assert "scale" not in texts_of(fixed)
+    assert "conversion.free_scale" not in codes_of(fixed)
 
 
 def test_exchange_formats_carry_a_free_scale(free_and_fixed, tmp_path, capsys):
@@ -359,7 +361,7 @@ def test_exchange_formats_carry_a_free_scale(free_and_fixed, tmp_path, capsys):
     found.append(converted(capsys, free_and_fixed / "free", "--to", "nerfstudio", "--out", tmp_path / "t.json"))
     assert json.loads((tmp_path / "t.json").read_text())["scale"] == "free"
     found.append(converted(capsys, free_and_fixed / "free", "--to", "colmap", "--out", tmp_path / "m"))
-    assert all("scale" in texts_of(f, ["notes"]) for f in found)
+    assert all("conversion.free_scale" in codes_of(f, ["notes"]) for f in found)
     convert(free_and_fixed / "free", "--to", "block", "--out", tmp_path / "b")
     assert read_block(tmp_path / "b").free_scale
     convert(free_and_fixed / "fixed", "--to", "ply", "--out", tmp_path / "q.ply")
@@ -406,10 +408,11 @@ def test_elements_passed_over_are_printed_and_data(tmp_path, capsys):
     given = tmp_path / "t.json"
     for to, out in (("nerfstudio", tmp_path / "again.json"), ("colmap", tmp_path / "m")):
         found = converted(capsys, given, "--to", to, "--out", out)
-        assert "frames.mask_path" in texts_of(found, ["notes"])
+        kinds = ["2 frames.mask_path", "1 rolling_shutter"]
+        assert values_of(found, ["notes"])["import.not_read"] == {"n": 3, "kinds": kinds}
         assert found["not_read"] == {"frames.mask_path": 2, "rolling_shutter": 1}
     own = converted(capsys, tmp_path / "again.json", "--to", "colmap", "--out", tmp_path / "own")
-    assert "rolling_shutter" not in texts_of(own)
+    assert "import.not_read" not in codes_of(own)
 
 
 def test_blocks_and_results_in_memory_are_converted_as_their_folders(tmp_path):

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.cli.reported import codes_of, refusal, reported, texts_of
+from tests.cli.reported import codes_of, refusal, reported, values_of
+from tests.messages import coded
 
 from raybundle.cli.main import main
 from raybundle.io.geo.coordinate_systems import local_frame
@@ -55,10 +56,11 @@ def test_a_file_of_attitudes_is_observed_and_compared_in_the_report(tmp_path, ca
     assert f"{n} of {n} photographs" in printed
     report = (out / "result/report.html").read_text(encoding="utf-8")
     assert headline("report_trajectories.comparison", {}) in report
-    assert "(opk, from ins.csv)" in report
+    assert f"(opk, from {file.name})" in report
     again = ["orient", str(photos), "--out", str(out), "--positions", str(file), "--no-report", *QUICK]
     found = reported(capsys, *again, "--relative", "shift")
-    assert "5 photographs on 2 " in texts_of(found)
+    relative = values_of(found)["relative_control"]
+    assert (relative["photographs"], relative["lines"]) == (5, 2)
     assert not [code for code in codes_of(found) if "not_determinable" in code]
     _, values = refusal(capsys, *again, "--attitudes", "rpy-ned")
     assert {"opk", "rpy-ned"} <= set(map(str, values.values()))
@@ -95,6 +97,6 @@ def test_what_can_have_no_effect_is_refused_before_anything_is_computed(tmp_path
 
 
 def test_a_coordinate_system_without_positions_is_said_to_have_no_effect():
-    (remark,) = check_asked((), Given(), positions=None, crs="EPSG:32633", relative="", scenes=False)
-    assert "EPSG:32633" in remark
+    remarks = check_asked((), Given(), positions=None, crs="EPSG:32633", relative="", scenes=False)
+    assert coded(remarks) == {"crs.without_effect": {"system": "EPSG:32633", "name": "none"}}
     assert not check_asked((), Given(), positions=None, crs="EPSG:32633", relative="", scenes=True)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from scipy.spatial import KDTree
-from tests.messages import refused
+from tests.messages import coded, refused
 
 import raybundle as rb
 from raybundle import adjust
@@ -88,7 +88,7 @@ def test_a_geotiff_has_marks_at_their_coordinates(ground, tmp_path):
     rasterio, (folder, marks) = pytest.importorskip("rasterio"), ground
     done = rectified(folder, tmp_path / "g.tif", horizontal=True)
     assert done.unit == "m"
-    assert any("EPSG:32632" in r for r in done.remarks)
+    assert coded(done.remarks)["picture.in_map"] == {"system": "EPSG:32632"}
     with rasterio.open(tmp_path / "g.tif") as picture:
         assert picture.crs.to_epsg() == 32632
         assert picture.profile["compress"] == "deflate"
@@ -113,9 +113,8 @@ def test_without_geotiff_the_system_stands_beside(name, ground, tmp_path, monkey
     with monkeypatch.context() as m:
         m.setitem(sys.modules, "rasterio", None)
         done = rectified(folder, tmp_path / name, horizontal=True)
-    told = " ".join(done.remarks)
-    assert f"{name}.aux.xml" in told
-    assert ("raybundle[geo]" in told) == name.endswith(".tif")
+    beside = coded(done.remarks)["conversion.system_beside"]
+    assert beside == {"name": f"{name}.aux.xml", "tiff": name.endswith(".tif")}
     rasterio = pytest.importorskip("rasterio")
     with rasterio.open(tmp_path / name) as picture:
         assert picture.crs.to_epsg() == 32632
@@ -159,7 +158,7 @@ def test_a_wall_stays_in_its_plane(ground, tmp_path):
 def test_a_system_in_degrees_leaves_the_picture_in_the_local_plane(ground, tmp_path):
     folder, _ = ground
     done = rectified(folder, tmp_path / "g.tif", source="degrees", horizontal=True)
-    assert "EPSG:4326" in " ".join(done.remarks)
+    assert coded(done.remarks)["picture.local_plane"] == {"system": "EPSG:4326"}
     assert abs(float((tmp_path / "g.tfw").read_text().split()[4])) < 10
 
 

@@ -4,6 +4,7 @@ import json
 
 import pytest
 from tests.conftest import DATA
+from tests.messages import coded
 
 from raybundle.block import Camera
 from raybundle.cameras.forward_camera import ForwardCamera
@@ -17,7 +18,7 @@ from raybundle.io.calibrations import (
     recognised,
     write_calibrations,
 )
-from raybundle.io.reading.ledger import NAMED, declare, enter, ledger, not_read
+from raybundle.io.reading.ledger import declare, enter, ledger, not_read
 
 REPORTS = DATA / "reports"
 K1 = [[545.2, 0, 339.5], [0, 540.9, 181.4], [0, 0, 1]]
@@ -55,7 +56,7 @@ def test_both_cameras_are_read(tmp_path, name):
     assert (one.camera.fx, two.camera.fx) == (545.2, 600.0)
     assert one.camera.k1 == two.camera.k1 == -0.3
     assert one.id != two.id
-    assert one.remarks == ("Not read: 1 R, 1 T",)
+    assert coded(one.remarks) == {"import.not_read": {"n": 2, "kinds": ["1 R", "1 T"]}}
 
 
 def test_one_camera_keeps_its_name(tmp_path):
@@ -108,28 +109,29 @@ def test_own_files_have_nothing_that_is_passed_over_and_others_say_so(tmp_path, 
     camera = brown if calibration_formats[name].model != "forward" else forward
     file = tmp_path / f"camera{calibration_formats[name].suffixes[0]}"
     write_calibrations(name, [convert_calibration(Calibration(id="1", camera=camera), name)], file, approximate=True)
-    assert not any("Not read" in r for c in read_calibrations(file, name) for r in c.remarks)
+    assert not any("import.not_read" in coded(c.remarks) for c in read_calibrations(file, name))
     if name in MORE:
         old, new, right = MORE[name]
         text = file.read_text()
         assert old in text
         other = file.with_stem("other")
         other.write_text(text.replace(old, new))
-        remarks = [r for c in read_calibrations(other, name) for r in c.remarks if r.startswith("Not read")]
-        assert remarks == [f"Not read: {right}"]
+        remarks = coded(r for c in read_calibrations(other, name) for r in c.remarks)
+        assert remarks["import.not_read"]["kinds"] == right.split(", ")
 
 
 def test_the_remark_counts_and_is_short():
     with ledger() as found:
-        assert not_read(found.counts()) == ""
+        assert not_read(found.counts()) == ()
         enter("a", 3)
         enter("b\x1b[31m")
         enter("date")
         declare("c")
-        assert not_read(found.counts()) == "Not read: 3 a, 1 'b\\x1b[31m', 1 date"
+        (remark,) = not_read(found.counts())
+        assert remark.message.values == {"n": 5, "kinds": ["3 a", r"1 'b\x1b[31m'", "1 date"]}
         for k in range(20):
             enter(str(k))
-        assert not_read(found.counts()).endswith(f"and {23 - NAMED} more")
+        assert "(+17)" in not_read(found.counts())[0]  # of 23 kinds
 
 
 @pytest.mark.skipif(not REPORTS.is_dir(), reason="no public data: set RAYBUNDLE_DATA to the folder of reports/")

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.messages import coded
 
 from raybundle.block import Camera
 from raybundle.errors import InputError, code_of
@@ -76,32 +77,31 @@ def test_an_entry_that_could_never_be_found_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "code", "values"),
     [
-        ({"model": "NIKON D4"}, "model NIKON D3"),
-        ({"make": "Canon"}, "make NIKON"),
-        ({"serial": "2002"}, "serial number is 2001"),
-        ({"lens": "24-70 mm"}, "lens is 35 mm"),
-        ({"focal_mm": 36.0}, "35 mm, the photograph has 36 mm"),
-        ({"focal_mm": None}, "not known to both"),
-        ({"zoom_ratio": 1.5}, "digital zoom"),
-        ({"model": ""}, "names no camera model"),
+        ({"model": "NIKON D4"}, "other", {"quantity": "model", "value": "NIKON D3", "own": "NIKON D4"}),
+        ({"make": "Canon"}, "other", {"quantity": "make", "value": "NIKON CORPORATION", "own": "Canon"}),
+        ({"serial": "2002"}, "other", {"quantity": "serial", "value": "2001", "own": "2002"}),
+        ({"lens": "24-70 mm"}, "other", {"quantity": "lens", "value": "35 mm f/2", "own": "24-70 mm"}),
+        ({"focal_mm": 36.0}, "other_focal_length", {"focal_mm": 35.0, "own_focal_mm": 36.0}),
+        ({"focal_mm": None}, "focal_length_unknown", {"zoom": False}),
+        ({"zoom_ratio": 1.5}, "digital_zoom", {"zoom": 1.5}),
+        ({"model": ""}, "no_model", {}),
     ],
 )
-def test_other_cameras_lenses_and_focal_lengths_are_refused(changes, words):
+def test_other_cameras_lenses_and_focal_lengths_are_refused(changes, code, values):
     found = match(ENTRY, photo(**changes))
     assert not found.fits
     assert found.camera is None
-    assert words in found.reasons[0]
+    assert coded(found.reasons) == {f"library_match.{code}": values}
 
 
-@pytest.mark.parametrize(
-    ("size", "words"), [((6000, 3376), "is a crop"), ((4000, 6000), "turned"), ((3000, 2010), "is a crop")]
-)
-def test_crops_are_refused(size, words):
+@pytest.mark.parametrize(("size", "turned"), [((6000, 3376), False), ((4000, 6000), True), ((3000, 2010), False)])
+def test_crops_are_refused(size, turned):
     found = match(ENTRY, photo(size=size))
     assert not found.fits
-    assert words in found.reasons[0]
+    against = coded(found.reasons)["library_match.other_format"]
+    assert (against["own_width_px"], against["own_height_px"], against["turned"]) == (*size, turned)
 
 
 def test_whole_copies_are_scaled():
@@ -109,16 +109,17 @@ def test_whole_copies_are_scaled():
     assert found.fits
     assert found.camera.pixel_mm == (0.024, 0.024)
     assert found.camera.size_mm.tolist() == pytest.approx(CAMERA.size_mm.tolist())
-    assert "taken as the whole" in " ".join(found.reasons)
+    format_ = coded(found.reasons)["library_match.format"]
+    assert (format_["whole"], format_["own_width_px"], format_["own_height_px"]) == (False, 1500, 1000)
 
 
 def test_what_is_not_known_is_said():
     found = match(ENTRY, photo(serial="", lens="", subject_distance_m=4.0))
     assert found.fits
-    text = "; ".join(found.reasons)
-    assert "serial number not compared" in text
-    assert "lens not compared" in text
-    assert "c may differ by 52 px" in text  # 35.2^2 / 1000 (1/2 - 1/4) = 0.31 mm
+    compared = [r.message.values for r in found.reasons[1:] if r.message.code == "library_match.same"]
+    assert [(v["quantity"], v["equal"]) for v in compared] == [("serial", False), ("lens", False)]
+    apart = coded(found.reasons)["library_match.focus"]["difference_px"]
+    assert apart == pytest.approx(52, abs=0.5)  # 35.2^2 / 1000 (1/2 - 1/4) = 0.31 mm
 
 
 def test_the_best_one_is_first(tmp_path):

@@ -11,8 +11,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.cli.reported import reported, values_of
 from tests.docs.figures import in_a_row
-from tests.messages import refused, reported
+from tests.messages import refused
 
 import raybundle as rb
 from raybundle.adjustment.records.notice import Notice
@@ -132,7 +133,7 @@ def test_a_result_is_scaled_and_held_against_nominal(field, tmp_path, capsys):
     words = ["measure", str(folder / "free"), *bar(truth, "1", "20"), *bar(truth, "3", "15"), *QUIET]
     words += ["--nominal", str(folder / "nominal.csv"), "--unit", "0.001", "--out", str(tmp_path / "m"), "--json"]
     assert main(words) == 0
-    found = reported(capsys)
+    found = values_of(reported(capsys))
     assert {"significant": 0, "of": len(truth)}.items() <= found["measurement.fit"].items()
     assert found["measurement.tolerances"] == {"within": len(truth), "beyond": 0, "names": [], "undecided": 0}
     table = rows(tmp_path / "m/nominal.csv")
@@ -165,7 +166,7 @@ def test_the_table_of_lengths_is_what_one_reckons_oneself(field, tmp_path, capsy
         (answer,) = rb.query(tmp_path / "m", distance=((r["from"], r["to"]),))
         assert float(r["sigma_mm"]) == pytest.approx(1000 * np.hypot(answer.sigma[0], 2e-6), rel=1e-4)
     assert main([*words, "--allowed", "0", "0", "--out", str(tmp_path / "n"), "--json"]) == 4
-    found = reported(capsys)["measurement.lengths"]
+    found = values_of(reported(capsys))["measurement.lengths"]
     assert (found["judged"], found["over"]) == ("exceeded", 10)
 
 

@@ -12,7 +12,6 @@ import raybundle as rb
 from raybundle import adjust
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Attitudes, Role, Stations
-from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics.deviations import PAIRS, correlation_matrices, drawn
@@ -307,12 +306,22 @@ def test_a_rotation_makes_coefficients_of_standard_deviations(table):
     assert plan.correlation[0, 0] != 0
     assert (plan.correlation[0, 1:] == 0).all()
     assert np.isnan(plan.sigma[0, 2])
-    with pytest.raises(InputError, match="a coordinate is not given that a rotation mixes"):
-        row_of([1.0, 2.0, np.nan], table=table).transformed(TILTED)
-    with pytest.raises(InputError, match=r"more closely than coefficients can say \(least eigenvalue .*limit 1e-10"):
-        row_of([1e-7, 2.0, 3.0], table=table).transformed(TILTED)
-    with pytest.raises(InputError, match="not positive definite, or one has no standard deviation"):
-        row_of([1.0, 2.0, 3.0], [0.9, 0.9, -0.9], table=table).transformed(TILTED)
+    assert why_not(row_of([1.0, 2.0, np.nan], table=table)).code == "transform.not_given"
+    close = why_not(row_of([1e-7, 2.0, 3.0], table=table))
+    assert (close.code, close.values["kind"], close.values["limit"]) == (
+        "transform.too_correlated",
+        "coordinate",
+        1e-10,
+    )
+    assert close.values["eigenvalue"] < 1e-10
+    assert why_not(row_of([1.0, 2.0, 3.0], [0.9, 0.9, -0.9], table=table)).code == "transform.coefficients"
+
+
+def why_not(row):
+    """The reason why a row cannot follow a tilt."""
+    with refused("transform.row_not_possible") as caught:
+        row.transformed(TILTED)
+    return caught.value.message.details[0]
 
 
 def test_a_rotation_correlates_angles():
@@ -321,8 +330,8 @@ def test_a_rotation_correlates_angles():
     again = turned.transformed(TILTED.inverse)
     np.testing.assert_allclose(again.sigma[0], [1e-4, 1e-4, 1e-3], rtol=1e-9)
     np.testing.assert_allclose(again.correlation, 0.0, atol=1e-9)
-    with pytest.raises(InputError, match="one angle was not observed that the rotation mixes with those observed"):
-        row_of([1e-4, np.nan, 1e-3], table=Attitudes).transformed(TILTED)
+    missing = why_not(row_of([1e-4, np.nan, 1e-3], table=Attitudes))
+    assert (missing.code, missing.values) == ("transform.not_observed", {"kind": "angle"})
 
 
 def written(tmp_path, name, rows):

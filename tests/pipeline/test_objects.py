@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from raybundle.cli.main import main
-from raybundle.errors import InputError, TasksWaiting
+from raybundle.errors import InputError, TasksWaiting, code_of
 from raybundle.pipeline import objects
 from raybundle.pipeline.archives import is_complete
 from raybundle.pipeline.clusters import token_of, unseen
@@ -557,8 +557,8 @@ def test_why_a_worker_does_not_see_a_store(tmp_path, url, monkeypatch):
     monkeypatch.setattr("raybundle.pipeline.clusters.APPEAR_S", 0.0)
     token = token_of(Folder(tmp_path / "s", url))
     assert unseen(str(tmp_path / "elsewhere"), url, token) == ""
-    assert unseen("s", url, "0" * 32) == "another one stands there"
-    assert unseen("s", f"{url}-not", token) == "there is none"
+    assert code_of(unseen("s", url, "0" * 32)) == "cluster.other_store"
+    assert code_of(unseen("s", f"{url}-not", token)) == "cluster.no_store"
     assert "store.unknown_scheme" in unseen("s", "nowhere://x", token)
 
 
@@ -620,4 +620,4 @@ def test_an_s3_on_this_machine(tmp_path, expected):
     assert no_bucket == ["store.no_bucket", "s3://nowhere/x", {}]
     code, file, values = no_server
     assert (code, file) == ("store.lost", "s3://surveys/late")
-    assert values["detail"].startswith("Could not connect")
+    assert values["detail"].startswith("Could not ")

@@ -29,8 +29,9 @@ from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
 from raybundle.ties.points import find_features, match_pairs
+from raybundle.words import headline
 from tests.barriers import DEADLINE_S, wait_for
-from tests.messages import printed, refused
+from tests.messages import coded, printed, refused
 from tests.pipeline.graph import NO_MATRIX, done_by, executions, tasks_of
 from tests.pipeline.machines import Line, Machines, processes_of
 
@@ -459,7 +460,8 @@ def test_a_worker_leaves_no_project_aside_and_waits_for_no_folder_without_end(tm
 
 def test_a_run_says_that_it_waits_for_a_worker_and_a_worker_for_a_scheduler(machines, tmp_path, monkeypatch):
     monkeypatch.setattr("raybundle.pipeline.on_dask.SAY_S", 0.5)
-    waiting = machines.command("worker", "--cluster", machines.folder, wait="waits for a scheduler: ")
+    waits = headline("cluster.waits_for_scheduler", {})
+    waiting = machines.command("worker", "--cluster", machines.folder, wait=waits)
     machines.scheduler()
     assert len(list(on(machines.folder).run(tasks_of(4), Folder(tmp_path / "s")))) == 11
     waiting.send_signal(signal.SIGTERM)
@@ -471,7 +473,8 @@ def test_a_run_says_that_it_waits_for_a_worker_and_a_worker_for_a_scheduler(mach
         """That somebody is waited for."""
 
     def progress(text, share):
-        if text.startswith("no worker is there: waiting for up to "):
+        if list(coded([text])) == ["cluster.no_fitting_worker", "cluster.waiting"]:
+            assert coded([text])["cluster.no_fitting_worker"] == {"n": 0}
             assert isinstance(share, Remark)
             raise Told
 

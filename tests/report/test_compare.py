@@ -4,11 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.report.comparison.common_points import common_points, common_rows
-from raybundle.report.comparison.differences import APART, basis_words, point_differences, taken_otherwise
-from raybundle.report.comparison.differences import compared as differences_of
-from raybundle.report.comparison.page import _parameter_rows, write_comparison
-from raybundle.report.comparison.shared import Shared, shared_of
 
 import raybundle as rb
 from raybundle import words
@@ -17,9 +12,15 @@ from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
+from raybundle.report.comparison.common_points import common_points, common_rows
+from raybundle.report.comparison.differences import APART, basis_words, point_differences, taken_otherwise
+from raybundle.report.comparison.differences import compared as differences_of
+from raybundle.report.comparison.page import _parameter_rows, write_comparison
+from raybundle.report.comparison.shared import Shared, shared_of
 from raybundle.report.text.numbers import unbroken
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
+from raybundle.words import headline
 from tests.report.test_document import parsed
 
 RNG = np.random.default_rng(3)
@@ -169,7 +170,8 @@ def test_metres_and_millimetres(folder, case, tmp_path):
     other = replace(a, given=in_mm(a.given), adjusted=in_mm(a.adjusted), precision=precision)
     write_comparison(folder("rich"), folder("mm", other), tmp_path / "c.html")
     text = " ".join(parsed((tmp_path / "c.html").read_text(encoding="utf-8")).text)
-    assert "× 10⁻" in text.split("common points differ by")[1][:40]
+    differ = headline("report_compare.points_differ", {"n": 2, "rms": 0.0, "unit": "", "fitted": True})
+    assert "× 10⁻" in text.split(differ.removeprefix("2 ").partition(" 0")[0])[1][:40]
 
 
 def renamed(result, name_of):

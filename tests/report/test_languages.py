@@ -141,7 +141,7 @@ def test_pages_of_a_plan_are_in_the_language_of_its_reader(tmp_path):
         flown = raybundle.plan_mission(area, tmp_path / "mission", vehicle="mavic-2-pro", height=150.0)
         texts = [w.text() for w in flown.warnings]
     page = (tmp_path / "network/network.html").read_text(encoding="utf-8")
-    assert '<html lang="de">' in page
+    assert ' lang="de">' in page
     head, script = page.partition("<body")[2].split("<script", 1)
     texts += [unescape(re.sub(r"<[^>]*>", " ", head)), *re.findall(r'"words":(\[.*?\]|\{.*?\})', script)]
     texts += [(tmp_path / name).read_text(encoding="utf-8") for name in ("network/stations.csv", "list/list.csv")]

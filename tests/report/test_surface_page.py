@@ -6,10 +6,10 @@ from html import unescape
 
 import numpy as np
 import pytest
-from raybundle.report.network.sigma_classes import sigma_classes
 
 from raybundle import words
 from raybundle.report.figures.raster import classed, shaded
+from raybundle.report.network.sigma_classes import sigma_classes
 from raybundle.report.text.numbers import unbroken
 from raybundle.surfaces.depths.summary import HeightSummary, MapSummary, OrthophotoSummary, SurfaceSummary, reduced
 from raybundle.surfaces.page import write_surface_page
@@ -57,7 +57,7 @@ def test_the_page_says_what_is_incomplete_in_its_headline(tmp_path):
         told("points", n=1000, maps=2), told("median_sigma", sigma=0.7, unit="mm"),
         told("incomplete_map", name="c.jpg", share=0.2), told("excluded", n=1),
     ]  # fmt: skip
-    assert f'class="verdict remarks">{" ".join(head)}<' in text
+    assert f'verdict remarks">{" ".join(head)}<' in text
     assert "georeferenced" in text
     raw = (tmp_path / "p.html").read_text()
     assert "a&lt;b.jpg" in raw
@@ -76,13 +76,13 @@ def test_maps_of_a_part_are_not_held_against_the_whole_photograph(tmp_path):
 def test_a_surface_without_doubts_is_good_and_one_without_points_is_not(tmp_path):
     whole = summary()
     good = replace(whole, left_out=(), maps=whole.maps[:1], heights=None)
-    assert 'class="verdict good"' in page(tmp_path, good)
+    assert 'verdict good"' in page(tmp_path, good)
     none = replace(
         good, points=0, sigma=(np.nan,) * 3,
         position=(np.nan,) * 3, axes=np.full((3, 3), np.nan), parts=np.full((3, 3), np.nan), rays=np.zeros(0, int),
         maps=(replace(good.maps[0], measured=0, given=0, sigma=np.nan, picture=np.full((3, 4), np.nan)),),
     )  # fmt: skip
-    assert 'class="verdict attention"' in page(tmp_path, none)
+    assert 'verdict attention"' in page(tmp_path, none)
 
 
 def test_large_standard_deviations_are_in_metres(tmp_path):

@@ -183,7 +183,7 @@ def test_curves_boresight_and_clock_have_true_sigmas(tmp_path):
     assert not {"dt", "rx0"} & set(sigma)
     runs = 15
     found = MonteCarlo.of(block).errors(runs, seed=8)
-    assert found["parameters of strip1"][1] == 9 + 3 + 15 + 1
+    assert found[f"parameters of {block.cameras[0].id}"][1] == 9 + 3 + 15 + 1
     for kind, (d2, degrees) in found.items():
         low, high = chi2(degrees * runs).interval(0.999)
         assert low < d2.sum() < high, kind

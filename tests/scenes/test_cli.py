@@ -117,7 +117,7 @@ def test_points_of_another_place_are_refused(file, tmp_path, capsys):
     arguments = ["rpc", "project", str(file), str(tmp_path / "q.csv"), "--to-ground", "--out", str(tmp_path / "o.csv")]
     assert main(arguments) == 3
     printed = capsys.readouterr().err
-    assert f"{file}: point a: " in printed
+    assert headline("scene.no_place", {"name": str(file), "point": "a", "n": 1}) in printed
     assert "line 9.50, sample 9.50" in printed
     assert "[rpc.no_ground_point]" in printed
 

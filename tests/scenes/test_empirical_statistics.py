@@ -10,6 +10,7 @@ from raybundle.errors import InputError
 from raybundle.scenes.empirical import empirical_models, fit_empirical
 from raybundle.scenes.empirical_statistics import choose_empirical, empirical_statistics
 from tests.cli.reported import reported, values_of
+from tests.messages import failed
 from tests.scenes.test_empirical import LENS, cube, made
 
 
@@ -129,15 +130,16 @@ def test_the_command(tmp_path, capsys):
 
 def test_bad_tables(tmp_path, capsys):
     xyz, xy = noisy("dlt", 5)
-    assert main(["empirical", table(tmp_path / "few.csv", xyz, xy), "--model", "dlt"]) == 2
-    said = capsys.readouterr().err
-    assert "few.csv: dlt: 5 " in said
-    assert "[empirical.too_few_points]" in said
+    assert main(["empirical", table(tmp_path / "few.csv", xyz, xy), "--model", "dlt", "--json"]) == 2
+    few = failed(capsys)
+    assert (few.code, few.values["model"], few.values["object"]) == ("empirical.too_few_points", "dlt", 5)
+    assert few.place.file.endswith("few.csv")
     assert main(["empirical", table(tmp_path / "r.csv", xyz, xy, ["chek"] * 5)]) == 2
     assert "[value.not_supported]" in capsys.readouterr().err
     (tmp_path / "none.csv").write_text("point,x_px,y_px\na,1,2\n")
-    assert main(["empirical", str(tmp_path / "none.csv")]) == 2
-    assert "X, Y, Z or lon_deg, lat_deg, h_m" in capsys.readouterr().err
+    assert main(["empirical", str(tmp_path / "none.csv"), "--json"]) == 2
+    needed = failed(capsys).text()
+    assert all(name in needed for name in ("X", "Y", "Z", "lon_deg", "lat_deg", "h_m"))
     assert main(["empirical", str(tmp_path / "r.csv"), "--without", "K1"]) == 2
 
 

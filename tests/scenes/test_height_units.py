@@ -78,4 +78,4 @@ def test_the_command_refuses_and_names_the_unit(rpc, tmp_path, capsys, wrong):
     table.write_text("\n".join(["point,lon_deg,lat_deg,h_m,x_px,y_px", *lines]) + "\n")
     words = ["rpc", "correct", str(tmp_path / "scene_RPC.TXT"), str(table)]
     assert main(words) == (3 if wrong else 0)
-    assert ("seem to be in feet" in capsys.readouterr().err) is wrong
+    assert ("[scene_control.height_unit]" in capsys.readouterr().err) is wrong

@@ -15,6 +15,7 @@ from raybundle.io.scenes.pictures import ArrayPicture
 from raybundle.workflows.scenes.ortho import ground_of_rays, ortho_of
 from tests.cli.reported import reported, values_of
 from tests.conftest import DATA
+from tests.messages import coded
 
 rasterio = pytest.importorskip("rasterio")
 pytest.importorskip("rasterio.warp")
@@ -204,7 +205,7 @@ def test_a_geoid_by_its_system(folder, scene_file, dem, capsys):
     captured = capsys.readouterr()
     assert status in {0, 2}
     if status == 2:
-        assert "geoid that is not installed" in captured.err
+        assert "[crs.geoid_missing]" in captured.err
         assert not (folder / "g.tif").exists()
     with pytest.raises(InputError, match=r"raster\.geoid_unknown"):
         rb.rpc_ortho(scene_file, dem, geoid="EPSG:32637")
@@ -310,7 +311,8 @@ def test_heights_that_the_rpc_was_not_made_for_are_told(scene_file, folder, dem,
         z, transform = raster.read(1), raster.transform
     feet = write(folder / "feet.tif", (z / 0.3048).astype("float32"), transform=transform)
     done = rb.rpc_ortho(scene_file, feet, crs=UTM, pixel=2)
-    assert any("the RPC holds for heights of -100 to 900 m: look at the geoid" in r for r in done.remarks)
+    found = coded(done.remarks)["scene.ground_outside_heights"]
+    assert (found["lowest_m"], found["highest_m"]) == pytest.approx((-100, 900))
     with rasterio.open(feet, "r+") as raster:
         raster.units = ("ft",)
     done = rb.rpc_ortho(scene_file, feet, crs=UTM, pixel=2)

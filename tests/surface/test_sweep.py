@@ -61,7 +61,7 @@ def test_kernels_refuse_what_does_not_fit():
     module = native.module()
     cost, image = np.zeros((8, 9, 16), np.uint8), np.zeros((8, 9), np.uint8)
     level = np.zeros((8, 9), np.float32)
-    with pytest.raises(ValueError, match="of the image's size"):
+    with pytest.raises(ValueError, match="image's size"):
         module.aggregate_costs(image[:7].copy(), cost, 7, 50, 14, np.zeros(cost.shape, np.uint16), level, level.copy())
     with pytest.raises(ValueError, match="penalties"):
         module.aggregate_costs(image, cost, 7, 120, 14, np.zeros(cost.shape, np.uint16), level, level.copy())

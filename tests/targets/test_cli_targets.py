@@ -181,8 +181,8 @@ def test_dots_are_printed(tmp_path, capsys):
     for polarity, number in (("dark", 117), ("light", 108)):
         out = tmp_path / f"{polarity}.svg"
         arguments = ["--target", "dots", "--spacing", "20mm", "--polarity", polarity, "--out", str(out)]
-        assert main(["targets", "sheet", *arguments]) == 0
-        assert capsys.readouterr().out.startswith(f"{number} points of dots")
+        sheet = values_of(reported(capsys, "targets", "sheet", *arguments))["target_sheet.printed"]
+        assert (sheet["n"], sheet["points"]) == (number, True)
         found = detect(cv2.GaussianBlur(raster(out), (0, 0), 0.8), "dots", MarkOptions(polarity=polarity))
         place = np.array([(t.x_mm, 297 - t.y_mm) for t in read_sidecar(out.with_suffix(".toml")).targets]) * PX
         away = np.linalg.norm(found.xy_px[:, None] - place, axis=2)

@@ -4,6 +4,7 @@ import ast
 import json
 import re
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -28,6 +29,16 @@ PAGE = SOURCE.parents[1] / "web/studio"
 """Scripts of the studio's page: they use the groups studio_... and label"""
 TEXTS = 3
 """Calls that make a message of a text, as long as they are moved to catalogues: may only shrink"""
+ENGLISH = Path(__file__).with_name("english.txt")
+"""Modules with texts of three English words or more outside the catalogues, and how many: may only shrink"""
+WORDS = re.compile(r"(?<![\w./<\\-])[A-Za-z][a-z']+(?![\w(/=>\\])")
+NO_TEXT = re.compile(r"[\n<>=|\\[]|^#")
+"""Code, markup, patterns and comments of files"""
+HELP = frozenset("setting option _entry".split())  # noqa: SIM905
+PROGRAM = frozenset("einsum cast compile search sub fullmatch TypeVar ContextVar".split())  # noqa: SIM905
+PROGRAMMERS = frozenset(
+    "ValueError AssertionError RuntimeError TypeError NotImplementedError KeyError ConnectionError".split()  # noqa: SIM905
+)
 
 
 @cache
@@ -82,6 +93,41 @@ def test_fewer_places_make_sentences():
     left = list(text_calls())
     assert len(left) <= TEXTS, f"{len(left)} calls make a message of a text; give a code, and words in raybundle/words"
     assert len(left) == TEXTS, f"{len(left)} are left: lower TEXTS to this"
+
+
+def english(node):
+    """Texts of three words or more in a tree: no docstrings, no help, nothing for programmers."""
+    text = node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+    if isinstance(node, ast.JoinedStr):
+        text = "".join(str(v.value) if isinstance(v, ast.Constant) else "{}" for v in node.values)
+    match node:
+        case ast.Expr(value=ast.Constant()):
+            return
+        case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name)) if name in HELP | PROGRAM:
+            return
+        case ast.Raise(exc=ast.Call(func=ast.Name(id=name))) if name in PROGRAMMERS:
+            return
+        case ast.Assign(targets=[ast.Name(id=name)]) if name.endswith("HELP"):
+            return
+        case ast.Subscript():  # of types
+            yield from english(node.value)
+        case _ if text is None:
+            for child in ast.iter_child_nodes(node):
+                yield from english(child)
+        case _ if len(WORDS.findall(text)) > 2 and not NO_TEXT.search(text):
+            yield text
+
+
+def test_fewer_modules_have_english_texts():
+    found = {}
+    for module, tree in trees(r"\w+ \w+ \w+", without=("words/", "cli/", "studio/")):
+        english_texts = list(english(tree))
+        found |= {module: english_texts} if english_texts else {}
+    left = dict(line.split() for line in ENGLISH.read_text(encoding="utf-8").splitlines())
+    more = [f"{m}: {t!r}" for m, own in found.items() if len(own) > int(left.get(m, 0)) for t in own]
+    assert not more, "\n".join(["give a code, and words in raybundle/words:", *more])
+    lower = [f"{m} {len(found.get(m, ()))}" for m, n in left.items() if len(found.get(m, ())) < int(n)]
+    assert not lower, "\n".join([f"lower in {ENGLISH.name} to:", *lower])
 
 
 def test_every_code_in_the_source_has_words_and_is_given_what_they_need():

@@ -10,6 +10,7 @@ from raybundle.cli.main import main
 from raybundle.io.geo.parsed_names import plan_system, system_with_heights
 from raybundle.io.pictures.geotiff import system_text
 from raybundle.surfaces.files.heights import read_heights
+from raybundle.words import headline
 from tests.messages import failed
 from tests.surface.height_models import file_of, folder_of, made
 from tests.workflows.half_portal import PORTAL
@@ -168,11 +169,11 @@ def test_damaged_orientation_is_refused(wall, tmp_path, capsys, damage):
 
 def test_the_end_of_a_file_is_no_interruption(wall, capsys, monkeypatch):
     def ended(folder):
-        raise EOFError("no more")
+        raise EOFError("end")
 
     monkeypatch.setattr("raybundle.surfaces.files.input.read_heights", ended)
     assert main(["heights", "volume", str(wall), "--above", "0"]) == 1
-    assert "EOFError: no more" in capsys.readouterr().err
+    assert "EOFError: end" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("system", ["EPSG:32632+ellipsoid", "EPSG:25832+ellipsoid", "EPSG:2926+6360"])
@@ -215,9 +216,9 @@ def test_heights_that_were_edited_are_taken_with_a_caution(tmp_path, capsys, edi
     ):  # fmt: skip
         capsys.readouterr()
         assert main(["heights", *map(str, words)]) == 0, capsys.readouterr().err
-        told = capsys.readouterr().out
-        assert told.count("has other values than were written: standard deviations are those of the values before") == 1
-        assert f"warning: {wall / 'heights.tif'}: has" in told
+        shown = capsys.readouterr().out
+        assert shown.count(headline("heights.changed_values", {"name": str(wall / "heights.tif")})) == 1
+        assert shown.count("[heights.changed_values]") == 1
 
 
 def test_lossless_copies_are_as_good(wall, tmp_path, capsys):
@@ -300,8 +301,8 @@ def test_heights_of_a_result_that_was_adjusted_again_are_told(tmp_path, capsys):
     images.write_text(images.read_text().replace("1", "2"))
     for command in (["heights", "volume", str(wall), "--above", "0"], ground):
         assert main([*command]) == 0
-        told = capsys.readouterr().out
-        assert "warning: " in told
-        assert "p was adjusted again since this surface was measured: run `surface p` again" in told
+        shown = capsys.readouterr().out
+        assert "warning: " in shown
+        assert f": {headline('heights.adjusted_since', {'name': 'p'})} [heights.adjusted_since]" in shown
     assert main(["heights", "volume", str(away), "--above", "0"]) == 0
     assert "warning" not in capsys.readouterr().out

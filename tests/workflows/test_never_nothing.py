@@ -25,6 +25,7 @@ from raybundle.workflows import final_adjustment as final
 from raybundle.workflows.final_adjustment import _with_block, final_adjustment, independent_notices, left_out
 from raybundle.workflows.orienting.options import OrientOptions
 from raybundle.workflows.orienting.stages.adjustment import _adjusted, incomplete_notice
+from tests.messages import coded
 
 CAMERA = brown_camera(estimate=("c", "K1"))
 FEATURE_PX, MATCH_PX = 0.6, 0.1
@@ -293,4 +294,4 @@ def test_few_photographs_say_why_their_noise_is_white():
     out = np.arange(len(whole.images)) >= 4
     result = final_adjustment(placed(without_images(few, out)), (), 1, silent, ())
     assert result.noise.kind == "white"
-    assert "4 photographs are too few" in result.noise.reason
+    assert coded([result.noise.reason])["noise.too_few_photographs"]["n"] == 4

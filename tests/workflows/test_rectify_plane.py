@@ -12,6 +12,7 @@ from raybundle.numerics.progress import silent
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.workflows.rectify import BEFORE, _best_views, _hidden, fit_photo, grid_over
+from tests.messages import coded
 
 RNG = np.random.default_rng(1)
 
@@ -55,8 +56,9 @@ def test_a_photograph_that_looks_past_is_preferred(view):
 def test_where_none_looks_past_it_is_said(view):
     _, choice, before = views(*view, [2])
     assert (choice == 2).any()
-    (told,) = _hidden(before[choice >= 0])
-    assert "stands before the plane" in told
+    hidden = coded(_hidden(before[choice >= 0]))["picture.before_plane"]
+    assert hidden["distance_share"] == 2 * BEFORE
+    assert 0 < hidden["share"] < 1
     assert before.mean() > 0.02
 
 

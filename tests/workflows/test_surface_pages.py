@@ -23,7 +23,7 @@ from raybundle.results.record import Record
 from raybundle.surfaces.product_grids import Grids, area_of_points
 from raybundle.words import COMMAND_LINE, Reader, headline, reading
 from raybundle.workflows.rectify import grid_over
-from tests.messages import reported
+from tests.cli.reported import reported, values_of
 from tests.workflows.half_portal import half_portal
 
 pytest.importorskip("rasterio")
@@ -121,7 +121,7 @@ def test_the_command_tells_the_fault_and_the_gravest_cautions_and_names_its_page
     assert f": {headline('state.faults', {'n': 1})}" in stated
     assert str(warned / "surface/surface_3d.html") in stated
     assert main(["surface", str(warned), *words, "--json"]) == 0
-    found = reported(capsys)
+    found = values_of(reported(capsys))
     assert found["surface.points"]["maps"] == 3
     assert found["surface.precision_of_axes"]["unit"] == "mm"
     assert sum(found["surface.shares"].values()) == 100
@@ -142,16 +142,16 @@ def test_status_of_a_result_of_its_surface_and_of_its_work_tells_the_stages(warn
 def test_status_tells_of_a_result_that_was_adjusted_again(warned, measured, tmp_path, capsys):
     del measured
     shutil.copytree(warned, tmp_path / "r", ignore=shutil.ignore_patterns("cache"))
-    words = "warning: r was adjusted again since this surface was measured: run `surface r` again"
-    for change, told in (("", 0), ("9", 1)):
+    words = f"{headline('heights.adjusted_since', {'name': 'r'})} [heights.adjusted_since]"
+    for change, times in (("", 0), ("9", 1)):
         images = tmp_path / "r/block/images.csv"
         images.write_text(images.read_text().rstrip("\n") + change + "\n")
         for folder in (tmp_path / "r", tmp_path / "r/surface"):
             capsys.readouterr()
             assert main(["status", str(folder)]) == 0
-            assert capsys.readouterr().out.count(words) == told
+            assert capsys.readouterr().out.count(f"warning: {words}") == times
     assert main(["heights", "volume", str(tmp_path / "r/surface"), "--above", "0", "--most-filled", "100"]) == 0
-    assert words.removeprefix("warning: ") in capsys.readouterr().out
+    assert words in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("state", ["without points", "without heights", "killed while it wrote", "in work"])

@@ -1,7 +1,6 @@
 """What is written of a surface, beside photographs and known points: three of the portal, half size."""
 
 import json
-import re
 from dataclasses import replace
 
 import cv2
@@ -21,7 +20,7 @@ from raybundle.io.reading.trees import read_toml
 from raybundle.surfaces import product_grids
 from raybundle.surfaces.depths.rays import ReferenceRays
 from raybundle.surfaces.orthophoto_files import tiles_of
-from tests.messages import refused
+from tests.messages import coded, refused
 from tests.workflows.half_portal import PORTAL, half_portal
 
 rasterio = pytest.importorskip("rasterio")
@@ -55,13 +54,16 @@ def test_all_are_written_and_told(made):
     assert names == ["", "depths", "dsm", "las", "mesh", "ortho"]
     for _, w in done.written:
         assert all(f.exists() for f in w.files)
-    told = {name: " ".join(w.reported) for name, w in done.written}
-    assert re.search(r"standard deviation of a place in plan [\d.]+ mm in the median", told["ortho"])
-    assert re.search(r"standard deviation [\d.]+ mm in the median", told["dsm"])
-    assert re.search(r"standard deviation of a height [\d.]+ mm in the median", told["mesh"])
-    assert "without which no pixel is seen" not in told["ortho"]  # some of them are, in gaps that were closed
-    assert re.search(r"\d+% of the cells of its heights were measured, gaps of a few cells are closed", told["ortho"])
-    assert "3 depth maps" in told["depths"]
+    found = {name: coded(w.reported) for name, w in done.written}
+    plan = found["ortho"]["product.orthophoto_sigma"]
+    assert (
+        plan["unit"] == found["dsm"]["product.heights"]["sigma_unit"] == found["mesh"]["product.mesh"]["unit"] == "mm"
+    )
+    assert 0 < plan["median"] < plan["most"]
+    assert found["dsm"]["product.heights"]["sigma"] > 0
+    assert found["mesh"]["product.mesh"]["sigma"] > 0
+    assert 0 < found["ortho"]["product.orthophoto_gaps"]["share"] < found["ortho"]["product.orthophoto"]["share"]
+    assert "3 depth maps" in " ".join(done.written[1][1].reported)
 
 
 @pytest.mark.long

@@ -23,7 +23,7 @@ from raybundle.surfaces.stages.sources import STAGE, choose
 from raybundle.surfaces.state import SurfaceOptions, SurfaceState
 from raybundle.surfaces.tiles import tile_of_number
 from raybundle.surfaces.without_points import pointless
-from tests.messages import refused
+from tests.messages import coded, refused
 from tests.workflows.half_portal import half_portal
 
 BOX = (-0.6, -0.4, 0.5, 0.5)
@@ -219,13 +219,14 @@ def test_it_is_told_why_a_photograph_gives_no_point(part, tmp_path):
     for k, (depths, share, points) in given.items():
         store.store(str(k), {"depths": np.array(depths), "share": np.array(share), "image": np.zeros(points)})
     keys = {k: str(k) for k in given}
-    told = dict(pointless(done.block, keys, store, region=True))
-    assert told == {
-        names[0]: "no other depth map confirms any of its depths",
-        names[1]: "no depth was found in it, of the region",
-        names[2]: "other depth maps confirm 31% of its depths, and 50% are needed",
+    reasons = {name: coded([why]) for name, why in pointless(done.block, keys, store, region=True)}
+    assert reasons == {
+        names[0]: {"surface_remark.too_few_confirmed": {"share": 0.0, "needed": CONFIRMED}},
+        names[1]: {"surface_remark.no_depth": {"region": True}},
+        names[2]: {"surface_remark.too_few_confirmed": {"share": 0.31, "needed": CONFIRMED}},
     }
-    assert dict(pointless(done.block, keys, store))[names[1]] == "no depth was found in it"
+    whole = dict(pointless(done.block, keys, store))[names[1]]
+    assert coded([whole]) == {"surface_remark.no_depth": {"region": False}}
 
 
 def test_an_outline_in_another_system_is_brought_into_that_of_the_map(tmp_path):

@@ -15,6 +15,7 @@ from typing import Any, ClassVar, Literal, TypeVar, cast
 
 import numpy as np
 
+from raybundle.errors import message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.deviations import kept_after
@@ -246,8 +247,8 @@ class Points(Records):
     def stuck(self, by: SimilarityTransform) -> Sequence[Stuck]:
         """As of all tables; of coordinates, those that are given to be checked."""
         given = np.where(self.is_check, 0.0, np.nan)
-        reason = "a coordinate is not given that a rotation mixes with those given"
-        return [*Records.stuck(self, by), Stuck(~kept_after(by.rotation, given, alone=True), reason)]
+        rows = ~kept_after(by.rotation, given, alone=True)
+        return [*Records.stuck(self, by), Stuck(rows, message("transform.not_given"))]
 
     @property
     def is_control(self) -> Mask:

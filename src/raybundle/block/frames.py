@@ -187,12 +187,6 @@ class StoredWay:
     frame: PixelFrame
     images: tuple[str, ...]
 
-    @property
-    def words(self) -> str:
-        """How their files are stored: "turned by 180 deg", "at another size, 600 x 400 px"."""
-        size = f"{self.frame.width_px} x {self.frame.height_px} px"
-        return f"turned by {self.frame.turned} deg" if self.frame.turned else f"at another size, {size}"
-
     def camera_of_files(self, block: Block) -> Camera:
         """The same interior orientation in the axes and pixels of the files; raises as `in_file_frames`."""
         return _in_frame(block.cameras[self.camera], self.frame)

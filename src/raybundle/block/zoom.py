@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block.block import Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array
 
 Variable = Literal["f", "log f", "1/f"]
@@ -108,16 +108,13 @@ class ZoomCalibration:
     def _focused(self, camera: Camera, focus_m: float | None) -> tuple[Camera, tuple[str, ...]]:
         """The camera constant at another focus by the lens equation 1/f = 1/s + 1/c; the rest stays."""
         if self.focus_m is None or focus_m is None:
-            whose = "of the calibration" if self.focus_m is None else "of the photograph"
-            return camera, (f"the focus {whose} is not known: how far it changes the calibration is not known",)
+            of = "calibration" if self.focus_m is None else "photograph"
+            return camera, (phrase("zoom.focus_unknown", of=of),)
         if abs(focus_m - self.focus_m) <= 1e-3 * self.focus_m:
             return camera, ()
         c = camera.values["c"]
         moved = refocused(c, self.focus_m, focus_m)
-        remark = (
-            f"focused at {focus_m:g} m, calibrated at {self.focus_m:g} m: c moved by {moved - c:.4f} mm by the lens "
-            "equation; the change of distortion is not known, calibrate a second focus"
-        )
+        remark = phrase("zoom.refocused", focus_m=focus_m, calibrated_m=self.focus_m, change_mm=moved - c)
         return replace(camera, values={**camera.values, "c": moved}), (remark,)
 
 

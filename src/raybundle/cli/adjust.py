@@ -52,5 +52,5 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> int:
         at = " and ".join(where for left in kept for where in (str(left.folder), *left.stores))
         click.echo(phrase("interruption.kept", folder=str(at)), err=True)
         return 130
-    report(of_adjustment(adjustment, [out, *page_files(out, settings)]))
+    report(of_adjustment(adjustment, [out, *page_files(out, report=settings.report, pdf=settings.pdf)]))
     return print_outcome(accuracy_outcome(settings, adjustment))

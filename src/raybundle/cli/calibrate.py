@@ -11,10 +11,10 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options
 from raybundle.cli.numbers import Length
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import Summary, not_usable, report
+from raybundle.cli.summary import Summary, not_usable, of_texts, report
 from raybundle.commands.calibrate import CalibrateSettings, run_calibrate
 from raybundle.commands.pages import page_files
-from raybundle.errors import Message, note, phrase
+from raybundle.errors import Message, named, note, phrase
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
     except KeyboardInterrupt:
         click.echo(phrase("interruption.kept", folder=str(out)), err=True)
         return 130
-    files = [out, out / "calibration.toml", *page_files(out, settings, network="")]
+    files = [out, out / "calibration.toml", *page_files(out, report=settings.report, pdf=settings.pdf, network="")]
     report(_summary(done, files))
     return 0
 
@@ -82,7 +82,7 @@ def _summary(done: Calibration, files: list[Path]) -> Summary:
         done=[used, *map(_grade, done.quality)], next_step=next_step, files=files,
         notices=[*not_usable((*done.refused, *done.not_used)), *notices],
         details=[*_points(done), *(line for q in done.quality for line in camera_lines(done, q)),
-                 *details(done.adjustment), *done.kept],
+                 *details(done.adjustment), *of_texts(done.kept)],
     )  # fmt: skip
 
 
@@ -93,12 +93,12 @@ def _grade(q: CalibrationQuality) -> Message:
     return note("calibration.grade", camera=q.camera, grade=grade, typical_px=typical, largest_px=largest)
 
 
-def _points(done: Calibration) -> list[str]:
+def _points(done: Calibration) -> list[Message | str]:
     """Targets that were read, and photographs that were not used."""
-    found = [", ".join(t.title for t in done.targets)] if done.targets else []
-    found += [f"{done.completed} targets completed by prediction"] if done.completed else []
-    found += [f"{done.dots} dots without a code"] if done.dots else []
-    return found + [f"{name}: {reason}" for name, reason in (*done.refused, *done.not_used)]
+    found: list[Message | str] = [", ".join(t.title for t in done.targets)] if done.targets else []
+    found += [note("calibration.completed", n=done.completed)] if done.completed else []
+    found += [note("calibration.dots", n=done.dots)] if done.dots else []
+    return found + [named(*refused) for refused in (*done.refused, *done.not_used)]
 
 
 def camera_lines(done: Calibration, q: CalibrationQuality) -> list[str]:

@@ -15,6 +15,7 @@ from typing import Any
 import click
 
 from raybundle.cli.common import Command
+from raybundle.cli.summary import Summary, report
 from raybundle.errors import phrase
 
 REQUIRED = ("numpy", "scipy", "click", "rich", "msgspec", "jinja2", "poselib", "cv2", "PIL", "pyproj")
@@ -54,9 +55,12 @@ def command(as_json: bool) -> int:  # noqa: FBT001  (a flag of the command line)
       raybundle doctor
       raybundle doctor --json
     """  # noqa: D301
-    report = examine()
-    click.echo(json.dumps(report, indent=1) if as_json else "\n".join(_lines(report)))
-    return 0 if all(report["required"].values()) else 1
+    found = examine()
+    if as_json:
+        click.echo(json.dumps(found, indent=1))
+    else:
+        report(Summary(done=[], table=_lines(found)))
+    return 0 if all(found["required"].values()) else 1
 
 
 def examine() -> dict[str, Any]:
@@ -106,22 +110,22 @@ def _native_remark(available: bool) -> str:  # noqa: FBT001
     return phrase("installation.native", state=state, compiler=compiler)
 
 
-def _lines(report: dict[str, Any]) -> list[str]:
-    native = report["native"]
+def _lines(found: dict[str, Any]) -> list[str]:
+    native = found["native"]
     lines = [
-        f"raybundle {report['raybundle'] or '(not installed, run from its source)'}",
-        f"Python {report['python']} at {sys.prefix}",
-        f"{report['platform']}, {report['processors']} processors",
+        f"raybundle {found['raybundle'] or '(not installed, run from its source)'}",
+        f"Python {found['python']} at {sys.prefix}",
+        f"{found['platform']}, {found['processors']} processors",
         f"native kernels: {'yes, ' + native['instruction_set'] if native['available'] else 'no'}. {native['remark']}",
         "",
         "required",
     ]
     lines += [
         f"  {name:13} {v or phrase('installation.missing', how=f'pip install {name}')}"
-        for name, v in report["required"].items()
+        for name, v in found["required"].items()
     ]
     lines += ["", "optional"]
-    for name, part in report["optional"].items():
+    for name, part in found["optional"].items():
         state = part["version"] or phrase("installation.missing", how=part["install"])
         lines.append(f"  {name:13} {state}: {part['brings']}")
     return lines

@@ -20,7 +20,7 @@ from raybundle.cli.summary import Summary, of_adjustment, of_texts, report
 from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.marks_settings import RejectSettings
 from raybundle.commands.pages import LANGUAGE_HELP
-from raybundle.errors import InputError, Severity, note
+from raybundle.errors import InputError, Severity, named, note
 from raybundle.report.languages import checked_language
 from raybundle.report.paper.needed import check_typesetter
 
@@ -85,16 +85,11 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
     from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.commands.new_project import begin  # noqa: PLC0415
 
+    lines: list[str] = []
     with reporting(progress) as notify:
-        project = begin(
-            photos,
-            out,
-            notify=lambda line: click.echo(f"   {line}"),
-            progress=notify,
-            **values_of(BeginSettings, given),
-        )
+        project = begin(photos, out, notify=lines.append, progress=notify, **values_of(BeginSettings, given))
     facts(project=project)
-    report(Summary(done=[note("project_status.begun")], files=[project]))
+    report(Summary(done=[note("project_status.begun")], notices=of_texts(lines), files=[project]))
 
 
 @subcommand("put")
@@ -377,19 +372,26 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
     from raybundle.measuring.state import in_force  # noqa: PLC0415
 
     block_folder(standing_folder(folder) or folder)
-    if with_history:
-        entries = history(folder)
-        counts, _ = in_force([e.action for e in entries])
-        for e, counted_in in zip(entries, counts, strict=True):
-            row = {"seq": e.seq, "time": e.time, "author": e.author, "verb": e.verb, "arguments": e.arguments}
-            if as_json:
-                click.echo(json.dumps(row | {"counts": counted_in}, ensure_ascii=False))
-                continue
-            gone = "" if counted_in or e.verb in {"undo", "redo"} else "  (taken back)"
-            click.echo(f" {e.seq:5d}  {e.time}  {e.author or '-'}  {e.verb} {words(e.arguments)}".rstrip() + gone)
+    if not with_history:
+        state = marks(folder)
+        if as_json:
+            click.echo(json.dumps(as_plain(state), ensure_ascii=False))
+        else:
+            report(Summary(done=[], table=shown(state)))
         return
-    state = marks(folder)
-    click.echo(json.dumps(as_plain(state), ensure_ascii=False) if as_json else "\n".join(shown(state)))
+    entries, rows = history(folder), list[str]()
+    counts, _ = in_force([e.action for e in entries])
+    for e, counted_in in zip(entries, counts, strict=True):
+        if as_json:
+            row = {"seq": e.seq, "time": e.time, "author": e.author, "verb": e.verb, "arguments": e.arguments}
+            click.echo(json.dumps(row | {"counts": counted_in}, ensure_ascii=False))
+            continue
+        gone = "" if counted_in or e.verb in {"undo", "redo"} else "  (taken back)"
+        rows.append(
+            f" {e.seq:5d}  {e.time}  {e.author or '-'}  {e.verb} {', '.join(words(e.arguments))}".rstrip() + gone
+        )
+    if not as_json:
+        report(Summary(done=[], table=rows))
 
 
 @command.command("export")
@@ -473,5 +475,5 @@ def adjust_(
     names = [note("summary.marks_left_out", n=len(left_out), names=list(left_out))] if left_out else []
     report(of_adjustment(
         adjustment, [target], done=[adjusted(adjustment), *names],
-        details=[f"{name}: {why}" for name, why in left_out.items()],
+        details=[named(*reason) for reason in left_out.items()],
     ))  # fmt: skip

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from raybundle.cli.common import FOLDER, Group, facts
+from raybundle.cli.summary import Summary, of_texts, report
+from raybundle.errors import note
+
+if TYPE_CHECKING:
+    from raybundle.measuring.journal import Entry
 
 
 @click.group("mark", cls=Group)
@@ -45,35 +50,37 @@ def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
 
 
 def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
-    """Do an action of a verb, and say its number; a folder of photographs has its project begun."""
+    """Do an action of a verb and report its number; a folder of photographs has its project begun."""
     from raybundle.commands.marks import mark  # noqa: PLC0415
     from raybundle.commands.new_project import measuring_folder, standing_folder  # noqa: PLC0415  (loaded after the help)
 
+    begun, lines = list[Path](), list[str]()
     if standing_folder(folder) is None:
-        click.echo(f" project: {measuring_folder(folder, notify=lambda line: click.echo(f'   {line}'))}")
+        begun.append(measuring_folder(folder, notify=lines.append))
     seq = mark(folder, verb, operator=author, **arguments)
     facts(action=seq, verb=verb)
-    reported = _moved(folder, seq) if verb in {"undo", "redo"} else ""
-    click.echo(f" action {seq}: {verb}{reported}")
+    of = _moved(folder, seq) if verb in {"undo", "redo"} else None
+    action = note(
+        "project_status.action", seq=seq, verb=verb, of=of.seq if of else 0, of_verb=of.verb if of else "",
+        arguments=words(of.arguments) if of else [],
+    )  # fmt: skip
+    first = [note("project_status.begun")] if begun else []
+    report(Summary(done=[*first, action], notices=of_texts(lines), files=begun))
 
 
-def _moved(folder: Path, seq: int) -> str:
-    """What an undo took back, or a redo did again."""
+def _moved(folder: Path, seq: int) -> Entry | None:
+    """The action that an undo took back, or that a redo did again."""
     from raybundle.commands.marks import history  # noqa: PLC0415
     from raybundle.measuring.state import in_force  # noqa: PLC0415
 
     entries = [e for e in history(folder) if e.seq <= seq]
     _, moved = in_force([e.action for e in entries])
-    if moved[-1] is None:
-        return ""
-    e = entries[moved[-1]]
-    return f" of action {e.seq}, {e.verb} {words(e.arguments)}".rstrip()
+    return None if moved[-1] is None else entries[moved[-1]]
 
 
-def words(arguments: Mapping[str, Any]) -> str:
+def words(arguments: Mapping[str, Any]) -> list[str]:
     """The arguments of an action, without what was not given."""
-    reported = (f"{n} {_plain(v)}" for n, v in arguments.items() if v not in (None, "", [], [None, None, None]))
-    return ", ".join(reported)
+    return [f"{n} {_plain(v)}" for n, v in arguments.items() if v not in (None, "", [], [None, None, None])]
 
 
 SHOWN = 12

@@ -12,7 +12,7 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, not_usable, of_adjustment, report
 from raybundle.commands.orient import OrientSettings, accuracy_outcome, run_orient
 from raybundle.commands.pages import page_files
-from raybundle.errors import Message, message, note, phrase
+from raybundle.errors import Message, message, named, note, phrase
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -93,7 +93,7 @@ def _summary(done: Orientation, settings: OrientSettings) -> Summary:
         note("summary.part", n=len(part.photographs), folder=str(settings.out / component_folder(k)))
         for k, part in enumerate(other)
     ]
-    files = [result, *page_files(result, settings)]
+    files = [result, *page_files(result, report=settings.report, pdf=settings.pdf)]
     return of_adjustment(
         done.adjustment, files, done=[*first, *parts], notices=not_usable(done.refused),
         next_step=note("summary.next_surface", project=str(settings.out)),
@@ -104,7 +104,7 @@ def _summary(done: Orientation, settings: OrientSettings) -> Summary:
 
 def _without_orientation(done: Orientation, settings: OrientSettings) -> list[Message | str]:
     """Photographs that are not in the result, and why."""
-    found: list[Message | str] = [f"{name}: {reason}" for name, reason in (*done.refused, *done.not_oriented)]
+    found: list[Message | str] = [named(*refused) for refused in (*done.refused, *done.not_oriented)]
     if done.oriented < len(done.photos) and settings.features == "rootsift":
         found.append(note("summary.try_xfeat"))
     return found

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import contextlib
 import json
+import re
 import sys
 import time
 from collections.abc import Generator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from raybundle.errors import phrase, text_json
 from raybundle.numerics.progress import Counted, Progress, Remark, silent
 
 if TYPE_CHECKING:
@@ -43,7 +45,7 @@ class _JsonLines:
 
     def __call__(self, stage: str, share: float) -> None:
         if isinstance(share, Remark):
-            self._say({"remark": stage, "seconds": round(time.monotonic() - self.start, 3)})
+            self._say({"remark": stage, **text_json(stage), "seconds": round(time.monotonic() - self.start, 3)})
             return
         line: dict[str, object] = {
             "stage": stage, "share": round(share, 4), "seconds": round(time.monotonic() - self.start, 3),
@@ -63,7 +65,7 @@ class _Terminal:
 
     def __init__(self) -> None:
         self.start = time.monotonic()
-        self.stage = ""
+        self.stage = self.shown = ""
         self.bar: Bar | None = None
         self.task: TaskID | None = None
 
@@ -82,16 +84,17 @@ class _Terminal:
         if stage != self.stage or self.task is None:
             if self.task is not None:
                 self.bar.remove_task(self.task)
-            self.task = self.bar.add_task(stage, total=1.0)
+            self.shown = phrase("progress.stage", stage=re.sub(r"\W+", "_", stage), name=stage)
+            self.task = self.bar.add_task(self.shown, total=1.0)
             self.stage = stage
-        self.bar.update(self.task, description=stage, completed=min(max(share, 0.0), 1.0))
+        self.bar.update(self.task, description=self.shown, completed=min(max(share, 0.0), 1.0))
 
     def _remark(self, text: str) -> None:
         """Say on the line of the stage how the work stands, until it goes on."""
         assert self.bar is not None
         if self.task is None:
-            self.task = self.bar.add_task(self.stage, total=1.0)
-        self.bar.update(self.task, description=f"{self.stage}: {text}" if self.stage else text)
+            self.task = self.bar.add_task(self.shown, total=1.0)
+        self.bar.update(self.task, description=f"{self.shown}: {text}" if self.shown else text)
 
     @staticmethod
     def _open() -> Bar:

@@ -10,6 +10,7 @@ import click
 
 from raybundle.cli.common import FOLDER, SeveralNames
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.marks_settings import QuerySettings
 from raybundle.numerics.counting import decimals_for
 
@@ -41,12 +42,13 @@ def command(result: Path, as_json: bool, **given: Any) -> None:  # noqa: FBT001 
             click.echo(json.dumps(_plain(a), ensure_ascii=False))
         return
     width = max(8, *(len(name) for a in answers for name in a.names))
+    rows: list[str] = []
     for a in answers:
-        click.echo(f" {a.quantity.replace('_', ' ')} {' '.join(a.points)}")
+        rows.append(f" {a.quantity.replace('_', ' ')} {' '.join(a.points)}")
         for name, value, sigma in zip(a.names, a.values, a.sigma, strict=True):
-            click.echo(f"   {name:{width}s} {_figures(value, sigma)} {a.unit}".rstrip())
-    for remark in dict.fromkeys(a.remark for a in answers if a.remark):
-        click.echo(f" {remark}")
+            rows.append(f"   {name:{width}s} {_figures(value, sigma)} {a.unit}".rstrip())
+    remarks = of_texts(dict.fromkeys(a.remark for a in answers if a.remark))
+    report(Summary(done=[], table=[*rows, *remarks]))
 
 
 def _plain(a: Answer) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from raybundle.commands.scenes.correct import (
     correction_of,
     write_correction,
 )
-from raybundle.errors import Message, message_of_text, note, warning
+from raybundle.errors import Message, message_of_text, named, note, warning
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def _summary(found: Correction, done: Correction) -> Summary:
         rand = 0.0 if e.err_rand_m is None else e.err_rand_m
         first.append(note("rpc.ground_errors", bias_m=e.err_bias_m, rand_known=e.err_rand_m is not None, rand_m=rand))
     remarks = [m for r in found.remarks for m in getattr(r, "messages", (message_of_text(r),))]
-    texts = [f"{found.ids[k]}: {why}" for k, why in found.beyond.items()]
+    texts = [named(found.ids[k], why) for k, why in found.beyond.items()]
     return Summary(
         done=first, notices=[*_warnings(found), *remarks], files=done.written,
         details=[*texts, *_models(advice), *_terms(found), *_errors(done)],

@@ -146,7 +146,8 @@ def notice_line(notice: Message | Coded, *, whole: bool = False) -> str:
         first, *others = message.text().splitlines()
         return "\n".join([f"{message.severity.value}: {first}{also} [{message.code}]", *others])
     others = f" (+{len(also)})" if also else ""
-    return f"{message.severity.value}: {message.headline()}{others} [{message.code}]"
+    place = f"{message.place.text()}: " if message.place else ""
+    return f"{message.severity.value}: {place}{message.headline()}{others} [{message.code}]"
 
 
 def _remedy(grave: Sequence[Message | Coded]) -> str:

@@ -11,9 +11,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, facts, store_lines
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import Summary, report
+from raybundle.cli.summary import Summary, of_texts, report
 from raybundle.commands.surface import WORK, SurfaceSettings, run_surface
-from raybundle.errors import Message, Severity, message_of_text, note, phrase
+from raybundle.errors import Message, Severity, message_of_text, named, note, phrase
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -68,12 +68,12 @@ def _summary(done: MeasuredSurface, work: Path) -> Summary:
     points = note("surface.points", n=written or len(s), maps=sum(1 for n in s.counts if n))
     wrong = [lost_message(s.lost, int(s.block.images.oriented.sum()))] if s.lost else []
     wrong += [message_of_text(s.others)] if s.others else []
-    products = [f"{w.files[0]}: {line}" for name, w in done.written if name for line in w.reported]
+    products = [named(str(w.files[0]), line) for name, w in done.written if name for line in w.reported]
     return Summary(
         done=[points, *_precision(done)[:1]],
         notices=[*(replace(m, severity=Severity.WARNING) for m in wrong), *done.pages.warnings],
         files=[done.points, *(w.files[0] for name, w in done.written if name), *done.pages.files],
-        details=[*_precision(done)[1:], *products, *done.remarks, *_without_part(done),
+        details=[*_precision(done)[1:], *products, *of_texts(done.remarks), *_without_part(done),
                  f"adjustment: {done.pages.verdict}", *store_lines(work)],
     )  # fmt: skip
 

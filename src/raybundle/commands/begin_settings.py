@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Literal
 
 from raybundle.settings import POSITIVE, setting
-from raybundle.workflows.orienting.options import APART, KNOWN, LIBRARY
+from raybundle.workflows.orienting.options import APART_HELP, KNOWN_HELP, LIBRARY_HELP
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -18,9 +18,9 @@ class BeginSettings:
     """folders and files"""
     out: Path
     """project folder; begun, or continued"""
-    calibration: Path | None = setting(None, KNOWN, metavar="CAMERAS.toml")
-    own_camera: tuple[str, ...] = setting((), APART, metavar="PATTERN")
-    library: bool = setting(True, LIBRARY, flag="no-library")
+    calibration: Path | None = setting(None, KNOWN_HELP, metavar="CAMERAS.toml")
+    own_camera: tuple[str, ...] = setting((), APART_HELP, metavar="PATTERN")
+    library: bool = setting(True, LIBRARY_HELP, flag="no-library")
     film: Path | None = setting(
         None, "Calibrated fiducial marks of film scans: mark,x_mm,y_mm. All photographs are scans; {calibration} "
         "gives their camera.", metavar="CERTIFICATE.csv",

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from raybundle.adjustment.records.options import NOISE_HELP, NoiseModel
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
-from raybundle.errors import InputError, NotSolvable, text_json
+from raybundle.errors import InputError, NotSolvable, Text, as_detail, note, phrase, text_json
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, keywords, setting
 
@@ -200,13 +200,13 @@ def quality_table(q: CalibrationQuality) -> dict[str, Any]:
 
 
 def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
-    """Put a calibration into the camera library; what came of it, in words."""
+    """Put a calibration into the camera library; where, or why not."""
     from datetime import UTC, datetime  # noqa: PLC0415
 
     from raybundle.io.cameras.library import LibraryEntry, add_entry, key_of  # noqa: PLC0415
 
     if q.grade not in {"good", "usable"}:
-        return f"camera {q.camera} is not kept in the library: its calibration is {q.grade}"
+        return phrase("calibration_remark.not_good_enough", camera=q.camera, grade=q.grade.replace(" ", "_"))
     a = done.adjustment
     interior = next(i for i in a.interior if i.camera == q.camera)
     entry = LibraryEntry(
@@ -221,6 +221,6 @@ def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
         grade=q.grade,
     )
     try:
-        return f"kept in the camera library: {add_entry(entry)}"
+        return phrase("calibration.stored", key=str(add_entry(entry)))
     except InputError as error:
-        return f"camera {q.camera} is not kept in the library: {error.text()}"
+        return Text.of(note("calibration_remark.not_stored", camera=q.camera, details=[as_detail(error)]))

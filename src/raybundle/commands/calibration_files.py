@@ -7,9 +7,8 @@ from collections.abc import Set as AbstractSet
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, as_detail, note, phrase
 from raybundle.io.folders import check_free
-from raybundle.numerics.counting import counted
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -83,16 +82,17 @@ def one_of(source: Path, given: str | None, size: tuple[int, int] | None, id_: s
     return found[0]
 
 
-def our_camera(calibration: Calibration) -> tuple[Camera, str]:
-    """The calibration as one of our cameras, and what the fit left, in words."""
+def our_camera(calibration: Calibration) -> tuple[Camera, Text | None]:
+    """The calibration as one of our cameras, and the deviation of the fit; None: it is exact."""
     from raybundle.block import Camera  # noqa: PLC0415
     from raybundle.io.calibrations import convert_calibration  # noqa: PLC0415
 
     conversion = convert_calibration(calibration, "raybundle")
     camera = conversion.calibration.camera
     assert isinstance(camera, Camera)
-    words = "" if conversion.exact else f"camera {calibration.id} was fitted: largest {conversion.largest_px:.2g} px"
-    return camera, words
+    if conversion.exact:
+        return camera, None
+    return camera, phrase("calibration_remark.fitted", camera=calibration.id, largest_px=conversion.largest_px)
 
 
 def calibrations_of_files(folder: Path) -> tuple[tuple[Calibration, ...], tuple[str, ...]]:
@@ -109,17 +109,17 @@ def calibrations_of_files(folder: Path) -> tuple[tuple[Calibration, ...], tuple[
     cautions: list[str] = []
     for way in stored_ways(block):
         own = block.cameras[way.camera].id
-        some = ", ".join(way.images[:5]) + (" ..." if len(way.images) > 5 else "")
-        which = f"{counted(len(way.images), 'photograph')} stored {way.words} ({some})"
+        stored: dict[str, Any] = {
+            "n": len(way.images), "images": way.images, "turned_deg": way.frame.turned,
+            "width_px": way.frame.width_px, "height_px": way.frame.height_px, "other": own,
+        }  # fmt: skip
         try:
             camera = way.camera_of_files(block)
         except InputError as error:
-            cautions.append(f"camera {own} is not that of {which}: {error.headline}")
+            lacking = note("calibration_remark.not_of_stored", details=[as_detail(error)], **stored)
+            cautions.append(Text.of(lacking))
             continue
-        remark = (
-            f"camera {camera.id} is that of {which}; camera {own} is not theirs, unless their pixels are brought to "
-            "its frame first"
-        )
+        remark = phrase("calibration_remark.of_stored", camera=camera.id, **stored)
         found.append(Calibration(id=camera.id, camera=camera, pixel_mm=camera.pixel_mm, remarks=(remark,)))
     return tuple(found), tuple(cautions)
 

@@ -19,7 +19,7 @@ from raybundle.commands.calibration_files import (
     with_names,
 )
 from raybundle.commands.convert import APPROXIMATE_HELP
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, named, phrase
 from raybundle.io.folders import check_free
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, keywords, made, path_of, setting
 
@@ -303,16 +303,18 @@ def run_compare(settings: CalibrationCompareSettings) -> ComparedCalibrations:
     expected: float | None = 0.0
     for path in (settings.first, settings.second):
         one = one_of(path, None, settings.format, settings.camera)
-        own, words = our_camera(one)
-        notes += [f"{path}: {words}"] if words else []
+        own, fitted = our_camera(one)
+        notes += [Text.of(named(str(path), fitted))] if fitted else []
         if cameras and (own.width_px, own.height_px) != (cameras[0].width_px, cameras[0].height_px):
             notes.append(
-                f"{path} is of {own.width_px} x {own.height_px} px; it is compared as if its pictures were reduced or "
-                f"enlarged as a whole to {cameras[0].width_px} x {cameras[0].height_px} px"
-            )
+                phrase(
+                    "calibration_remark.scaled", name=str(path), width_px=own.width_px, height_px=own.height_px,
+                    other_width_px=cameras[0].width_px, other_height_px=cameras[0].height_px,
+                )
+            )  # fmt: skip
             own = scaled(own, cameras[0].width_px, cameras[0].height_px)
         cameras.append(own)
-        if one.covariance is None or words:
+        if one.covariance is None or fitted:
             expected = None
         elif expected is not None:
             spread = projection_uncertainty(own, one.free, one.covariance, distance=distance).covariance
@@ -334,14 +336,14 @@ def run_add(settings: CalibrationAddSettings) -> KeptCalibration:
     if s.read_as is None and (s.source / "result.json").is_file():
         facts = next(f for c, f in of_result(s.source) if c.id == calibration.id)
     key = _key(s, calibration)
-    own, words = our_camera(calibration)
+    own, fitted = our_camera(calibration)
     kept = calibration.covariance if own == calibration.camera else None
     entry = LibraryEntry(
         key=key, camera=own, free=calibration.free if kept is not None else (), covariance=kept,
         date=s.date or _today(), **facts,
     )  # fmt: skip
     place = add_entry(entry, s.library)
-    return KeptCalibration(key=key, place=place, remarks=(*calibration.remarks, *([words] if words else [])))
+    return KeptCalibration(key=key, place=place, remarks=(*calibration.remarks, *([fitted] if fitted else [])))
 
 
 def _key(s: CalibrationAddSettings, calibration: Calibration) -> CameraKey:

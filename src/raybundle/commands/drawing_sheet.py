@@ -160,11 +160,11 @@ def _of_picture(plane: PlaneFile, export: Export | None) -> tuple[_Where, tuple[
             )
         axes_in(plane.file, export)
         if plane.block and plane.block != export.block.name:
-            remarks = (f"the picture was made of block {plane.block}, the points are of {export.block.name}",)
+            remarks = (phrase("drawing_sheet.other_block", block=plane.block, other=export.block.name),)
     if plane.system:
         return replace(_in_map(plane.system, plane.height), notes=_plane_notes(plane)), remarks
     if plane.unit not in METRES:
-        remarks = (*remarks, "the unit of the picture is unknown; metres are assumed")
+        remarks = (*remarks, phrase("drawing_sheet.metres_assumed"))
     where = _Where(
         axes=plane.axes, system="", unit=plane.unit or "m", millimetres=METRES.get(plane.unit, 1000.0),
         words=_plane_words(plane.axes_by), notes=_plane_notes(plane),

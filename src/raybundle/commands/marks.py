@@ -15,7 +15,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Role
 from raybundle.commands.marks_settings import DatumSettings, QuerySettings
 from raybundle.commands.new_project import measuring_folder, standing_folder
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
 from raybundle.io.folders import check_free, new_folder
@@ -40,7 +40,6 @@ from raybundle.measuring.selection import latest_figures, quantity_of, selected
 from raybundle.measuring.session import adjusted_again, block_folder, readjusted
 from raybundle.measuring.start import adjusted
 from raybundle.measuring.state import State
-from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.project import masks_given, photographs_of
 from raybundle.results.folder import ResultFolder
@@ -271,8 +270,8 @@ def export_masks(folder: str | Path, out: str | Path) -> Exported:
     photos = photographs_in(block, photographs_of(folder))
     written = write_masks(out, photos, drawn_by_file(block, marks(folder)), masks_given(folder))
     lost = len(block.images) - len(photos)
-    remark = f"{counted(lost, 'photograph')} not found in the place that the project records: without masks"
-    return Exported(files=(out,), remarks=(f"{counted(written, 'mask')} written", *((remark,) if lost else ())))
+    remarks = (phrase("measuring.masks_written", n=written), phrase("measuring.photographs_not_found", n=lost))
+    return Exported(files=(out,), remarks=remarks[: 2 if lost else 1])
 
 
 def as_plain(state: State) -> dict[str, Any]:

@@ -27,7 +27,7 @@ from raybundle.settings import (
     settings_of,
     toml_lines,
 )
-from raybundle.workflows.orienting.options import KNOWN, OrientOptions
+from raybundle.workflows.orienting.options import KNOWN_HELP, OrientOptions
 
 if TYPE_CHECKING:
     from raybundle.adjustment.blunders.accuracy_class import AccuracyClass
@@ -47,7 +47,7 @@ class OrientSettings(OrientOptions):
     """folders and files"""
     out: Path
     """project folder; begun, or continued"""
-    calibration: Path | None = setting(None, KNOWN, metavar="CAMERAS.toml")
+    calibration: Path | None = setting(None, KNOWN_HELP, metavar="CAMERAS.toml")
     control: tuple[Path, ...] = setting(
         (), "Control points with their image points: gcp_list.txt, CSV or a block folder. Image points alone are "
         "possible, e.g. of the ends of a scale bar: image,point,x_px,y_px.", metavar="FILE",

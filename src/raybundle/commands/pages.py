@@ -21,21 +21,16 @@ COORDINATES_HELP = (
 
 
 class Pages(Protocol):
-    """What a command was asked to write."""
-
-    @property
-    def report(self) -> bool:
-        """Whether report.html and network.html are written."""
-        ...
+    """Settings of the pages that a command writes."""
 
     @property
     def pdf(self) -> bool:
-        """Whether report.pdf is written."""
+        """Whether the pages are also printed, as report.pdf or surface.pdf."""
         ...
 
     @property
     def language(self) -> str:
-        """Of the report."""
+        """Of the pages."""
         ...
 
 
@@ -46,10 +41,10 @@ def check_pages(settings: Pages) -> None:
         check_typesetter()
 
 
-def page_files(folder: Path, settings: Pages, network: str = "network.html") -> list[Path]:
+def page_files(folder: Path, *, report: bool, pdf: bool, network: str = "network.html") -> list[Path]:
     """What was written for people into the folder of a result.
 
     network  the page in three dimensions; empty: there is none
     """
-    names = [*(["report.html", network] if settings.report else []), *(["report.pdf"] if settings.pdf else [])]
+    names = [*(["report.html", network] if report else []), *(["report.pdf"] if pdf else [])]
     return [folder / name for name in names if name]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, NotSolvable, phrase
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import setting
 
@@ -109,9 +109,8 @@ def _in_its_map(plane: Plane, export: Export, asked: PlaneAsked) -> tuple[Plane,
     if frame is None or not asked.horizontal:
         return plane, ()
     if asked.has_axes:
-        return plane, ("the picture has the axes that were asked for, and not those of the map",)
+        return plane, (phrase("picture.axes_given"),)
     if plan_system(frame.crs) is None:
-        reason = "is no projected system; the picture is in the local plane of the block, east to the right"
-        return plane, (f"{system_name(frame.crs)} {reason}",)
-    reason = f"the picture lies in {system_name(frame.crs)}"
+        return plane, (phrase("picture.local_plane", system=system_name(frame.crs)),)
+    reason = phrase("picture.in_map", system=system_name(frame.crs))
     return in_map(plane, frame, 0.001 if export.block.length_unit == "mm" else 1.0), (reason, *frame.remarks)

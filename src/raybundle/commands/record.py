@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.commands.record_settings import record_in
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.results.record import NAMES, RECORD, RECORD_FILE, Record, checked
 from raybundle.settings import keywords, made, path_of, setting
 
@@ -179,5 +179,5 @@ def rows(reported: Recorded) -> list[tuple[str, str, str]]:
 
     given = reported.record.as_mapping()
     found = [(f.name, given[f.name], "") for f in fields(RecordSettings) if f.name in given]
-    by = [] if reported.known is None else [(n, v, "from the photographs") for n, v in rows_of(reported.known)]
-    return [*found, *by]
+    source = phrase("report_record.from_photographs")
+    return [*found, *([] if reported.known is None else [(n, v, source) for n, v in rows_of(reported.known)])]

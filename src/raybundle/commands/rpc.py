@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import MISSING, dataclass
+from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.scenes.common import HEIGHTS_HELP, beyond, check_near, check_new, heights_of, size_of
 from raybundle.commands.scenes.inputs import scene_input
-from raybundle.errors import InputError, RaybundleError
+from raybundle.errors import InputError, RaybundleError, as_detail, message, phrase
 from raybundle.settings import ANY, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
@@ -157,7 +157,7 @@ def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
     check_agreement(scene)
     remarks = ()
     if scene.line.ellipsoid != WGS84:
-        remarks = ("the body is not the earth; other programs will take the RPC for one of WGS 84",)
+        remarks = (phrase("scene.other_body"),)
     result = fit_rpc(scene.line.localise, size_of(scene), heights_of(scene, s.heights))
     write_rpc(result.rpc, s.out)
     return result, remarks
@@ -223,7 +223,8 @@ def _each(
     if why and not found:
         error = why[0]
         assert error is not None
-        raise type(error)(f"{scene}: point {ids[0]}: {error}; no other of the {len(ids)} points has a place either")
+        cause, where = as_detail(error), message("scene.no_place", point=ids[0], n=len(ids), name=str(scene))
+        raise type(error)(replace(cause, details=(*cause.details, where)))
     width = next(iter(found.values())).shape[1] if found else 3
     values = np.full((len(rows), width), np.nan)
     for start, part in found.items():

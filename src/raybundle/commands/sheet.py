@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from raybundle.commands.plane_settings import OF_PLANE
 from raybundle.commands.sheet_settings import DrawingSheetSettings
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.folders import check_free
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.languages import checked_language
@@ -113,7 +113,7 @@ def _answer(
 
 def _shortened(sheets: Sheets) -> tuple[str, ...]:
     cut = sheets.block.shortened
-    return (f"shortened in the title block: {', '.join(cut)}",) if cut else ()
+    return (phrase("drawing_sheet.shortened", names=cut),) if cut else ()
 
 
 def _lacking(drawing: Drawing) -> tuple[str, ...]:
@@ -125,8 +125,7 @@ def _lacking(drawing: Drawing) -> tuple[str, ...]:
     letters = lacking(" ".join([*texts, *names]))
     if not letters:
         return ()
-    more = " ..." if len(letters) > 10 else ""
-    return (f"letters that a sheet cannot hold are question marks on it: {' '.join(letters[:10])}{more}",)
+    return (phrase("drawing_sheet.letters", letters=list(letters)),)
 
 
 def _check(s: DrawingSheetSettings) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import MISSING, dataclass
 from pathlib import Path
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.folders import check_free
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import setting
@@ -78,12 +78,12 @@ def run_spreadsheet(s: SpreadsheetSettings, progress: Progress = silent) -> Spre
         progress("reading tables", k / len(wanted))
         file = found[name]
         if file.suffix != ".csv":
-            left.append(f"{file.name} is kept by column, as it is too long for a sheet")
+            left.append(phrase("workbook.left_out", name=file.name, cause="parquet", rows=ROWS - 1))
         elif not has_rows(file):
             if s.tables:
-                left.append(f"{file.name} has no rows")
+                left.append(phrase("workbook.left_out", name=file.name, cause="empty", rows=ROWS - 1))
         elif _longer(file, ROWS):
-            left.append(f"{file.name} has more than the {ROWS - 1} rows of a sheet")
+            left.append(phrase("workbook.left_out", name=file.name, cause="rows", rows=ROWS - 1))
         else:
             taken.append((name, file))
     if not taken:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
+from raybundle.commands.pages import Pages
 from raybundle.commands.record_settings import Recorded
 from raybundle.errors import phrase
 from raybundle.numerics.progress import Progress, silent
@@ -30,18 +31,8 @@ OF_ALL = (
 """Cautions about all points alike, which are reported before those about single marks and photographs"""
 
 
-class RecordedPages(Recorded, Protocol):
-    """What is asked of the pages, and the record of the recording."""
-
-    @property
-    def pdf(self) -> bool:
-        """Whether surface.pdf is written."""
-        ...
-
-    @property
-    def language(self) -> str:
-        """Of the pages."""
-        ...
+class RecordedPages(Recorded, Pages, Protocol):
+    """Settings of the pages and of the record of the recording."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -48,12 +48,7 @@ class Problem:
 
     line: int
     column: str | None
-    message: str | Message
-
-    def text(self, path: Path) -> str:
-        """The error with its place after the first one of a file."""
-        place = Place(line=self.line, column=self.column, rows=path.suffix == ".parquet").text()
-        return f"also {place}: {self.message if isinstance(self.message, str) else self.message.text()}"
+    message: Message
 
 
 def fail(path: Path, problems: Sequence[Problem]) -> NoReturn:
@@ -61,19 +56,10 @@ def fail(path: Path, problems: Sequence[Problem]) -> NoReturn:
     ordered = sorted(problems, key=lambda p: p.line)
     first, others = ordered[0], ordered[1:SHOWN]
     more = len(ordered) > SHOWN
-    if isinstance(first.message, Message):
-        rows = path.suffix == ".parquet"
-        details = [
-            replace(p.message, place=Place(line=p.line, column=p.column, rows=rows))
-            for p in others
-            if isinstance(p.message, Message)
-        ]
-        found = replace(first.message, details=(*details, *([message("table.more_errors")] if more else ())))
-        raise InputError(found, file=path, line=first.line, column=first.column)
-    lines = [first.message, *(f"  {p.text(path)}" for p in others)]
-    if more:
-        lines.append("  and more; the rest of the file was not looked at")
-    raise InputError("\n".join(lines), file=path, line=first.line, column=first.column)
+    rows = path.suffix == ".parquet"
+    details = [replace(p.message, place=Place(line=p.line, column=p.column, rows=rows)) for p in others]
+    found = replace(first.message, details=(*details, *([message("table.more_errors")] if more else ())))
+    raise InputError(found, file=path, line=first.line, column=first.column)
 
 
 def converted(

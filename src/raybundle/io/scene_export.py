@@ -10,7 +10,7 @@ from typing import cast
 import numpy as np
 
 from raybundle.block import Block, Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.formats.base import Export
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.numerics.arrays import Mask
@@ -64,10 +64,8 @@ def write_rpcs(export: Export, folder: Path) -> tuple[tuple[Path, ...], tuple[st
             rpc = fit.rpc
         if fit is not None:
             largest = float(fit.largest_px.max())
-            remarks.append(
-                f"{path.name}: a new RPC for heights of {heights[0]:.0f} to {heights[1]:.0f} m, off by "
-                f"{largest:.2g} px at most"
-            )
+            low, high = map(float, heights)
+            remarks.append(phrase("conversion.new_rpc", name=path.name, low_m=low, high_m=high, largest_px=largest))
         write_rpc_text(rpc, path)
         files.append(path)
     return tuple(files), tuple(remarks)

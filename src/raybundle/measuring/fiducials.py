@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from raybundle.errors import InputError, phrase
+from raybundle.errors import InputError, joined_texts, phrase
 from raybundle.io.film.fiducials import film_of
 from raybundle.measuring.actions.verbs import Fiducial
 from raybundle.measuring.film import Scans
@@ -64,7 +64,7 @@ def find_fiducials(state: State, image: str, scans: Scans, size_px: tuple[int, i
         grey, corner = part(x, y)
         found = snap(grey, x - corner[0], y - corner[1])
         if isinstance(found, NotSnapped):
-            left[name] = phrase("measuring.nothing_found", x=x, y=y, cause=found.why)
+            left[name] = joined_texts(phrase("measuring.nothing_found", x=x, y=y), found.why)
             continue
         actions.append(
             Fiducial(

@@ -12,7 +12,7 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, named, phrase
 from raybundle.matching.least_squares import Outcome, WindowOptions, match_windows, with_noisy_gradients
 from raybundle.matching.refine import CORRELATION, INTERPOLATION_PX2, smoothed
 from raybundle.measuring.junction import LEAST_ANGLE, Model, fit_junction, forstner_point
@@ -81,7 +81,7 @@ class NotSnapped:
     """Why a click was not brought to the picture."""
 
     kind: Kind
-    why: str
+    why: Text
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -125,7 +125,7 @@ def snap(
     found = [t for t in tried if isinstance(t, Snapped)]
     if found:
         return min(found, key=lambda f: f.moved_px)
-    return NotSnapped(kind="auto", why="; ".join(f"{t.kind}: {t.why}" for t in tried if isinstance(t, NotSnapped)))
+    return NotSnapped(kind="auto", why=Text.of(*(named(t.kind, t.why) for t in tried if isinstance(t, NotSnapped))))
 
 
 def _check(grey: Array, x: float, y: float, kind: str, reach_px: float) -> None:
@@ -150,15 +150,13 @@ def _snap(
         found = _patch(grey, click, reference, reach_px)
     else:
         found = _junction(grey, click, kind, reach_px)
-    if isinstance(found, str):
+    if isinstance(found, Text):
         return NotSnapped(kind=kind, why=found)
     xy, C, quality = found
     moved = float(np.hypot(*(xy - click)))
     limit = max(reach_px, REACH_PX) if kind == "ellipse" else reach_px  # a click within a dot means its centre
     if moved > limit:
-        return NotSnapped(
-            kind=kind, why=f"what is found lies {moved:.1f} px from the click (limit {limit:g} px); click nearer"
-        )
+        return NotSnapped(kind=kind, why=phrase("not_snapped.far", distance_px=moved, limit_px=limit))
     C = C + np.eye(2) * FLOOR_PX.get(kind, 0.0) ** 2
     return Snapped(
         x_px=float(xy[0]), y_px=float(xy[1]), covariance=(float(C[0, 0]), float(C[1, 1]), float(C[0, 1])), kind=kind,
@@ -177,21 +175,22 @@ def _crop(grey: Array, at: Array, half: int) -> tuple[Array, Array]:
     return grey[y0 : y + half + 1, x0 : x + half + 1], np.array([x0, y0], float)
 
 
-def _ellipse(grey: Array, click: Array, reach: float) -> Point | str:
+def _ellipse(grey: Array, click: Array, reach: float) -> Point | Text:
     """The dot under the click, or the nearest within reach; looked at again around itself, whatever the click."""
     at, found, most = click, None, max(reach, REACH_PX)
     for _ in range(3):
         part, origin = _crop(grey, at, MARGIN_PX)
         if min(part.shape) < 16:
-            return "too little picture around the click"
+            return phrase("not_snapped.margin")
         found = _dot(np.ascontiguousarray(part), at - origin, reach if at is click else most)
         if found is None:
-            return f"there is no round target within {reach:g} px; click into it, or choose another kind"
+            return phrase("not_snapped.no_target", reach_px=reach)
         found = found[0] + origin, *found[1:]
         if (np.floor(found[0]) == np.floor(at)).all():
             break
         if np.hypot(*(found[0] - click)) > most:
-            return f"the nearest round target lies {np.hypot(*(found[0] - click)):.1f} px away (limit {most:g} px)"
+            away = float(np.hypot(*(found[0] - click)))
+            return phrase("not_snapped.target_far", distance_px=away, limit_px=most)
         at = found[0]
     assert found is not None
     return found
@@ -234,35 +233,39 @@ def _nearest(at: Array, xy: Array, ellipse: Array, reach: float) -> int | None:
     return k if distance[k] <= limit[k] else None
 
 
-def _junction(grey: Array, click: Array, kind: Model, reach: float) -> Point | str:
+def _junction(grey: Array, click: Array, kind: Model, reach: float) -> Point | Text:
     """The corner or cross nearest to the click: first where edges meet, then by the grey values of a window."""
     scale = 1.0 if grey.dtype == np.uint8 else 256.0
-    noun = f"a {kind}"
     at = _nearest_meeting(grey, click, reach)
     if at is None:
-        return f"there are no edges of two directions within {reach:g} px that meet; click nearer to {noun}"
+        return phrase("not_snapped.no_edges", reach_px=reach, kind=kind)
     fit = None
     for _ in range(4):
         fit = fit_junction(grey, at, HALF, kind)
         if fit is None:
-            return "too little picture around the click"
+            return phrase("not_snapped.margin")
         if not np.isfinite(fit.xy).all() or np.hypot(*(fit.xy - at)) > HALF:
-            return f"the grey values are not those of {noun}"
+            return phrase("not_snapped.other_grey_values", kind=kind)
         if (np.floor(fit.xy) == np.floor(at)).all():
             break
         at = fit.xy
     assert fit is not None
     if not fit.ended or not np.isfinite(fit.covariance).all():
-        return f"the grey values do not show where {noun} is"
+        return phrase("not_snapped.no_place", kind=kind)
     if fit.contrast < CONTRAST * scale:
-        return f"the contrast is {fit.contrast / scale:.0f} grey values (limit {CONTRAST:g})"
+        return phrase("not_snapped.contrast", contrast=fit.contrast / scale, limit=CONTRAST)
     if fit.angle < LEAST_ANGLE:
-        return f"the edges meet at {np.degrees(fit.angle):.0f} deg (limit {np.degrees(LEAST_ANGLE):.0f} deg)"
+        angle, limit = np.degrees([fit.angle, LEAST_ANGLE])
+        return phrase("not_snapped.angle", angle_deg=angle, limit_deg=limit)
     if fit.residual > RESIDUAL:
-        return f"the grey values differ from {noun} by {fit.residual:.2f} of the contrast (limit {RESIDUAL:g})"
-    if np.linalg.eigvalsh(fit.covariance)[1] > SIGMA_PX**2:
-        return f"its standard deviation is {np.sqrt(np.linalg.eigvalsh(fit.covariance)[1]):.2f} px (limit {SIGMA_PX:g})"
+        return phrase("not_snapped.grey_values", kind=kind, residual=fit.residual, limit=RESIDUAL)
+    if (sigma := _largest_sigma(fit.covariance)) > SIGMA_PX:
+        return phrase("not_snapped.sigma", sigma_px=sigma, limit_px=SIGMA_PX, texture=True)
     return fit.xy, fit.covariance, 1 - fit.residual / RESIDUAL
+
+
+def _largest_sigma(covariance: Array) -> float:
+    return float(np.sqrt(np.linalg.eigvalsh(covariance)[1]))
 
 
 def _nearest_meeting(grey: Array, click: Array, reach: float) -> Array | None:
@@ -276,7 +279,7 @@ def _nearest_meeting(grey: Array, click: Array, reach: float) -> Array | None:
     return at
 
 
-def _patch(grey: Array, click: Array, reference: Reference, reach: float) -> Point | str:
+def _patch(grey: Array, click: Array, reference: Reference, reach: float) -> Point | Text:
     """The place that looks like that of another picture: by correlation first, then by least-squares matching."""
     import cv2  # noqa: PLC0415
 
@@ -298,13 +301,13 @@ def _patch(grey: Array, click: Array, reference: Reference, reach: float) -> Poi
     x0, y0 = max(0, cx - span), max(0, cy - span)
     window = target[y0 : cy + span + 1, x0 : cx + span + 1].astype(np.float32)
     if min(window.shape) < size:
-        return "too little picture around the click"
+        return phrase("not_snapped.margin")
     score = cv2.matchTemplate(window, template, cv2.TM_CCOEFF_NORMED)
     yy, xx = np.mgrid[: score.shape[0], : score.shape[1]]
     x, y = xx + x0 + HALF + 0.5, yy + y0 + HALF + 0.5
     off = click - origin
     score = np.where((np.hypot(x - off[0], y - off[1]) > reach) | ~np.isfinite(score), -1, score)
-    found, why, best = list[Point](), "", float(score.max())
+    found, why, best = list[Point](), list[Text](), float(score.max())
     for _ in range(PEAKS):
         k = int(np.argmax(score))
         if score.flat[k] < LEAST_SCORE:
@@ -312,52 +315,51 @@ def _patch(grey: Array, click: Array, reference: Reference, reach: float) -> Poi
         start = np.array([x.flat[k], y.flat[k]])
         score = np.where(np.hypot(x - start[0], y - start[1]) < 2.5, -1, score)
         match = _matched(source, target, own - first_origin, start, A)
-        if isinstance(match, str):
-            why = why or match
+        if isinstance(match, Text):
+            why.append(match)
         elif all(np.hypot(*(match[0] - m[0])) > APART_PX for m in found):
             found.append(match)
+    if why and not found:
+        return why[0]
     if not found:
-        nothing = (
-            f"nothing within {reach:g} px looks like the other picture (correlation {best:.2f}, limit {LEAST_SCORE})"
-        )
-        return why or nothing
+        return phrase("not_snapped.nothing_alike", reach_px=reach, correlation=best, limit=LEAST_SCORE)
     found.sort(key=lambda m: -m[2])
     if len(found) > 1 and 1 - found[0][2] >= ALIKE * (1 - found[1][2]):
-        return f"two places {np.hypot(*(found[0][0] - found[1][0])):.1f} px apart look alike; choose another kind"
+        return phrase("not_snapped.two_alike", distance_px=float(np.hypot(*(found[0][0] - found[1][0]))))
     return found[0][0] + origin, found[0][1], found[0][2]
 
 
-def _matched(source: Array, target: Array, own: Array, start: Array, A: Array) -> Point | str:
+def _matched(source: Array, target: Array, own: Array, start: Array, A: Array) -> Point | Text:
     """By least-squares matching in two windows: what they differ by shows how far the surface is from plane.
 
     The smaller window's place, or the larger's where that alone has texture enough.
     """
-    found = list[Point]()
-    why = ""
+    found, why = list[Point](), list[Text]()
     for half, sigma in WINDOWS_PATCH:
         match = _in_window(source, target, own, start, A, WindowOptions(half=half, sigma=sigma, reach=3.0))
-        if isinstance(match, str):
-            why = why or match
+        if isinstance(match, Text):
+            why.append(match)
         else:
             found.append(match)
     if not found:
-        return why
+        return why[0]
     place, C, quality = found[0]
     C = C + SURFACE_PX**2 * np.eye(2) + sum(np.outer(m[0] - place, m[0] - place) for m in found[1:])
-    s = float(np.sqrt(np.linalg.eigvalsh(C)[1]))
-    return (place, C, quality) if s <= SIGMA_PX else f"its standard deviation is {s:.2f} px (limit {SIGMA_PX:g})"
+    s = _largest_sigma(C)
+    if s > SIGMA_PX:
+        return phrase("not_snapped.sigma", sigma_px=s, limit_px=SIGMA_PX, texture=True)
+    return place, C, quality
 
 
-def _in_window(source: Array, target: Array, own: Array, start: Array, A: Array, window: WindowOptions) -> Point | str:
+def _in_window(source: Array, target: Array, own: Array, start: Array, A: Array, window: WindowOptions) -> Point | Text:
     found = match_windows(source, target, own[None], start[None], A[None], window)
     outcome = Outcome(int(found.outcome[0]))
     if outcome != Outcome.MATCHED:
-        return f"least-squares matching did not end ({outcome.name.lower()})"
+        return phrase("not_snapped.no_convergence", outcome=outcome.name.lower())
     if found.correlation[0] < CORRELATION:
-        return f"the pictures correlate by {found.correlation[0]:.2f} only (limit {CORRELATION})"
+        return phrase("not_snapped.correlation", correlation=float(found.correlation[0]), limit=CORRELATION)
     xx, yy, xy = with_noisy_gradients(found, own[None], window).cov_px2[0] + INTERPOLATION_PX2
     C = np.array([[xx, xy], [xy, yy]])
-    if np.linalg.eigvalsh(C)[1] > SIGMA_PX**2:
-        s = np.sqrt(np.linalg.eigvalsh(C)[1])
-        return f"its standard deviation is {s:.2f} px (limit {SIGMA_PX:g}): too little texture"
+    if (s := _largest_sigma(C)) > SIGMA_PX:
+        return phrase("not_snapped.sigma", sigma_px=s, limit_px=SIGMA_PX, texture=False)
     return found.xy_px[0], C, float(found.correlation[0])

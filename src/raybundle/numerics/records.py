@@ -13,7 +13,7 @@ from typing import Any, ClassVar, Literal, Self, cast
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.deviations import SMALLEST, correlated_after, kept_after, least_eigenvalues, unfounded
 from raybundle.numerics.transform import SimilarityTransform
@@ -72,7 +72,7 @@ class Stuck:
 
     rows: Mask
     """(k,)"""
-    reason: str
+    reason: Message
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -138,13 +138,11 @@ class Records:
             if values is None or c.approximate:
                 continue
             if c.follows in {"position", "vector"}:
-                reason = "a coordinate is not given that a rotation mixes with those given"
-                found.append(Stuck(~kept_after(by.rotation, values, alone=True), reason))
+                found.append(Stuck(~kept_after(by.rotation, values, alone=True), message("transform.not_given")))
             if c.follows == "deviations" and (beside := self.correlations_of(name)):
                 found += stuck_together(by.rotation, values, getattr(self, beside)) if by.turns else []
             elif c.follows == "deviations":
-                reason = "its coordinates would be correlated, which standard deviations alone cannot say"
-                found.append(Stuck(~kept_after(by.rotation, values), reason))
+                found.append(Stuck(~kept_after(by.rotation, values), message("transform.would_correlate")))
         return found
 
     @classmethod
@@ -160,7 +158,7 @@ class Records:
         """
         for s in self.stuck(by):
             for k in np.flatnonzero(s.rows)[:1].tolist():
-                raise InputError("transform.row_not_possible", row=called(k), detail=s.reason)
+                raise InputError("transform.row_not_possible", row=called(k), details=[s.reason])
         return self.followed(by)
 
     def followed(self, by: SimilarityTransform) -> Self:
@@ -191,21 +189,14 @@ def stuck_together(by: Array, sigma: Array, coefficients: Array | None, *, noun:
     return [
         Stuck(
             ~(least_eigenvalues(coefficients, count) > SMALLEST) | alone,
-            "its correlation coefficients are not those of quantities that were observed: their matrix is not positive "
-            "definite, or one has no standard deviation",
+            message("transform.coefficients"),
         ),
-        Stuck(
-            ~kept_after(by, sigma, alone=True),
-            f"one {noun} was not observed that the rotation mixes with those observed; give it a standard deviation, "
-            "or leave the row out",
-        ),
+        Stuck(~kept_after(by, sigma, alone=True), message("transform.not_observed", kind=noun)),
         Stuck(
             ~(least > SMALLEST),
-            f"its {noun}s would be correlated more closely than coefficients can say (least eigenvalue of the "
-            f"correlations {np.min(least, initial=1.0):.1e}, limit {SMALLEST:g}): their standard deviations are too "
-            "different",
+            message("transform.too_correlated", kind=noun, eigenvalue=np.min(least, initial=1.0), limit=SMALLEST),
         ),
-    ]  # fmt: skip
+    ]
 
 
 def positions(which: Mask | Index) -> Index:

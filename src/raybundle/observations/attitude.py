@@ -59,7 +59,7 @@ class Attitudes(Table):
         angles, J = self._turned(by)
         steep = ~(np.cos(angles[:, 1]) > STEEP) & np.isfinite(angles[:, 1])
         return [
-            Stuck(steep, "phi would be near a right angle, where omega and kappa turn about the same axis"),
+            Stuck(steep, message("transform.phi_near_right_angle")),
             *stuck_together(J, self.sigma, self.correlation, noun="angle"),
         ]
 

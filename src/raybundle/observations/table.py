@@ -80,7 +80,7 @@ class Table(Records):
         if not (self.upright and by.tilts):
             return []
         angle = np.degrees(np.arccos(np.clip(by.rotation[2, 2], -1, 1)))
-        return [Stuck(np.ones(len(self), bool), f"it is about the vertical, which is turned by {angle:.3g} deg")]
+        return [Stuck(np.ones(len(self), bool), message("transform.vertical_turned", angle_deg=float(angle)))]
 
     def pairs(self, to: Refers) -> Index:
         """(k, 2) points, images or instruments that stand in one row."""

@@ -109,7 +109,7 @@ class SlopeDistances(Sights):
         for h in (self.instrument, self.reflector):
             heights = heights + (0.0 if h is None else np.abs(h))
         rows: Mask = np.asarray((heights > 0) & by.tilts, bool)
-        return [Stuck(rows, "instrument and target heights are along the vertical, which is tilted")]
+        return [Stuck(rows, message("transform.heights_tilted"))]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

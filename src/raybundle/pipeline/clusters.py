@@ -28,7 +28,7 @@ from importlib import metadata
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.reading.trees import read_json
 from raybundle.pipeline.store import Folder, store_at, writing
 
@@ -49,7 +49,7 @@ class NoScheduler(InputError):
 
     @property
     def why(self) -> str:
-        """What is wrong, in one line, after its place."""
+        """What is wrong, after its place."""
         return self.headline
 
 
@@ -224,9 +224,9 @@ def unseen(folder: str, url: str, token: str) -> str:
         except (OSError, UnicodeDecodeError) as error:
             found, why = "", getattr(error, "strerror", None) or str(error)
         else:
-            why = "another one stands there" if found else "there is none"
+            why = phrase("cluster.other_store" if found else "cluster.no_store")
         if found == token:
-            return "" if url or os.access(folder, os.W_OK) else "it cannot be written there"
+            return "" if url or os.access(folder, os.W_OK) else phrase("cluster.store_read_only")
         if time.monotonic() > until:
             return why
         time.sleep(1.0)

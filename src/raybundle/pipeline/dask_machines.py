@@ -16,8 +16,7 @@ from pathlib import Path
 from dask import config
 from distributed import Nanny, Scheduler, Security
 
-from raybundle.errors import InputError
-from raybundle.numerics.counting import counted
+from raybundle.errors import InputError, Text, message_of_text, note, phrase, text_of_error
 from raybundle.pipeline.clusters import (
     CERTIFICATES,
     Cluster,
@@ -134,7 +133,7 @@ async def _work(where: str, jobs: int, notify: Callable[[str], None]) -> None:
             await asyncio.gather(*(_one_worker(where, notifying) for _ in range(jobs)))
         finally:
             now_and_then.cancel()
-            notify(f"{counted(notifying.count(), 'task')} done in all")
+            notify(phrase("cluster.tasks_done", n=notifying.count(), final=True))
 
 
 @dataclass(slots=True)
@@ -149,7 +148,7 @@ class _Notifying:
     def waiting(self, why: str) -> None:
         """Say for what is waited."""
         if why != self.waits:
-            self.notify(f"waits for a scheduler: {why}")
+            self.notify(Text.of(note("cluster.waits_for_scheduler"), message_of_text(why)))
         self.waits = why
 
     def count(self) -> int:
@@ -165,7 +164,7 @@ class _Notifying:
             await asyncio.sleep(TELL_S)
             count = self.count()
             if count > before:
-                self.notify(f"{counted(count, 'task')} done so far")
+                self.notify(phrase("cluster.tasks_done", n=count, final=False))
             before = count
 
 
@@ -181,7 +180,7 @@ async def _there(where: str, notifying: _Notifying, waited_for: type[InputError]
             await asyncio.to_thread(check_answers, cluster)
         except waited_for as error:
             if _has_folder(where):
-                notifying.waiting(error.why if isinstance(error, NoScheduler) else str(error))
+                notifying.waiting(error.why if isinstance(error, NoScheduler) else text_of_error(error))
                 until = time.monotonic() + FOLDER_S
             elif time.monotonic() > until:
                 raise InputError(
@@ -191,7 +190,7 @@ async def _there(where: str, notifying: _Notifying, waited_for: type[InputError]
                     file=where,
                 ) from None
             else:
-                notifying.waiting(f"{where}: there is no such folder; where none comes within {FOLDER_S:g} s this ends")
+                notifying.waiting(phrase("cluster.folder_awaited", folder=where, seconds=FOLDER_S))
             await asyncio.sleep(LOOK_S)
         else:
             notifying.waits = ""

@@ -24,8 +24,7 @@ from distributed import Client, Future, Security
 from distributed import Worker as DaskWorker
 
 from raybundle import words
-from raybundle.errors import InputError
-from raybundle.numerics.counting import counted
+from raybundle.errors import InputError, Message, Text, message_of_text, note, phrase
 from raybundle.numerics.progress import Progress, Remark, silent
 from raybundle.pipeline.clusters import (
     Cluster,
@@ -235,7 +234,7 @@ class _Workers:
                 "cluster.worker_blind",
                 host=host,
                 url=bool(self.store.url),
-                detail=refused,
+                details=[message_of_text(refused)],
                 file=self.store.place.name,
             )
         if not done.failed or done.lost or done.trouble or done.stop:
@@ -259,16 +258,16 @@ class _Workers:
                     folder=str(self.store.path.parent),
                     file=self.cluster.address,
                 )
-            self._say_waiting("the scheduler does not answer any more", waited)
+            self._say_waiting(note("cluster.scheduler_silent"), waited)
             time.sleep(LOOK_S / 5)
 
-    def _say_waiting(self, why: str, waited: float) -> None:
+    def _say_waiting(self, why: Message, waited: float) -> None:
         """Say now and then for whom is waited, and for how long."""
         now = time.monotonic()
         if waited > SAY_S and now > self.reported + AGAIN_S:
             self.reported = now
             left = max(self.patience - waited, 0.0)
-            self.progress(f"{why}: waiting for up to {left:.0f} s more", Remark())
+            self.progress(Text.of(why, note("cluster.waiting", seconds=left)), Remark())
 
     def _look(self) -> None:
         """See which workers there are; raises InputError where none can do our tasks for long."""
@@ -281,12 +280,11 @@ class _Workers:
         fit = [w for w in workers.values() if signature() in w["resources"]]
         self.threads = max(sum(w["nthreads"] for w in fit), 1)
         if len(fit) < self.most:
-            lost = counted(self.most - len(fit), "worker")
-            self.progress(f"{lost} lost, {len(fit)} left", Remark())
+            self.progress(phrase("cluster.workers_lost", n=self.most - len(fit), rest=len(fit)), Remark())
         self.most = len(fit)
         if fit:
             if self.reported > self.seen:
-                self.progress(f"{counted(len(fit), 'worker')} there: it goes on", Remark())
+                self.progress(phrase("cluster.workers_found", n=len(fit)), Remark())
             self.seen = self.looked
         elif self.looked > self.seen + self.patience:
             others = sorted({f"{w['host']}: {', '.join(w['resources']) or 'no raybundle'}" for w in workers.values()})
@@ -298,8 +296,7 @@ class _Workers:
                 file=self.cluster.folder or self.cluster.address,
             )
         else:
-            there = f"none of {counted(len(workers), 'worker')} is of this version" if workers else "no worker is there"
-            self._say_waiting(there, self.looked - self.seen)
+            self._say_waiting(note("cluster.no_fitting_worker", n=len(workers)), self.looked - self.seen)
 
 
 def together(tasks: Sequence[Task]) -> list[tuple[Task, ...]]:

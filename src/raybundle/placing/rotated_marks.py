@@ -22,7 +22,6 @@ from raybundle.numerics.arrays import Index, Mask
 from raybundle.placing.marks import GROSS, Placing, exif_turn, intersected
 from raybundle.placing.rescaled_marks import CHANCE
 
-TURN = {3: "by 180 degrees", 6: "by 90 degrees clockwise", 8: "by 90 degrees counter-clockwise"}
 READINGS = 2
 """As stored, and turned: the tries of which one may agree by chance."""
 

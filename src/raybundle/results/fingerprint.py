@@ -6,7 +6,7 @@ import hashlib
 import json
 from pathlib import Path
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.block.places import block_places
 from raybundle.io.reading.trees import read_toml
 from raybundle.io.table_files import table_file
@@ -46,4 +46,4 @@ def adjusted_since(folder: Path, known: str) -> str:
     now = "" if source is None else fingerprint(source)
     if source is None or now in {"", known}:
         return ""
-    return f"{source.name} was adjusted again since this surface was measured: run `surface {source.name}` again"
+    return phrase("heights.adjusted_since", name=source.name)

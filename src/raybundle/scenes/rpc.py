@@ -254,11 +254,6 @@ class Rpc:
             exchanged=swapped,
         )
 
-    def height_range_words(self) -> str:
-        """The heights for which the polynomials were fitted, in words."""
-        low, high = self.height_range_m
-        return f"heights of {low:g} to {high:g} m"
-
     @property
     def height_range_m(self) -> tuple[float, float]:
         """Lowest and highest height for which the polynomials were fitted."""

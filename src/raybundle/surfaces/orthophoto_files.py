@@ -9,15 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.io.folders import new_files
 from raybundle.io.pictures.geotiff import new_geotiff
 from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted, grouped, significant
 from raybundle.numerics.length_units import precision_unit
 from raybundle.results.record import STATE
-from raybundle.settings import option
 from raybundle.surfaces.files.heights import HeightFile
 from raybundle.surfaces.orthophoto_pixels import TILE_PX, pixel_tiles, tile_of_pixels
 from raybundle.surfaces.run import Surface
@@ -130,24 +129,21 @@ def _lines(surface: Surface, pixels: dict[int, int], sigma: list[Array], of: str
     tiles = (surface.store.wanted(key, ("height",))["height"] for key in heights.tiles.values())
     known = sum(int(np.isfinite(t).sum()) for t in tiles) / (h.width * h.height)
     share = sum(pixels.values()) / (g.width * g.height)
-    size = f"{grouped(g.width)} x {grouped(g.height)} px of {g.pixel:g}{of}"
+    size = {"width": g.width, "height": g.height, "pixel": g.pixel, "unit": of.strip()}
     if not pixels:
-        return (f"{size}, none of them seen",)
+        return (phrase("product.orthophoto_unseen", **size),)
     off = np.hypot(*np.concatenate(sigma).T)
     factor, unit = precision_unit(float(np.median(off)), of.strip())
-    half, most = (f"{significant(factor * float(np.quantile(off, q)), 2)} {unit}".rstrip() for q in (0.5, 0.95))
+    half, most = (factor * float(np.quantile(off, q)) for q in (0.5, 0.95))
     beyond = float((off > g.pixel).mean())
-    seen = f"{size}, {share:.0%} of them seen, by {counted(len(pixels), 'photograph')}"
-    good = f"{half} in the median, below {most} for 95 % of them, above a pixel for {beyond:.1%}"
-    lines = [f"{seen}; standard deviation of a place in plan {good}"]
+    lines = [
+        phrase("product.orthophoto", **size, share=share, photographs=len(pixels)),
+        phrase("product.orthophoto_sigma", median=half, most=most, unit=unit, beyond=beyond),
+    ]
     if share < MOST_SEEN:
-        lines.append(
-            f"{known:.0%} of the cells of its heights were measured, gaps of a few cells are closed, and beyond "
-            "these no pixel is seen"
-            + (f"; a finer {option('density')} may fill some of the others" if surface.options.density > 1 else "")
-        )
+        lines.append(phrase("product.orthophoto_gaps", share=known, coarse=surface.options.density > 1))
     if any(c.is_scene for c in surface.block.cameras):
-        lines.append("grey values of scenes are stretched to 8 bits: their radiometry is not kept")
+        lines.append(phrase("product.orthophoto_scenes"))
     return tuple(lines)
 
 

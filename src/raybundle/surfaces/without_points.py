@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from raybundle.errors import Text, phrase
 from raybundle.surfaces.stages.fusion import CONFIRMED
 
 if TYPE_CHECKING:
@@ -35,15 +36,13 @@ def pointless(
     return tuple(reported)
 
 
-def _why(depths: int, share: float, *, region: bool) -> str:
-    """Why a reference has no point; empty: other maps know its places better.
+def _why(depths: int, share: float, *, region: bool) -> Text | None:
+    """Why a reference has no point; None: other maps know its places better.
 
     depths  that it knows in what is asked for; share  of them that other maps confirm
     """
     if not depths:
-        return "no depth was found in it" + (", of the region" if region else "")
+        return phrase("surface_remark.no_depth", region=region)
     if share >= CONFIRMED:
-        return ""
-    if not share:
-        return "no other depth map confirms any of its depths"
-    return f"other depth maps confirm {share:.0%} of its depths, and {CONFIRMED:.0%} are needed"
+        return None
+    return phrase("surface_remark.too_few_confirmed", share=share, needed=CONFIRMED)

@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, joined_texts, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.targets.codes import RingFamily, sectors
 
@@ -158,8 +158,10 @@ def design(family: RingFamily, ids: Index, options: SheetOptions) -> Sheet:
             shapes.append(Words(x=x, y=y - side / 2 - 1.2 * WORDS, text=f"{family.name}  {int(ids[k])}"))
             targets.append(Placed(name=str(int(ids[k])), code=int(codes[k]), x_mm=x, y_mm=y))
         bar = bar_length(width)
-        number = f"page {len(pages) + 1}"
-        shapes += foot(width, bar, f"{family.title}, dot radius {o.dot_radius_mm:g} mm, {number}; print at 100 %")
+        text = phrase(
+            "target_sheet.foot", target=family.title, quantity="radius", size_mm=o.dot_radius_mm, page=len(pages) + 1
+        )
+        shapes += foot(width, bar, text)
         pages.append(Page(width=width, height=height, shapes=tuple(shapes), targets=tuple(targets), bar_mm=bar))
     return Sheet(
         family=family.name, title=family.title, options=o, dot_radius_mm=o.dot_radius_mm,
@@ -235,7 +237,7 @@ def foot(width: float, bar: float, text: str) -> list[Disc | Outline | Words]:
     for k in range(ticks + 1):
         h = 3.0 if k in {0, ticks} else 1.5
         shapes.append(box(x0 + k * bar / ticks - 0.05, y0, 0.1, h))
-    shapes.append(Words(x=width / 2, y=y0 + 3.6, text=f"{bar:g} mm from first to last tick: measure it on the print"))
+    shapes.append(Words(x=width / 2, y=y0 + 3.6, text=phrase("target_sheet.scale_bar", length_mm=bar)))
     shapes.append(Words(x=width / 2, y=MARGIN, text=text))
     return shapes
 
@@ -264,8 +266,10 @@ def tiles(page: Page, paper: str) -> list[Page]:
             low = np.array([i, j]) * step
             moved = tuple(_moved(s, MARGIN - low) for s in (*page.shapes, *crosses))
             within = tuple(s for s in moved if _touches(s, w, h))
-            name = f"column {i + 1}, row {j + 1} of {count[0]} x {count[1]} from the lower left"
-            label = Words(x=w / 2, y=3.0, text=f"{name}; parts share {OVERLAP:g} mm, lay cross on cross")
+            columns, rows = count.tolist()
+            name = phrase("target_sheet.part", x=i + 1, y=j + 1, columns=columns, rows=rows)
+            text = joined_texts(name, phrase("target_sheet.overlap", overlap_mm=OVERLAP))
+            label = Words(x=w / 2, y=3.0, text=text)
             parts.append(Page(width=w, height=h, shapes=(*within, label), bar_mm=0.0, part=name))
     return parts
 

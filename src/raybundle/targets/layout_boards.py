@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import cv2
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.targets.kinds import photomodeler
 from raybundle.targets.kinds.charuco import Charuco
@@ -71,7 +71,7 @@ def design_board(target: Target, spacing_mm: float, options: SheetOptions) -> Sh
         for x, y in [corner + spacing_mm * (p[:2] + np.array([origin[0], -origin[1]]))]
     )
     bar = bar_length(width)
-    text = f"{target.family}, spacing {spacing_mm:g} mm; print at 100 %"
+    text = phrase("target_sheet.foot", target=target.family, quantity="spacing", size_mm=spacing_mm, page=0)
     page = Page(
         width=width, height=height, targets=points, bar_mm=bar,
         shapes=(*(_placed(s, corner, spacing_mm) for s in shapes), *foot(width, bar, text)),
@@ -118,7 +118,7 @@ def design_tags(target: Tags, ids: Sequence[int], side_mm: float, options: Sheet
                 for c, p in enumerate(corners)
             ]
         bar = bar_length(width)
-        text = f"{target.name}, side {side_mm:g} mm, page {len(pages) + 1}; print at 100 %"
+        text = phrase("target_sheet.foot", target=target.name, quantity="side", size_mm=side_mm, page=len(pages) + 1)
         shapes += foot(width, bar, text)
         pages.append(Page(width=width, height=height, shapes=tuple(shapes), targets=tuple(points), bar_mm=bar))
     return Sheet(
@@ -155,7 +155,7 @@ def design_dots(spacing_mm: float, count: int | None, options: SheetOptions) -> 
         shapes.append(box(*low, *(high - low)))
     shapes += [Disc(x=x, y=y, radius=o.dot_radius_mm, black=dark) for _, x, y in at]
     bar = bar_length(width)
-    shapes += foot(width, bar, f"dots without a code, radius {o.dot_radius_mm:g} mm; print at 100 %")
+    shapes += foot(width, bar, phrase("target_sheet.dots_foot", radius_mm=o.dot_radius_mm))
     points = tuple(Placed(name=n, code=-1, x_mm=float(x), y_mm=float(y)) for n, x, y in at)
     page = Page(width=width, height=height, shapes=tuple(shapes), targets=points, bar_mm=bar)
     return Sheet(

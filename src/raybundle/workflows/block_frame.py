@@ -12,7 +12,7 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.block.joined import TILT
 from raybundle.block.transform import transform_block
-from raybundle.errors import InputError, Message, Severity, Value, message
+from raybundle.errors import InputError, Message, Severity, Value, message, phrase
 from raybundle.io.block.scenes import local_in
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.geo.parsed_systems import parse_crs, system_name
@@ -46,8 +46,8 @@ def in_block_frame(block: Block) -> tuple[Block, LocalFrame | None, tuple[str, .
     frame = local_frame(place.name, place.origin)
     _check_near(block, frame)
     _check_follows(block)
-    at = ", ".join(f"{v:.3f}" for v in place.origin)
-    reported = f"the block was brought from {system_name(place.name)} to the local east-north-up frame at {at}"
+    x, y, z = place.origin
+    reported = phrase("conversion.local_frame", system=system_name(place.name), x=x, y=y, z=z)
     moved = replace(moved_to(block, frame), place=local_in(place.name, place.origin))
     return moved, frame, (reported, *frame.remarks)
 

@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import InputError, message_of_text
+from raybundle.errors import InputError, message_of_text, phrase
 from raybundle.io.block.folder import write_block
 from raybundle.io.block.scenes import local_in
 from raybundle.io.folders import check_free, new_folder
@@ -79,8 +79,7 @@ def placed(
     oriented = block.images.oriented
     middle = block.images.centre[oriented].mean(axis=0) if oriented.any() else np.nanmean(block.points.xyz, axis=0)
     frame = local_frame(crs, middle, undulation_m=undulation)
-    place = ", ".join(f"{v:.3f}" for v in middle)
-    remark = f"the block was brought from {crs} to the local east-north-up frame at {place}"
+    remark = phrase("conversion.local_frame", system=crs, **dict(zip("xyz", middle, strict=True)))
     block = replace(moved_to(block, frame), place=_place(block, frame))
     return replace(export, block=block, frame=frame), (remark, *frame.remarks)
 
@@ -139,13 +138,13 @@ def fit_for(export: Export, target: str) -> tuple[Export, tuple[str, ...]]:
         return export, ()
     names = names_of_scenes(export.block)
     if target in MAPS:
-        line = f"of satellite scenes ({names}) the points are written; their stations, 600 km up, are not"
+        line = phrase("conversion.scenes_without_stations", scenes=names)
         return replace(export, block=with_viewpoints(export.block), nominal=scene_images(export.block)), (line,)
     if target in POINTS:
-        line = f"satellite scenes ({names}) give points; their stations are nominal viewpoints, 600 km up"
+        line = phrase("conversion.scenes_nominal_stations", scenes=names)
         return replace(export, block=with_viewpoints(export.block)), (line,)
     if target in STATIONS and not scene_images(export.block).all():
-        return replace(export, block=without_scenes(export.block)), (f"satellite scenes are left out: {names}",)
+        return replace(export, block=without_scenes(export.block)), (phrase("conversion.no_scenes", scenes=names),)
     raise InputError("format.no_scenes", format=target, scenes=names, whole=[BLOCK, RPC], points=[*MAPS, *POINTS])
 
 

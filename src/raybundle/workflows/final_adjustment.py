@@ -67,9 +67,7 @@ def final_adjustment(
         placed = _with_block(placed, block)
     placed, result = _held(placed, options, progress, notices)
     if noise == "auto" and chosen == "white":
-        reason = (
-            f"{photographs} photographs are too few for smooth errors of their own; at least {FEWEST_IMAGES} are needed"
-        )
+        reason = phrase("noise.too_few_photographs", n=photographs, least=FEWEST_IMAGES)
         result = replace(result, noise=replace(result.noise, reason=reason))
     first = [
         *rejected_marks(result, placed.marked[result.given.observations.point]),

@@ -18,7 +18,7 @@ from scipy.spatial import KDTree
 
 from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import Block, Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, as_detail, note, phrase
 from raybundle.io.geo.parsed_systems import system_name
 from raybundle.io.pictures.rectified import Rectified
 from raybundle.io.pictures.undistort import camera_plane, pixels_of_plane
@@ -26,7 +26,6 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rows import rows_of_each
 from raybundle.scenes.empirical import EmpiricalFit, fit_empirical
-from raybundle.settings import option
 from raybundle.workflows.object_plane import FLAT, MapLevel, Plane, axes_of, pixel_at
 
 STEP = 16
@@ -174,7 +173,7 @@ def rectify_block(
         try:
             pixels = picture.photograph(folders, names[k], camera)
         except (OSError, ValueError, SyntaxError, InputError) as error:
-            remarks.append(f"{names[k]} is left out: {error}")
+            remarks.append(Text.of(note("conversion.photograph_left_out", name=names[k], details=[as_detail(error)])))
             continue
         picture.add(names[k], pixels, maps[k].reshape(*shape, 2), (choice == k).reshape(shape), STEP)
         ray = block.images.centre[k] - xyz[choice == k]
@@ -265,12 +264,7 @@ def _hidden(before: Array) -> list[str]:
     share = float(np.mean(before > 2 * BEFORE)) if len(before) else 0.0
     if share < WORTH_A_WORD:
         return []
-    found = (
-        f"{share:.0%} of the picture shows what stands before the plane by more than {2 * BEFORE:.0%} of the distance, "
-        f"as trees or another wall, and is displaced: no photograph looks past it there; a smaller {option('extent')} "
-        f"leaves it out, {option('only')} takes photographs by name"
-    )
-    return [found]
+    return [phrase("picture.before_plane", share=share, distance_share=2 * BEFORE)]
 
 
 def _within(inside: Array) -> Array:

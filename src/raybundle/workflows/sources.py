@@ -11,14 +11,13 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images, Role
 from raybundle.block.select import points_left, with_rows
-from raybundle.errors import InputError, Text
+from raybundle.errors import InputError, Text, phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.formats import Export, check_deviation, formats, looks_like, read_format
 from raybundle.io.geo.coordinate_systems import frame_from_mapping
 from raybundle.io.reading.trees import Json
 from raybundle.io.tables import Column, Table, read_table
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 from raybundle.results.folder import MAP, ResultFolder, read_result
 from raybundle.results.record import STATE
 from raybundle.results.recording_sheet import read_recorded
@@ -61,7 +60,7 @@ def with_two_rays(block: Block) -> tuple[Block, tuple[str, ...]]:
     thin = free & (rays < LEAST_RAYS)
     if not thin.any() or thin.all():
         return block, ()
-    remark = f"{counted(int(thin.sum()), 'tie point')} left out: fewer than two image observations each"
+    remark = phrase("conversion.few_rays", n=int(thin.sum()), least=LEAST_RAYS)
     return with_rows(block, ~thin[block.observations.point]), (remark,)
 
 
@@ -125,11 +124,9 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
         points=replace(block.points, xyz=xyz),
     )
     block = with_rows(block, kept)
-    remarks = (f"{counted(int((~kept).sum()), 'rejected image observation')} left out",) if not kept.all() else ()
+    remarks = (phrase("conversion.rejected_observations", n=int((~kept).sum())),) if not kept.all() else ()
     if not there.all():
-        remarks += (
-            f"{counted(int((~there).sum()), 'tie point')} left out: all of their image observations are rejected",
-        )
+        remarks += (phrase("conversion.rejected_points", n=int((~there).sum())),)
     frame, state = result.result.get("frame"), state_words(result.result)
     export = Export(
         block=block,

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.block import Block, Camera, Images, Observations, Points
-from raybundle.errors import InputError, excluded
+from raybundle.errors import InputError, Severity, Text, excluded, named, warning
 from raybundle.io.cameras.library import with_library
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.photo import find_photos
@@ -40,7 +40,7 @@ def bare_block(
             "photograph.too_few_usable", n=0, least=1, details=excluded(refused, found.remarks),
             file=", ".join(map(str, inputs)),
         )  # fmt: skip
-    for line in (*(f"{n}: {why}" for n, why in refused), *found.remarks):
+    for line in (*(Text.of(replace(named(*r), severity=Severity.WARNING)) for r in refused), *found.remarks):
         notify(line)
     for line in small_pictures({p.name: (p.width_px, p.height_px) for p in found.photos}):
         notify(line)
@@ -64,8 +64,7 @@ def bare_block(
 def small_pictures(sizes: Mapping[str, tuple[int, int]]) -> list[str]:
     """A line of each picture in which hardly anything can be measured: name -> width and height [px]."""
     return [
-        f"{name}: has {w} x {h} px, fewer than {SMALL_PX} on a side: hardly anything can be measured in it; look "
-        "whether it is a preview of the photograph"
+        Text.of(warning("photographs.small", name=name, width_px=w, height_px=h, least_px=SMALL_PX))
         for name, (w, h) in sizes.items()
         if min(w, h) < SMALL_PX
     ]

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from tests.messages import coded
 
 from raybundle.block import Role
 from raybundle.cli.convert import command
@@ -299,9 +300,9 @@ def test_a_block_in_millimetres_is_written_in_metres(name, tmp_path):
         points=replace(metres.points, xyz=metres.points.xyz * 1000, sigma=metres.points.sigma * 1000),
     )
     written = write_format(name, Export(block=millimetres), tmp_path / "mm")
-    assert any("the block is in mm; its coordinates are written in m" in r for r in written.remarks)
+    assert coded(written.remarks)["conversion.in_metres"]["unit"] == "mm"
     plain = write_format(name, Export(block=metres), tmp_path / "m")
-    assert not any("written in m," in r for r in plain.remarks)
+    assert "conversion.in_metres" not in coded(plain.remarks)
     a, b = (read_format(name, tmp_path / n).block for n in ("mm", "m"))
     assert a.length_unit == "m"
     np.testing.assert_allclose(a.images.centre, metres.images.centre, atol=1e-6)

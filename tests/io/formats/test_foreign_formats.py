@@ -7,6 +7,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
+from tests.messages import coded
 
 from raybundle.cameras.conversions import camera_rays, grid_px, interiors
 from raybundle.errors import InputError
@@ -136,9 +137,10 @@ def test_what_is_not_known_is_left_out_and_said(name, block, tmp_path):
     xyz, centre = block.points.xyz.copy(), block.images.centre.copy()
     xyz[3], centre[2] = np.nan, np.nan
     part = replace(block, points=replace(block.points, xyz=xyz), images=replace(block.images, centre=centre))
-    remarks = " ".join(write_format(name, exported(part), target(tmp_path, name), approximate=True).remarks)
-    assert f"1 of {len(block.images)} images are not oriented" in remarks
-    assert f"1 of {len(block.points)} points have no coordinates" in remarks
+    found = coded(write_format(name, exported(part), target(tmp_path, name), approximate=True).remarks)
+    images = {"n": 1, "total": len(block.images), "names": [block.images.ids[2]]}
+    assert found["conversion.not_oriented"] == images
+    assert found["conversion.no_coordinates"] == {"n": 1, "total": len(block.points), "names": [block.points.ids[3]]}
 
 
 @pytest.mark.parametrize("name", WRITTEN)

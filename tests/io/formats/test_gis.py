@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.messages import coded
 
 from raybundle import adjust
 from raybundle.block import Distances, Role
@@ -233,7 +234,7 @@ def test_figures_are_lines_and_outlines_of_their_kind_and_name(tmp_path):
 def test_a_local_block_says_so_and_in_what_unit(tmp_path):
     pyogrio, block = pytest.importorskip("pyogrio"), wall()
     written = write_format("gpkg", Export(block=block), tmp_path / "a.gpkg")
-    assert "no coordinate system; its own axes are written [mm]" in " ".join(written.remarks)
+    assert coded(written.remarks)["conversion.no_system"] == {"unit": "mm"}
     layers = [name for name, _ in pyogrio.list_layers(tmp_path / "a.gpkg")]
     assert "control" not in layers  # nothing is in it
     info = pyogrio.read_info(tmp_path / "a.gpkg", layer="figures")
@@ -350,14 +351,15 @@ def test_systems_of_all_kinds(case, adjusted, tmp_path):
     assert cloud.header.parse_crs().axis_info[0].unit_conversion_factor == pytest.approx(
         parse_crs(crs).axis_info[0].unit_conversion_factor
     )
-    remarks = " ".join(write_format("dxf", export, tmp_path / "a.dxf").remarks)
+    remarks = coded(write_format("dxf", export, tmp_path / "a.dxf").remarks)
     space = ezdxf.readfile(tmp_path / "a.dxf").modelspace()
     points = np.array([tuple(p.dxf.location) for p in space.query("POINT") if p.dxf.layer != "stations"])
     np.testing.assert_allclose(np.sort(points, axis=0), np.sort(expected, axis=0), rtol=0, atol=1e-6)
-    assert ("no code for the unit kilometre" in remarks) == ("km" in crs)
-    assert ("heights are in US survey foot" in remarks) == ("6360" in crs)
-    assert ("written in EPSG:32611" in remarks) == ("zone=11" in crs)
-    assert "unknown" not in remarks
+    assert remarks.get("conversion.dxf_unit") == ({"unit": "kilometre"} if "km" in crs else None)
+    assert remarks.get("conversion.height_unit", {}).get("heights") == ("US survey foot" if "6360" in crs else None)
+    system = remarks["conversion.system"]["system"]
+    assert (system == "EPSG:32611") == ("zone=11" in crs)
+    assert "unknown" not in system
     raw = pytest.importorskip("pyogrio").raw
     if "km" in crs:
         with pytest.raises(InputError, match=r"32632.*geopackage\.other_unit"):

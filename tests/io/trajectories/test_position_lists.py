@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from tests.messages import refused
+from tests.messages import coded, refused
 
 from raybundle.errors import InputError, code_of
 from raybundle.io.geo.control_files import read_control
@@ -87,7 +87,7 @@ def test_position_lists(tmp_path, key):
     assert found.crs == crs
     np.testing.assert_allclose(found.sigma[row], sigma or (np.nan,) * 3)
     if name in {"Metashape", "angles and accuracies"}:
-        assert any("Not read: " in r and "yaw" in r.lower() for r in found.remarks)
+        assert any("yaw" in kind.lower() for kind in coded(found.remarks)["import.not_read"]["kinds"])
     if crs is not None:
         assert np.isfinite(in_wgs84(found, None).xyz[row, :2]).all()
 
@@ -471,4 +471,4 @@ def test_positions_that_the_list_disables(tmp_path, word):
     assert (
         any((code_of(r), values_of(r)) == ("position_list.disabled", {"n": 1, "of": 2}) for r in found.remarks) == off
     )
-    assert not any("Not read" in r for r in found.remarks)
+    assert "import.not_read" not in coded(found.remarks)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, phrase
 from raybundle.io.folders import check_free
 
 if TYPE_CHECKING:
@@ -51,13 +51,14 @@ def check_near(s: Scene, rpc: Rpc, geographic: Array, ids: Sequence[str]) -> Non
         raise error.at(s.file) from None
 
 
-def beyond(rpc: Rpc, ground: Array, rows: Iterable[int], *, only_heights: bool = False) -> dict[int, str]:
+def beyond(rpc: Rpc, ground: Array, rows: Iterable[int], *, only_heights: bool = False) -> dict[int, Text]:
     """What lies outside the range of an RPC, by row."""
     high, out = rpc.heights_outside(ground), rpc.outside(ground)
-    notes: dict[int, str] = {}
+    low, top = rpc.height_range_m
+    notes: dict[int, Text] = {}
     for k in rows:
         if high[k]:
-            notes[k] = f"height {ground[k, 2]:g} m, the RPC holds for {rpc.height_range_words()}"
+            notes[k] = phrase("scene.height_outside", height_m=ground[k, 2], lowest_m=low, highest_m=top)
         elif out[k] and not only_heights:
-            notes[k] = "beside the area of the RPC"
+            notes[k] = phrase("scene.outside_area")
     return notes

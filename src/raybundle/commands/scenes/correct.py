@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.scenes.common import HEIGHTS_HELP, beyond, check_near, check_new, heights_of, size_of
 from raybundle.commands.scenes.inputs import SceneInput, is_object, path_of_object, scene_input
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, joined_texts, phrase
 from raybundle.settings import ANY, PIXELS, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
@@ -197,14 +197,16 @@ def correction_on(given: SceneInput, control: SceneControl, s: ControlSettings) 
     )  # fmt: skip
 
 
-def _odd_points(scene: Scene, rpc: Rpc, used: SceneControl) -> dict[int, str]:
+def _odd_points(scene: Scene, rpc: Rpc, used: SceneControl) -> dict[int, Text]:
     """Points whose heights the RPC was not made for, or that were measured outside the picture."""
     notes = beyond(rpc, used.geographic, range(len(used.ids)), only_heights=True)
     if scene.width_px and scene.height_px:
         for k, (x, y) in enumerate(used.xy_px.tolist()):
             if not (0 <= x <= scene.width_px and 0 <= y <= scene.height_px):
-                where = f"x {x:.1f}, y {y:.1f} lies outside the picture of {scene.width_px} x {scene.height_px} px"
-                notes[k] = f"{notes[k]}; {where}" if k in notes else where
+                where = phrase(
+                    "scene.outside_picture", x_px=x, y_px=y, width_px=scene.width_px, height_px=scene.height_px
+                )
+                notes[k] = joined_texts(notes[k], where) if k in notes else where
     return notes
 
 

@@ -75,10 +75,7 @@ def read_points(path: Path) -> Points:
         problems += problems_of(
             window > extent,
             "window",
-            lambda k: (
-                f"window {window[k]:.6g} of point {quoted(ids[k])} is larger than the extent of all points, "
-                f"{extent:.6g}; give it in the unit of the coordinates"
-            ),
+            lambda k: message("point.window_too_large", point=ids[k], window=window[k], extent=extent),
         )
     require(path, problems)
     return Points(ids=ids, role=role, xyz=xyz, sigma=sigma, **{n: table.number.get(n) for n in WINDOW})

@@ -115,7 +115,7 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
     model = sensor_models.get(model_name)
     if model is None:
         line = section.lines.get((*section.at, "model"), 0)
-        raise UnknownSensorModel(model_name, known=(*sensor_models, *SCENE_MODELS), file=f"{section.file}, line {line}")
+        raise UnknownSensorModel(model_name, known=(*sensor_models, *SCENE_MODELS), file=section.file, line=line)
     keys = [p.key for p in model.parameters]
     section.allow(
         (

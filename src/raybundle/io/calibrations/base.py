@@ -23,7 +23,7 @@ from raybundle.cameras.conversions import (
     measured_fit,
 )
 from raybundle.cameras.forward_camera import TERMS, ForwardCamera, Projection
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.calibrations.validity import Validity, validity
 from raybundle.io.folders import check_free, make_parent, new_files
 from raybundle.io.reading.files import as_utf8, guarded, read_bytes
@@ -162,7 +162,7 @@ def read_calibrations(
     _text(path)  # a folder, or a file too large for a calibration, is refused before it is parsed
     with guarded(path), ledger() as passed_over:
         found = format_.read(path, size_px)
-        remark = not_read(passed_over.counts())
+        remarks = not_read(passed_over.counts())
     for calibration in found:
         size = (calibration.camera.width_px, calibration.camera.height_px)
         if size_px is not None and size != size_px:
@@ -175,7 +175,7 @@ def read_calibrations(
                 given_height_px=size_px[1],
                 file=path,
             )
-    return (replace(found[0], remarks=(*found[0].remarks, remark)), *found[1:]) if remark and found else found
+    return (replace(found[0], remarks=(*found[0].remarks, *remarks)), *found[1:]) if found else found
 
 
 def convert_calibration(
@@ -209,13 +209,13 @@ def _lost(calibration: Calibration, format_: CalibrationFormat, *, exact: bool) 
     if calibration.covariance is None:
         return ()
     if not exact:
-        return ("the covariance is lost: it belongs to parameters of another model",)
+        return (phrase("calibration_remark.covariance_of_other_model"),)
     if format_.keeps == "covariance":
         return ()
     if format_.keeps == "standard deviations":
         off = calibration.covariance - np.diag(np.diag(calibration.covariance))
-        return ("the correlations are lost: the format has a place for standard deviations alone",) if off.any() else ()
-    return ("the covariance is lost: the format has no place for it",)
+        return (phrase("calibration_remark.no_correlations"),) if off.any() else ()
+    return (phrase("calibration_remark.no_covariance"),)
 
 
 def _to_measured(calibration: Calibration, format_: CalibrationFormat, pixel_mm: float | None) -> Conversion:
@@ -235,7 +235,7 @@ def _to_measured(calibration: Calibration, format_: CalibrationFormat, pixel_mm:
         fit = measured_fit(camera, blank, free)
         new, rms, largest, covered = fit.camera, fit.rms_px, fit.deviation_px, fit.covered
     if isinstance(camera, ForwardCamera) and calibration.pixel_mm is None and pixel_mm is None:
-        remarks = (*remarks, "the size of a pixel is nominal (36 mm over the longer side); results in px do not care")
+        remarks = (*remarks, phrase("calibration_remark.nominal_pixel", side_mm=NOMINAL_SIDE_MM))
     exact = largest <= FITTED and isinstance(camera, Camera)
     kept = replace(calibration, camera=new, pixel_mm=new.pixel_mm) if exact else None
     lost = _lost(calibration, format_, exact=exact)

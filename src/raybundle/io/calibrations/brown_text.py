@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.block import Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, register
 from raybundle.io.digits import exact
 from raybundle.io.reading.files import read_text
@@ -87,7 +87,7 @@ def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibra
     (width, pixel_x), (height, pixel_y) = sensor["H"], sensor["V"]
     camera = _camera(path, path.stem, (width, height), (pixel_x, pixel_y), final)
     free = tuple(s for s in sensor_models["brown"].symbols if s in std)
-    remarks = ("the file holds standard deviations and no correlations",) if free else ()
+    remarks = (phrase("calibration_remark.file_without_correlations"),) if free else ()
     covariance = np.diag([std[s] ** 2 for s in free]) if free else None
     return (
         Calibration(
@@ -193,7 +193,7 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
             pixel_mm=camera.pixel_mm,
             free=free,
             covariance=np.diag([std[s] ** 2 for s in free]) if free else None,
-            remarks=("the file holds standard deviations and no correlations",) if free else (),
+            remarks=(phrase("calibration_remark.file_without_correlations"),) if free else (),
         ),
     )
 

@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from raybundle.cameras.forward_camera import ForwardCamera
+from raybundle.errors import phrase
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.digits import exact
 from raybundle.io.reading.words import quoted
@@ -44,7 +45,8 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     pinhole = ForwardCamera(width_px=width, height_px=height, fx=F, fy=F, cx=cx, cy=cy)
     camera = replace(pinhole, **terms)
     useful = root.find("RayonUtile")
-    remarks = (f"MicMac names {useful.numbers(1)[0]:.0f} px as its valid radius",) if useful is not None else ()
+    radius = None if useful is None else float(useful.numbers(1)[0])
+    remarks = () if radius is None else (phrase("calibration_remark.valid_radius", radius_px=radius),)
     return (Calibration(id=path.stem, camera=camera, remarks=remarks),)
 
 

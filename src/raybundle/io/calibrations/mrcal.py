@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from raybundle.cameras.forward_camera import ForwardCamera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.opencv import HALF, ORDER
 from raybundle.io.reading.files import read_text
@@ -39,12 +39,11 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     declare("optimization_inputs")
     if top.has("extrinsics") and any(v.number() for v in top.get("extrinsics").items()):
         enter("extrinsics")
-    remark = "its optimization inputs are not read, so its covariance is not known here"
     return (
         Calibration(
             id=path.stem,
             camera=ForwardCamera(width_px=size[0].whole(), height_px=size[1].whole(), **values),
-            remarks=(remark,) if top.has("optimization_inputs") else (),
+            remarks=(phrase("calibration_remark.inputs_not_read"),) if top.has("optimization_inputs") else (),
         ),
     )
 

@@ -17,6 +17,7 @@ import numpy as np
 
 from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.cameras.opencv import COUNTS, HALF, ORDER
+from raybundle.errors import phrase
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.yaml_text import read_yaml
 from raybundle.io.digits import exact
@@ -199,9 +200,9 @@ def _camera(id_: str, matrix: Json, distortion: Json | None, size: tuple[int, in
         place.fail("opencv.coefficient_count", n=len(coefficients), known=list(COUNTS))
     remarks = [*misplaced]
     if distortion is None:
-        remarks.append("the file holds no distortion coefficients; they are taken as 0")
+        remarks.append(phrase("calibration_remark.no_distortion"))
     if skew and not fisheye:
-        remarks.append(f"OpenCV's functions pass over the skew {skew:g} in the matrix, and so it is left out")
+        remarks.append(phrase("calibration_remark.skew", skew=skew))
         skew = 0.0
     camera = ForwardCamera(
         width_px=size[0],
@@ -226,14 +227,17 @@ def _check_size(matrix: Json, point: tuple[float, float], size: tuple[int, int])
     off = max(abs(x / width - 0.5), abs(y / height - 0.5))
     if off <= FAR:
         return []
-    words = f"the principal point {x:.6g}, {y:.6g} px is not near the centre of the format, {width} x {height} px"
     if max(abs(x / height - 0.5), abs(y / width - 0.5)) <= NEAR:
         matrix.fail("opencv.size_interchanged", x_px=x, y_px=y, width_px=width, height_px=height)
     same = abs(x / width - y / height) <= NEAR * (x / width + y / height)
-    words += f", but of {2 * x:.0f} x {2 * y:.0f} px" if same else ""
     if off >= 0.5:
         matrix.fail("opencv.principal_point_outside", x_px=x, y_px=y, width_px=width, height_px=height)
-    return [f"{words}: is the matrix of another size of the images?" if same else words]
+    return [
+        phrase(
+            "calibration_remark.principal_point", x_px=x, y_px=y, width_px=width, height_px=height, another_size=same,
+            other_width_px=round(2 * x), other_height_px=round(2 * y),
+        )
+    ]  # fmt: skip
 
 
 def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:

@@ -279,32 +279,40 @@ def match(entry: LibraryEntry, photo: Photo) -> Match:
     if against:
         return Match(entry=entry, fits=False, reasons=(against,))
     mine, own = entry.key, key_of(photo)
-    reasons = [f"{mine.make} {mine.model}".strip(), f"EXIF focal length {own.focal_mm or 0:g} mm"]
-    base = entry.camera
-    if entry.zoom is not None:
-        base, remarks = _zoomed(entry.zoom, own)
-        low, high = entry.zoom.range_mm
-        reasons[1] += f" within {low:g} to {high:g} mm of a calibrated zoom lens"
-        reasons += remarks
+    base, remarks = (entry.camera, ()) if entry.zoom is None else _zoomed(entry.zoom, own)
+    low, high = (0.0, 0.0) if entry.zoom is None else entry.zoom.range_mm
+    reasons = [
+        f"{mine.make} {mine.model}".strip(),
+        phrase(
+            "library_match.focal_length",
+            focal_mm=own.focal_mm or 0,
+            zoom=entry.zoom is not None,
+            low_mm=low,
+            high_mm=high,
+        ),
+        *remarks,
+    ]
     same = [_same(mine.serial, own.serial), _same(mine.lens, own.lens)]
-    for name, value, equal in (("serial number", mine.serial, same[0]), ("lens", mine.lens, same[1])):
-        reasons.append(f"{name} {value}" if equal else f"{name} not compared: not known to both")
+    for quantity, value, equal in (("serial", mine.serial, same[0]), ("lens", mine.lens, same[1])):
+        reasons.append(phrase("library_match.same", quantity=quantity, equal=equal, value=value))
     camera = _for_format(base, photo)
     assert camera is not None
     if entry.zoom is None and entry.covariance is not None:
         camera = observed_jointly(camera, entry.free, entry.covariance)
     whole = (camera.width_px, camera.height_px) == (entry.camera.width_px, entry.camera.height_px)
-    size = f"{entry.camera.width_px} x {entry.camera.height_px} px"
     reasons.append(
-        f"format {size}" if whole else f"format {size}, taken as the whole of {photo.width_px} x {photo.height_px} px"
-    )
+        phrase(
+            "library_match.format", whole=whole, width_px=entry.camera.width_px, height_px=entry.camera.height_px,
+            own_width_px=photo.width_px, own_height_px=photo.height_px,
+        )
+    )  # fmt: skip
     apart = 0.0
     if mine.focus_m and own.focus_m and entry.zoom is None:
         c = entry.camera.values.get("c", own.focal_mm or 0.0)
         apart = abs(c * c / 1000 * (1 / mine.focus_m - 1 / own.focus_m)) / entry.camera.pixel_mm[0]
         if apart > 0:
             reasons.append(
-                f"focused at {mine.focus_m:g} m, the photograph at {own.focus_m:g} m: c may differ by {apart:.2g} px"
+                phrase("library_match.focus", focus_m=mine.focus_m, own_focus_m=own.focus_m, difference_px=apart)
             )
     rank = (float(same[0]), float(same[1]), float(whole), -apart)
     return Match(entry=entry, fits=True, reasons=tuple(reasons), camera=camera, rank=rank)
@@ -318,40 +326,42 @@ def _against(entry: LibraryEntry, photo: Photo) -> str:
     """What forbids an entry for a photograph; "" for nothing."""
     mine, own = entry.key, key_of(photo)
     if not own.model:
-        return "the photograph's EXIF names no camera model"
-    for name, a, b in (("make", mine.make, own.make), ("model", mine.model, own.model)):
-        if (a or b) and not _same(a, b) and not (name == "make" and not (a and b)):
-            return f"it is for the {name} {a or '(not known)'}, the photograph is of {b or '(not known)'}"
-    for name, a, b in (("serial number", mine.serial, own.serial), ("lens", mine.lens, own.lens)):
-        if a and b and not _same(a, b):
-            return f"its {name} is {a}, the photograph's {b}"
+        return phrase("library_match.no_model")
+    for name, a, b in (
+        ("make", mine.make, own.make), ("model", mine.model, own.model), ("serial", mine.serial, own.serial),
+        ("lens", mine.lens, own.lens),
+    ):  # fmt: skip
+        if (a or b) and not _same(a, b) and (name == "model" or (a and b)):
+            return phrase("library_match.other", quantity=name, value=a or "?", own=b or "?")
     if entry.zoom is not None:
         against = _beyond(entry.zoom, own.focal_mm)
         if against:
             return against
     elif mine.focal_mm is None or own.focal_mm is None:
-        return "the EXIF focal length is not known to both; a calibration is valid for one focal length alone"
+        return phrase("library_match.focal_length_unknown", zoom=False)
     elif abs(mine.focal_mm - own.focal_mm) > SAME_FOCAL * mine.focal_mm:
-        return f"it is for the EXIF focal length {mine.focal_mm:g} mm, the photograph has {own.focal_mm:g} mm"
+        return phrase("library_match.other_focal_length", focal_mm=mine.focal_mm, own_focal_mm=own.focal_mm)
     zoom = photo.metadata.zoom_ratio
     if zoom is not None and zoom > 1:
-        return f"the photograph has a digital zoom of {zoom:g}: it is a crop"
+        return phrase("library_match.digital_zoom", zoom=zoom)
     if _for_format(entry.camera, photo) is None:
         c = entry.camera
         turned = (photo.width_px, photo.height_px) == (c.height_px, c.width_px)
-        why = "was turned by a program" if turned else "is a crop"
-        return f"it is for {c.width_px} x {c.height_px} px; {photo.width_px} x {photo.height_px} px {why}"
+        return phrase(
+            "library_match.other_format", width_px=c.width_px, height_px=c.height_px, own_width_px=photo.width_px,
+            own_height_px=photo.height_px, turned=turned,
+        )  # fmt: skip
     return ""
 
 
 def _beyond(zoom: ZoomCalibration, focal_mm: float | None) -> str:
     """Why a zoom calibration does not hold for a focal length; "" where it does."""
     if focal_mm is None:
-        return "the photograph's EXIF focal length is not known, and the calibration is of a zoom lens"
+        return phrase("library_match.focal_length_unknown", zoom=True)
     low, high = zoom.range_mm
     slack = zoom.resolution_mm / 2
     if not low - slack <= focal_mm <= high + slack:
-        return f"it is for {low:g} to {high:g} mm of a zoom lens, the photograph has {focal_mm:g} mm"
+        return phrase("library_match.beyond_zoom", low_mm=low, high_mm=high, own_focal_mm=focal_mm)
     return ""
 
 
@@ -361,8 +371,8 @@ def _zoomed(zoom: ZoomCalibration, own: CameraKey) -> tuple[Camera, tuple[str, .
     camera = observed_jointly(at.camera, at.free, at.covariance)
     if zoom.resolution_mm > 0 and "c" in at.free:
         sigma = float(np.sqrt(at.covariance[at.free.index("c"), at.free.index("c")]))
-        line = f"EXIF rounds the focal length to {zoom.resolution_mm:g} mm: c is estimated from {sigma:.2g} mm"
-        return camera, (*at.remarks, line)
+        rounded = phrase("library_match.focal_length_rounded", step_mm=zoom.resolution_mm, sigma_mm=sigma)
+        return camera, (*at.remarks, rounded)
     return camera, at.remarks
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera
 from raybundle.block.rigs import is_mounted, without_rigs
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.platforms import Carried, Platform
 from raybundle.platforms.station import sensor_from_object
@@ -33,7 +34,7 @@ def at_one_instant(block: Block) -> tuple[Block, tuple[str, ...]]:
     mounted = [c.id for c in block.cameras if is_mounted(c)]
     block = without_rigs(block) if mounted else block
     loads = [_unloaded(c.sensor) for c in block.cameras]
-    on_rigs = (f"cameras on a rig stand for themselves, each where it was: {', '.join(mounted)}",) if mounted else ()
+    on_rigs = (phrase("conversion.rigs", cameras=mounted),) if mounted else ()
     if not any(u.platforms for u in loads):
         return block, on_rigs
     xy = block.observations.xy_px.copy()
@@ -52,11 +53,7 @@ def at_one_instant(block: Block) -> tuple[Block, tuple[str, ...]]:
                 largest[camera.id] = max(largest.get(camera.id, 0.0), size)
             interior[i] = {s: v for s, v in interior.get(i, {}).items() if s in unloaded.sensor.symbols}
         cameras[k] = _alone(camera, unloaded.sensor)
-    remarks = [
-        f"the read-out of camera {name} is left out, which the format cannot hold: image points are moved by up to "
-        f"{size:.2g} px to where they would be had all rows been read at one instant; the photographs are as they are"
-        for name, size in largest.items()
-    ]
+    remarks = [phrase("conversion.read_out", camera=name, largest_px=size) for name, size in largest.items()]
     images = replace(block.images, station=None, interior={k: v for k, v in interior.items() if v})
     observations = replace(block.observations, xy_px=xy)
     return replace(block, cameras=tuple(cameras), images=images, observations=observations), (*remarks, *on_rigs)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.block import Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,15 +49,13 @@ def certificate_camera(certificate: Certificate, *, pixel_mm: float) -> tuple[Ca
         scale = np.maximum(np.abs(A).max(axis=0), 1e-300)
         K[:terms] = np.linalg.lstsq(A / scale, -d, rcond=None)[0] / scale
         worst = float(np.abs(A @ K[:terms] + d).max()) * 1000
-        remarks.append(f"K1 to K{terms} stand for the table of distortion to {worst:.2f} micrometres")
+        remarks.append(phrase("film.distortion_terms", n=terms, largest_um=worst))
     x0, y0 = certificate.symmetry_mm
     if certificate.autocollimation_mm is not None:
         gap = float(np.hypot(x0 - certificate.autocollimation_mm[0], y0 - certificate.autocollimation_mm[1]))
         corner = float(np.hypot(*certificate.format_mm)) / 2
-        remarks.append(
-            f"the principal points differ by {1000 * gap:.0f} micrometres; what the exterior orientation does not take "
-            f"up of it is {1000 * gap * (corner / certificate.c_mm) ** 2:.1f} micrometres in the corners at most"
-        )
+        rest_um = 1000 * gap * (corner / certificate.c_mm) ** 2
+        remarks.append(phrase("film.principal_points_differ", difference_um=1000 * gap, corner_um=rest_um))
     values = {"c": certificate.c_mm, "x0": x0, "y0": y0, "K1": K[0], "K2": K[1], "K3": K[2]}
     rest = dict.fromkeys(("P1", "P2", "A", "S"), 0.0)
     return (

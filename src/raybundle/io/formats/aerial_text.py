@@ -20,7 +20,7 @@ import numpy as np
 
 from raybundle.block import ROLES, Camera, Images, Role
 from raybundle.block.block import Distances, Stations
-from raybundle.errors import InputError, Message, Value, content, note
+from raybundle.errors import InputError, Message, Value, content, note, phrase
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.digits import EVERY
@@ -145,7 +145,7 @@ def in_metres(export: Export, name: str) -> tuple[Export, tuple[str, ...]]:
         sigma=None if export.sigma is None else export.sigma * metres,
         station_sigma=None if export.station_sigma is None else export.station_sigma * metres,
     )
-    return scaled, (f"the block is in {block.length_unit}; its coordinates are written in m, as {name} counts",)
+    return scaled, (phrase("conversion.in_metres", unit=block.length_unit, format=name),)
 
 
 def checked(s: Scene, name: str) -> None:

@@ -11,12 +11,12 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
 from raybundle.cameras.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
-from raybundle.errors import InputError, Message, note
+from raybundle.errors import InputError, Message, note, phrase
 from raybundle.io.folders import check_free, check_new_file, make_parent, new_files, new_folder
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.ids import check_ids_of
 from raybundle.io.reading.files import guarded, opened
-from raybundle.io.reading.ledger import ledger, not_read_message
+from raybundle.io.reading.ledger import ledger, not_read
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.readable import readable, readable_names
 from raybundle.sensors import ProjectionDiverged, sensor_models
@@ -188,7 +188,7 @@ def read_format(name: str, path: str | Path) -> Import:
     with guarded(path), ledger() as passed_over:
         found = format_.read(path)
         unread = passed_over.counts()
-    remarks = (*found.remarks, *([not_read_message(unread)] if unread else []))
+    remarks = (*found.remarks, *(t.message for t in not_read(unread)))
     return replace(found, remarks=remarks, unread=unread)
 
 
@@ -215,7 +215,7 @@ def write_format(
     check_ids_of(export.block, path)
     if export.block.free_scale and format_.metric and not free_scale:
         raise InputError("format.free_scale", format=name, file=path)
-    remarks = (f"{FREE_SCALE}: lengths in what is written are in no unit",) if export.block.free_scale else ()
+    remarks = (phrase("conversion.free_scale"),) if export.block.free_scale else ()
     if format_.kind == "folder":
         with new_folder(path) as folder:
             draft = format_.write(export, folder)
@@ -225,10 +225,6 @@ def write_format(
         return Written(files=files, remarks=(*remarks, *draft.remarks), deviation_px=draft.deviation_px)
     written = _write_files(format_.write, export, path, approximate=approximate)
     return replace(written, remarks=(*remarks, *written.remarks))
-
-
-FREE_SCALE = "the scale of the block is free, for no length fixes it"
-GIVE_SCALE = "give the adjustment a scale bar, two control points or observed positions"
 
 
 def check_deviation(deviation_px: float, path: Path, *, approximate: bool, undistort: bool = False) -> None:
@@ -368,16 +364,11 @@ def _left_out(block: Block, oriented: Mask, known: Mask) -> list[str]:
     remarks: list[str] = []
     if not oriented.all():
         ids = [block.images.ids[k] for k in np.flatnonzero(~oriented).tolist()]
-        remarks.append(f"{len(ids)} of {len(oriented)} images are not oriented and are left out: {listed(ids)}")
+        remarks.append(phrase("conversion.not_oriented", n=len(ids), total=len(oriented), names=ids))
     if not known.all():
         ids = [block.points.ids[k] for k in np.flatnonzero(~known).tolist()]
-        remarks.append(f"{len(ids)} of {len(known)} points have no coordinates and are left out: {listed(ids)}")
+        remarks.append(phrase("conversion.no_coordinates", n=len(ids), total=len(known), names=ids))
     return remarks
-
-
-def listed(ids: Sequence[str], most: int = 5) -> str:
-    """The first few ids, for a message."""
-    return ", ".join(ids[:most]) + (" ..." if len(ids) > most else "")
 
 
 def _errors(s: Scene) -> Array:
@@ -406,7 +397,7 @@ def cv_pose(s: Scene) -> tuple[Array, Array]:
 def deviation_remark(deviations: Sequence[tuple[str, str, float]]) -> tuple[tuple[str, ...], float]:
     """Remarks on fitted cameras (id, model, deviation in px), and the largest deviation."""
     remarks = tuple(
-        f"camera {id_} is written as {model}, fitted over the format: largest deviation {d:.3g} px"
+        phrase("conversion.camera_fitted", camera=id_, model=model, largest_px=d)
         for id_, model, d in deviations
         if d > 1e-9
     )

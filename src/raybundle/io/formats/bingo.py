@@ -22,8 +22,9 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.block import Role
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.formats.aerial_text import (
+    CAMERAS,
     END,
     LARGEST_MM,
     Contents,
@@ -41,7 +42,6 @@ from raybundle.io.formats.aerial_text import (
 from raybundle.io.formats.base import Draft, Export, Format, Import, Scene, register, scene
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.attitude import GON, pok_from_rotation, rotation_from_opk, rotation_from_pok
-from raybundle.settings import option
 
 IMAGE, ITERA, GEOIN = "image.dat", "itera.dat", "geoin.dat"
 READINGS = ("pok_gon", "opk_gon", "opk_deg")
@@ -61,12 +61,7 @@ def write(export: Export, folder: Path) -> Draft:
     (folder / ITERA).write_text("".join(_itera_lines(s, photographs, points)), encoding="utf-8")
     (folder / GEOIN).write_text("".join(_geoin_lines(export, s, points)), encoding="utf-8")
     write_own(folder, s, export, photographs, points)
-    remark = (
-        "image points are the measured ones, in mm about the image centre; principal point and distortion stand in "
-        "cameras.toml alone: give them to the other program, or straighten the photographs first "
-        f"({option('undistort')})"
-    )
-    return Draft(remarks=(*converted, *s.remarks, remark))
+    return Draft(remarks=(*converted, *s.remarks, phrase("conversion.measured_points", unit="mm", table=CAMERAS)))
 
 
 def _image_lines(s: Scene, photographs: list[str], points: list[str]) -> Iterator[str]:

@@ -27,7 +27,7 @@ def write(export: Export, path: Path) -> Draft:
             raise InputError("camera.not_in_format", camera=camera.id, kind="fisheye", format="bundle.out")
         fit = forward_fit(camera, ("fx", "k1", "k2"), centred=True)
         fitted.append((fit.camera.fx, fit.camera.k1, fit.camera.k2))
-        deviations.append((camera.id, "f, k1, k2 about the image centre", fit.deviation_px))
+        deviations.append((camera.id, "f, k1, k2", fit.deviation_px))
     lines = ["# Bundle file v0.3", f"{len(s.names)} {len(s.xyz)}"]
     t = -np.einsum("nij,nj->ni", s.rotation, s.centre)
     for k in range(len(s.names)):

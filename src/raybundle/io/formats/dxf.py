@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.formats.base import Draft, Export, Format, register
 from raybundle.io.formats.surveyed import Surveyed, check_lengths, surveyed
 from raybundle.numerics.arrays import Array
@@ -46,7 +46,7 @@ def write(export: Export, path: Path) -> Draft:
     drawing.header["$INSUNITS"] = INSUNITS.get(s.unit, 0)
     drawing.header["$MEASUREMENT"] = 0 if s.unit in {"ft", "us-ft"} else 1
     if s.unit not in INSUNITS:
-        remarks.append(f"DXF has no code for the unit {s.unit}; the drawing states none")
+        remarks.append(phrase("conversion.dxf_unit", unit=s.unit))
     remarks += _height_unit(s)
     for name, value in (("block", s.block.name), ("coordinate system", s.system_name or s.local_name),
                         ("unit", s.unit or "none"), *export.record.items()):  # fmt: skip
@@ -181,7 +181,7 @@ def _height_unit(s: Surveyed) -> list[str]:
     plan, height = (one.axis_info[0] for one in s.system.sub_crs_list[:2])
     if plan.unit_conversion_factor == height.unit_conversion_factor:
         return []
-    return [f"heights are in {height.unit_name}, east and north in {plan.unit_name}, as in the coordinate system"]
+    return [phrase("conversion.height_unit", heights=height.unit_name, plan=plan.unit_name)]
 
 
 def _text(words: str) -> str:

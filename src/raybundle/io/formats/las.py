@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.formats.base import Draft, Export, Format, register
 from raybundle.io.formats.surveyed import Surveyed, surveyed
 from raybundle.numerics.arrays import Array, Index
@@ -104,7 +104,7 @@ def write(export: Export, path: Path) -> Draft:
     xyz = view.placed(s.xyz)
     remarks = list(s.remarks)
     if view.system is not None:
-        remarks.append(f"coordinates are written in {view.system_name}")
+        remarks.append(phrase("conversion.system", system=view.system_name))
     offsets = np.floor(xyz.min(axis=0) if len(xyz) else np.zeros(3))
     sigma = _sigma_m(export, view) if view.degrees else view.sigma_of(s.points, xyz)
     points = LasPoints(

@@ -18,7 +18,7 @@ from raybundle.block import Block, Camera, Images
 from raybundle.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, pinhole_of, terms_for
 from raybundle.cameras.equirectangular import equirectangular_camera
 from raybundle.cameras.forward_camera import ForwardCamera
-from raybundle.errors import InputError, Message, note
+from raybundle.errors import InputError, Message, note, phrase
 from raybundle.io.formats.base import (
     Draft,
     Export,
@@ -65,7 +65,6 @@ OTHER_LENSES = ("latlong", "orthographic", "ftheta_p0")
 """Keys of instant-ngp for lenses that are not read."""
 ANGLE_SHARE = 0.01
 """Largest difference of a focal length from that of the field of view beside it, as a share."""
-NOTE = "nerfstudio looks for the photographs in images/ beside the file"
 
 
 def _camera_out(camera: Camera) -> tuple[dict[str, Any], str, float]:
@@ -109,9 +108,7 @@ def write(export: Export, path: Path) -> Draft:
     text = json.dumps({**head, **free, "frames": frames, "ply_file_path": cloud.name}, indent=1, ensure_ascii=False)
     path.write_text(text + "\n", encoding="utf-8")
     remarks, largest = deviation_remark(deviations)
-    return Draft(
-        remarks=(*s.remarks, *remarks, "nerfstudio looks for the photographs in images/"), deviation_px=largest
-    )
+    return Draft(remarks=(*s.remarks, *remarks, phrase("conversion.nerfstudio_images")), deviation_px=largest)
 
 
 def read(path: Path) -> Import:

@@ -81,7 +81,7 @@ def write(export: Export, folder: Path) -> Draft:
     for camera in s.cameras:
         fit = forward_fit(camera, TERMS)
         sensors.append(fit.camera)
-        deviations.append((camera.id, "an OPF perspective sensor", fit.deviation_px))
+        deviations.append((camera.id, "perspective", fit.deviation_px))
     contents = {
         "camera_list": {"cameras": [{"id": uid(n), "uri": quote(n)} for n in s.names]},
         "input_cameras": _input_cameras(s, sensors),

@@ -19,8 +19,9 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.block import Role
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.formats.aerial_text import (
+    CAMERAS,
     END,
     LARGEST_MM,
     Contents,
@@ -39,7 +40,6 @@ from raybundle.io.formats.base import Draft, Export, Format, Import, Scene, regi
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
-from raybundle.settings import option
 
 STEM = "block"
 READINGS = ("image_to_object", "object_to_image")
@@ -58,12 +58,7 @@ def write(export: Export, folder: Path) -> Draft:
     adjusted = [f"{p:>16}{_row(x)}\n" for p, x in zip(points, s.xyz, strict=True)]
     (folder / f"{STEM}.adj").write_text("".join(adjusted), encoding="utf-8")
     write_own(folder, s, export, photographs, points)
-    remark = (
-        "image points are the measured ones, in micrometres about the image centre; principal point and distortion "
-        "stand in cameras.toml alone: give them to the other program, or straighten the photographs first "
-        f"({option('undistort')})"
-    )
-    return Draft(remarks=(*converted, *s.remarks, remark))
+    return Draft(remarks=(*converted, *s.remarks, phrase("conversion.measured_points", unit="µm", table=CAMERAS)))
 
 
 def _row(values: Array, digits: int = 10) -> str:

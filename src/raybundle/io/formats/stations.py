@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.formats.base import Draft, Export, Format, Scene, register, scene
 from raybundle.numerics.arrays import Array
 
@@ -70,8 +70,7 @@ def write_kml(export: Export, path: Path) -> Draft:
         ]
     )
     path.write_text(text + "\n", encoding="utf-8")
-    note = "KML counts heights from the sea; viewers show these ellipsoidal heights off by the geoid's"
-    return Draft(remarks=(*remarks, note))
+    return Draft(remarks=(*remarks, phrase("conversion.kml_heights")))
 
 
 for _name, _title, _write in (

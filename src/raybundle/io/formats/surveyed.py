@@ -14,13 +14,12 @@ import numpy as np
 from raybundle.block import Block, Camera, Role
 from raybundle.block.points import automatic
 from raybundle.cameras.conversions import camera_rays
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.formats.base import Export, Scene, scene
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.geo.parsed_names import parsed_system
 from raybundle.io.geo.parsed_systems import system_name
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted
 from raybundle.numerics.natural import natural
 from raybundle.numerics.planes import hull
 from raybundle.numerics.rotation import angles_from_rotation
@@ -289,17 +288,11 @@ class Surveyed:
         """What was left out, and in what system everything is."""
         reported = list(self.scene.remarks)
         if self.export.within is not None:
-            reported.append(
-                f"coordinates are written in the axes of the plane [{self.unit or 'no unit'}]: X to the right, Y up, Z "
-                "out of it; their standard deviations leave out the correlations between the block's coordinates"
-            )
+            reported.append(phrase("conversion.plane_axes", unit=self.unit or "none"))
         elif self.frame is None:
-            reported.append(
-                f"the block has no coordinate system; its own axes are written [{self.unit or 'no unit'}], and the "
-                "file states that they are local"
-            )
+            reported.append(phrase("conversion.no_system", unit=self.unit or "none"))
         else:
-            reported += [f"coordinates are written in {self.system_name}", *self.frame.remarks]
+            reported += [phrase("conversion.system", system=self.system_name), *self.frame.remarks]
         return tuple(reported)
 
     @property
@@ -308,8 +301,7 @@ class Surveyed:
         without = len(self.photos) - len(self.footprints)
         if not without or self.frame is None:  # what is level is not known of every local block
             return ()
-        verb = "has" if without == 1 else "have"
-        return (f"{counted(without, 'photograph')} {verb} no footprint: not all of it looks down on the ground",)
+        return (phrase("conversion.no_footprint", n=without),)
 
     def _sigma(self, local: Array | None, there: Array | None, rows: Index, at: Array) -> Array:
         if self.frame is None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from raybundle.errors import InputError, code_of
+from raybundle.errors import InputError, Text, code_of, named
 from raybundle.io.geo.coordinate_systems import height_remarks, local_frame, parse_crs
 from raybundle.io.geo.rasters import (
     METRES_IN,
@@ -201,7 +201,8 @@ def _ground(
         remarks = [r for r in remarks if code_of(r) != "raster.unit_assumed"]
     ground = Ground(
         file=path, plan=plan.to_wkt(), heights=heights, undulation_m=undulation, metres=metres, shape=shape,
-        transform=(a, b, c, d, e, f), window=window, remarks=(*remarks, *(f"{path.name}: {r}" for r in reported)),
+        transform=(a, b, c, d, e, f), window=window,
+        remarks=(*remarks, *(Text.of(named(path.name, r)) for r in reported)),
     )  # fmt: skip
     ground.separation(np.array([shape], float) / 2)  # a geoid that is not there is reported before anything is done
     return ground

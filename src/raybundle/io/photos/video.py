@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.digits import COUNT, Figures, Places
 from raybundle.io.folders import check_free, new_folder
 from raybundle.io.photos.movie import MovieMetadata, read_movie_metadata
@@ -222,7 +222,7 @@ def choose(analysis: Analysis, options: FrameOptions) -> tuple[list[int], list[s
     n, total = len(analysis.time_s), float(analysis.motion[-1])
     remarks: list[str] = []
     if total < STILL:
-        remarks.append("the view hardly moves: frames without a base give no object coordinates")
+        remarks.append(phrase("video.no_motion"))
     if options.every_s is not None:
         place, width = analysis.time_s, options.every_s
     elif options.count is not None:
@@ -237,14 +237,14 @@ def choose(analysis: Analysis, options: FrameOptions) -> tuple[list[int], list[s
     if options.every_s is not None:
         kept = [k for j, k in enumerate(chosen) if not j or analysis.motion[k] - analysis.motion[chosen[j - 1]] > STILL]
         if len(kept) < len(chosen):
-            remarks.append(f"{len(chosen) - len(kept)} frames show the same as the one before and were left out")
+            remarks.append(phrase("video.same_frames", n=len(chosen) - len(kept)))
         chosen = kept
     typical = float(np.median(analysis.sharpness))
     blurred = [k for k in chosen if analysis.sharpness[k] < BLURRED * typical]
     if blurred:
-        remarks.append(f"{len(blurred)} chosen frames are less than half as sharp as the typical frame: {blurred[:5]}")
+        remarks.append(phrase("video.blurred", n=len(blurred), frames=blurred, share=BLURRED))
     if options.count is not None and len(chosen) < options.count:
-        remarks.append(f"{len(chosen)} frames instead of {options.count}: the others lie too close together")
+        remarks.append(phrase("video.fewer_frames", n=len(chosen), wanted=options.count))
     return chosen, remarks
 
 

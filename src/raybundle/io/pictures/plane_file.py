@@ -159,7 +159,7 @@ def axes_in(path: Path, export: Export) -> PlaneAxes | None:
     block, frame = export.block, export.frame
     if plane.system:
         if frame is None or frame.crs != plane.system:
-            mine = "its own axes" if frame is None else frame.crs
+            mine = "none" if frame is None else frame.crs
             raise InputError(
                 "picture.other_system",
                 picture=plane.system,

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.folders import check_free, new_files
 from raybundle.io.pictures.geotiff import TAGS, system_file, system_text, tags_of, write_geotiff
 from raybundle.io.pictures.resampling import between, sampled
@@ -117,8 +117,7 @@ class Rectified:
         if not (wkt and library is None):
             system_file(path).unlink(missing_ok=True)  # of an older picture that is overwritten
         if wkt and library is None:
-            why = "rasterio, which writes GeoTIFF, is not installed (pip install 'raybundle[geo]'); " * (suffix in TIFF)
-            remarks = (f"{why}the coordinate system stands in {system_file(path).name}, the place in the world file",)
+            remarks = (phrase("conversion.system_beside", name=system_file(path).name, tiff=suffix in TIFF),)
         return remarks
 
 

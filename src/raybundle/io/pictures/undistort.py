@@ -13,7 +13,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera
 from raybundle.cameras.conversions import camera_rays, interiors, parameter_vector
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, as_detail, note, phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.sensors import sensor_models
@@ -166,7 +166,7 @@ def undistorted_block(block: Block, *, area: Area = "inside") -> tuple[Block, tu
         cov[rows] = np.stack([C[:, 0, 0], C[:, 1, 1], C[:, 0, 1]], axis=1)
         inside[rows] = ((xy[rows] >= 0) & (xy[rows] <= [pinhole.width_px, pinhole.height_px])).all(axis=1)
     out = int((~inside).sum())
-    remarks = (f"{out} image observations lie outside the undistorted images and are left out",) if out else ()
+    remarks = (phrase("conversion.outside_undistorted", n=out),) if out else ()
     moved = replace(o, xy_px=xy, cov_px2=cov).rows(inside)
     images = replace(block.images, camera=index, interior={})
     return replace(block, cameras=pinholes, images=images, observations=moved, residuals="measured"), remarks
@@ -201,7 +201,7 @@ def write_undistorted(
         try:
             pixels, image = _opened(photos, name, camera)
         except (OSError, ValueError, SyntaxError, InputError) as error:
-            remarks.append(f"{name} is left out: {error}")
+            remarks.append(Text.of(note("conversion.photograph_left_out", name=name, details=[as_detail(error)])))
             continue
         if change is None or current != int(index[k]):
             current, change = int(index[k]), undistorted(camera, area=area)
@@ -301,7 +301,7 @@ def point_colours(
             photos = next((f for f in folders if (f / _relative(name)).is_file()), folders[0])
             pixels, _ = _opened(photos, name, camera)
         except (OSError, ValueError, SyntaxError, InputError) as error:
-            remarks.append(f"{name} gives no colours: {error}")
+            remarks.append(Text.of(note("conversion.no_colours", name=name, details=[as_detail(error)])))
             continue
         x, y = np.floor(block.observations.xy_px[rows]).astype(int).T
         seen: Mask = (x >= 0) & (y >= 0) & (x < camera.width_px) & (y < camera.height_px)

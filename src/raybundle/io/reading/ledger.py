@@ -13,7 +13,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from raybundle.errors import Message, note
+from raybundle.errors import Text, phrase
 from raybundle.io.reading.words import quoted
 
 NAMED = 6
@@ -79,18 +79,12 @@ def declare(*names: str) -> None:
         found.declared.update(names)
 
 
-def not_read_message(counts: Mapping[str, int]) -> Message:
-    """The elements passed over, as a remark."""
-    return note("import.not_read", n=sum(counts.values()), kinds=[f"{n} {kind}" for kind, n in counts.items()])
-
-
-def not_read(counts: Mapping[str, int]) -> str:
-    """One line on the elements passed over; empty where there is none."""
+def not_read(counts: Mapping[str, int]) -> tuple[Text, ...]:
+    """A remark on the elements passed over; () where there is none."""
     if not counts:
-        return ""
-    kinds = [f"{n} {kind}" for kind, n in list(counts.items())[:NAMED]]
-    more = sum(list(counts.values())[NAMED:])
-    return f"Not read: {', '.join(kinds)}" + (f" and {more} more" if more else "")
+        return ()
+    kinds = [f"{n} {kind}" for kind, n in counts.items()]
+    return (phrase("import.not_read", n=sum(counts.values()), kinds=kinds),)
 
 
 def _printed(kind: str) -> str:

@@ -121,9 +121,9 @@ def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
 def _read(format_: TrajectoryFormat, path: Path) -> Trajectory:
     with guarded(path), ledger() as passed_over:
         found = format_.read(path)
-        remark = not_read(passed_over.counts())
+        remarks = not_read(passed_over.counts())
     beyond = () if found.crs is None else check_area(found.crs, found.xyz[:, :2], found.path, lines=found.lines)
-    return replace(found, remarks=(*found.remarks, *((remark,) if remark else ()), *beyond))
+    return replace(found, remarks=(*found.remarks, *remarks, *beyond))
 
 
 def write_trajectory(trajectory: Trajectory, path: str | Path, *, name: str) -> None:

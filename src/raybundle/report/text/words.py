@@ -113,12 +113,6 @@ def relative_number(network: NetworkFigures) -> int | None:
     return round(float(f"{relative:.2g}")) if math.isfinite(relative) else None
 
 
-def left_out(network: NetworkFigures) -> str:
-    """Which points the mean standard deviation leaves out, as the end of a sentence; empty where none."""
-    share = 100 * (1 - network.mean_share)
-    return "" if share == 0 else f", without the {share:.0f} % of the points that are least precise"
-
-
 def relative_values(view: View) -> dict[str, Any] | None:
     """Values of a phrase on the relative precision 1 : N and the quotient behind it; None where there is none."""
     network = view.adjustment.network

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from raybundle.block.block import LengthUnit
-from raybundle.errors import InputError, Message, message
+from raybundle.errors import InputError, Message, message, phrase
 from raybundle.io.geo.parsed_names import plan_system
 from raybundle.io.geo.parsed_systems import geoid_file, parse_crs, plan_of, system_name
 from raybundle.io.raster_library import raster_errors
@@ -216,7 +216,7 @@ def check_values(heights: Path, height: Array, sigmas: Path, bands: Mapping[str,
         if name.startswith("sigma"):
             _check_sigma(sigmas, name, values[known])
     if tree.has(OF_HEIGHTS) and sum_of_values(height[None]) != tree.get(OF_HEIGHTS).text():
-        return (f"{heights}: has other values than were written: standard deviations are those of the values before",)
+        return (phrase("heights.changed_values", name=str(heights)),)
     return ()
 
 

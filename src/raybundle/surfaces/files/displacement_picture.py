@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.numerics.counting import counted
 from raybundle.surfaces.files.drawings import ticks
 from raybundle.surfaces.files.input import Opened
 from raybundle.surfaces.heights.contours import ring_lines
@@ -74,10 +74,7 @@ def picture(o: Opened, model: HeightModel, found: Movements, smallest: tuple[Sma
 
 
 def _title(found: Movements) -> str:
-    count = len(found.regions)
-    if not count:
-        return "Nothing has moved against the rest by more than chance"
-    return f"{counted(count, 'region')} moved against the rest by more than chance"
+    return phrase("height_drawing.regions_moved", n=len(found.regions))
 
 
 def _size(found: Movements, smallest: tuple[SmallestMovement, ...]) -> float:
@@ -181,7 +178,7 @@ def _axes(sheet: _Sheet, o: Opened) -> None:
 def _legend(sheet: _Sheet, o: Opened, size: float, smallest: tuple[SmallestMovement, ...]) -> None:
     """A scale bar, what colours are, and how small a movement would have been found."""
     y, draw = sheet.bottom + 56, sheet.draw
-    unit = o.unit or "no unit: the scale is free"
+    unit = o.unit or "none"
     # a round length of about a fifth of the sheet
     length, digits = ticks(0, max(sheet.right - LEFT, 200) / 4 / sheet.scale * o.file.cell, 2)
     bar = float(length[-1]) / o.file.cell * sheet.scale
@@ -194,23 +191,16 @@ def _legend(sheet: _Sheet, o: Opened, size: float, smallest: tuple[SmallestMovem
     draw.rectangle((left - 1, y - 1, left + wide, y + 14), outline=(110, 110, 110))
     for k, text in ((0.0, f"{-size:.2g}"), (0.5, "0"), (1.0, f"+{size:.2g}")):
         sheet.text(left + k * wide, y + 18, text, 13, "ma")
-    away = ("up", "down") if o.file.wkt else ("towards the viewer", "away")
-    sheet.text(8, y + 42, f"Movement against the rest [{unit}]: + (red) {away[0]}, - (blue) {away[1]}", 14)
+    sheet.text(8, y + 42, phrase("height_drawing.movement", unit=unit, upright=bool(o.file.wkt)), 14)
     x = 8.0
-    swatches = (
-        ("outlined: moved by more than chance", None),
-        ("pale: within chance", MUTED),
-        ("hatched: no height in both", HATCH),
-    )
-    for text, colour in swatches:
+    for state, colour in (("moved", None), ("chance", MUTED), ("unknown", HATCH)):
+        text = phrase("height_drawing.swatch", state=state)
         box = (round(x), y + 66, round(x) + 22, y + 80)
         if colour == HATCH:
             sheet.image.paste(Image.fromarray(_hatched(14, 22)), box[:2])
         draw.rectangle(box, fill=colour if colour == MUTED else None, outline=INK, width=1 if colour else 2)
         sheet.text(x + 28, y + 73, text, 13, "lm")
         x += 28 + draw.textlength(text, font=ImageFont.load_default(13)) + 22
-    would = [f"{s.amount:.2g} over {s.side:.3g} x {s.side:.3g}" for s in smallest if np.isfinite(s.amount)]
+    would = [f"{s.amount:.2g} ({s.side:.3g} x {s.side:.3g})" for s in smallest if np.isfinite(s.amount)]
     if would:
-        sheet.text(
-            8, y + 90, f"Found with a chance of 80 %, in the median over the surface [{unit}]: {'; '.join(would)}", 13
-        )
+        sheet.text(8, y + 90, phrase("height_drawing.smallest_movements", unit=unit, movements=would), 13)

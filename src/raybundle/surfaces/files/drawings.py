@@ -9,6 +9,7 @@ from html import escape
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.surfaces.heights.contours import Contour
 from raybundle.surfaces.heights.sections import Section
@@ -83,7 +84,8 @@ def _panel(s: Section, name: str, unit: str, top: float) -> str:
     known = np.isfinite(s.height)
     length = float(s.distance[-1])
     if not known.any():
-        return f'<text x="{LEFT}" y="{top + PANEL / 2:.0f}">{escape(name)}: no height along it</text>'
+        without = escape(phrase("height_drawing.no_height", name=name))
+        return f'<text x="{LEFT}" y="{top + PANEL / 2:.0f}">{without}</text>'
     low, high = float((s.height - BAND * s.sigma)[known].min()), float((s.height + BAND * s.sigma)[known].max())
     # a step has a wide band: what is measured is to be seen, the band as far as it fits
     span = float(np.ptp(s.height[known]))
@@ -113,15 +115,17 @@ def _panel(s: Section, name: str, unit: str, top: float) -> str:
         out.append(f'<polygon class="band" points="{edge}"/><polyline class="line" points="{_points(x, f.y(h))}"/>')
     right = WIDTH - RIGHT
     out.append(f'<rect class="axis" x="{LEFT}" y="{top + TOP}" width="{right - LEFT}" height="{bottom - top - TOP}"/>')
-    name_of_unit = f" [{escape(unit)}]" if unit else " (no unit: the scale is free)"
+    across, along = (
+        escape(phrase("height_drawing.axis", axis=axis, unit=unit or "none")) for axis in ("distance", "height")
+    )
     middle = (LEFT + right) / 2
-    out.append(f'<text x="{middle}" y="{bottom + 38:.0f}" text-anchor="middle">distance{name_of_unit}</text>')
+    out.append(f'<text x="{middle}" y="{bottom + 38:.0f}" text-anchor="middle">{across}</text>')
     y = (top + TOP + bottom) / 2
-    out.append(f'<text transform="translate(18 {y:.0f}) rotate(-90)" text-anchor="middle">height{name_of_unit}</text>')
-    entries = f"band: {BAND} sigma"
+    out.append(f'<text transform="translate(18 {y:.0f}) rotate(-90)" text-anchor="middle">{along}</text>')
+    stretch = 0.0
     if high - low > 0 and length > 0:
         stretch = (PANEL - TOP - BOTTOM) / (f.high - f.low) / ((right - LEFT) / length)
-        entries += f"; heights {stretch:.3g} times as large as distances"
+    entries = escape(phrase("height_drawing.band", factor=BAND, stretch=stretch))
     out.append(f'<text class="small" x="{right}" y="{top + 22:.0f}" text-anchor="end">{entries}</text>')
     return "".join(out)
 
@@ -157,15 +161,14 @@ def contours_svg(
                     f'<text class="name" transform="translate({x * scale:.1f} {y * scale:.1f}) rotate({turn:.0f})" '
                     f'text-anchor="middle" dy="3">{c.height:.{decimals}f}</text>'
                 )
-    name_of_unit = f" {escape(unit)}" if unit else " (no unit: the scale is free)"
-    entries = (
-        f"left {corner[0]:.10g}, top {corner[1]:.10g}, width {columns * cell:.6g}{name_of_unit}; "
-        f"interval {interval:.6g}{name_of_unit}"
-    )
+    entries = phrase(
+        "height_drawing.contours", left=corner[0], top=corner[1], width=columns * cell, interval=interval,
+        unit=unit or "none",
+    )  # fmt: skip
     body = (
         f'<path class="thin" d="{"".join(thin)}"/><path class="thick" d="{"".join(thick)}"/>{"".join(names)}'
         f'<rect class="axis" width="{WIDTH}" height="{height:.1f}"/>'
-        f'<text class="small" x="4" y="{height + 18:.0f}">{entries}</text>'
+        f'<text class="small" x="4" y="{height + 18:.0f}">{escape(entries)}</text>'
     )
     return _sheet(WIDTH, height + 28, body)
 

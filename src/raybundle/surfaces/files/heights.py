@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.folders import new_files
 from raybundle.io.geo.parsed_names import system_with_heights
 from raybundle.io.pictures.geotiff import Write, new_geotiff
@@ -18,7 +18,6 @@ from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.io.reading.trees import Json, read_toml
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import significant
 from raybundle.numerics.length_units import precision_unit
 from raybundle.surfaces.files.checks import (
     OF_HEIGHTS,
@@ -191,10 +190,13 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
         about.write_text(_about(file, (heights, sigmas, moved), whole.length, measured.apart), encoding="utf-8")
     share = sum(whole.cells) / (file.width * file.height)
     sigma = float(np.median(np.concatenate(whole.sigma)))
-    unit = f" {file.unit}" if file.unit else ""
-    stated = f"{file.width} x {file.height} cells of {file.cell:g}{unit}, {share:.0%} of them with a height"
     factor, of = precision_unit(sigma, file.unit)
-    return (f"{stated}; standard deviation {significant(factor * sigma, 2)} {of}".rstrip() + " in the median",)
+    return (
+        phrase(
+            "product.heights", width=file.width, height=file.height, cell=file.cell, unit=file.unit, share=share,
+            sigma=factor * sigma, sigma_unit=of,
+        ),
+    )  # fmt: skip
 
 
 def _about(file: HeightFile, beside: tuple[Path, Path, Path], length: float, apart: float) -> str:

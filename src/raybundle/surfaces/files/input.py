@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError, Message, plain
+from raybundle.errors import InputError, Message, Text, named, plain
 from raybundle.io.geo.parsed_systems import parse_crs, system_name
 from raybundle.io.missions.areas import GEOGRAPHIC, Shape, in_crs, read_shapes
 from raybundle.io.outlines import TEXT, read_outline
@@ -52,7 +52,7 @@ class Opened:
     def cautions(self) -> tuple[str, ...]:
         """What is to be reported of its files and of the result that it was measured of, a sentence each."""
         since = adjusted_since(self.folder, str(self.file.plane.get(FINGERPRINT, "")))
-        return (*self.file.cautions, *([f"{self.folder}: {since}"] if since else []))
+        return (*self.file.cautions, *([Text.of(named(str(self.folder), since))] if since else []))
 
     def cells(self, xy: Array) -> Array:
         """(n, 2) columns and rows of places (n, 2)."""

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.errors import phrase
 from raybundle.io.folders import new_files
 from raybundle.io.formats.las import LasPoints, las_library, steps_for, write_las, writes_laz
 from raybundle.io.formats.surveyed import Surveyed, surveyed
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 from raybundle.surfaces.product import Context, Points, Product, Written, register
 from raybundle.surfaces.run import Surface
 from raybundle.surfaces.state import Cloud
@@ -71,13 +71,11 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
         write_las(file, parts(), offsets=offsets, steps=steps, system=system.view.system)
     other.unlink(missing_ok=True)
     name = system.view.system_name
-    reported = [
-        f"{counted(len(context.points), 'point')} in {name or 'the axes of the block'}, in steps of {steps[2]:g}"
-    ]
+    reported = [phrase("product.las", n=len(context.points), system=name or "none", step=float(steps[2]))]
     if not context.unit:
-        reported.append("the scale is free: coordinates and standard deviations have no unit, and LAS cannot say so")
+        reported.append(phrase("product.las_without_unit"))
     if not laz:
-        reported.append("LAZ needs lazrs, which is not installed (pip install 'raybundle[las]'): LAS, uncompressed")
+        reported.append(phrase("product.lazrs_missing"))
     return Written(files=(path,), reported=tuple(reported))
 
 

@@ -9,10 +9,10 @@ import numpy as np
 from PIL import Image
 from PIL.JpegImagePlugin import JpegImageFile
 
+from raybundle.errors import phrase
 from raybundle.io.folders import new_files
 from raybundle.io.formats.ply import write_vertices
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted, grouped, significant
 from raybundle.numerics.length_units import precision_unit
 from raybundle.surfaces.mesh_of_heights import Mesh, mesh_of
 from raybundle.surfaces.product import Context, Product, Written, register
@@ -38,10 +38,9 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
         _write_glb(glb, mesh, picture, unit)
     sigma = float(np.median(mesh.sigma))
     factor, of = precision_unit(sigma, unit)
-    reported = (
-        f"{grouped(len(mesh.xyz))} vertices, {counted(len(mesh.triangles), 'triangle')}; standard deviation of a "
-        f"height {significant(factor * sigma, 2)} {of}".rstrip() + " in the median"
-    )  # fmt: skip
+    reported = phrase(
+        "product.mesh", vertices=len(mesh.xyz), triangles=len(mesh.triangles), sigma=factor * sigma, unit=of
+    )
     return Written(files=tuple(out / f for f in FILES), reported=(reported,))
 
 

@@ -54,7 +54,7 @@ cluster-connection_lost = Der Scheduler antwortet nicht ({ $detail }).
 cluster-worker_blind = Der Worker auf { $host } sieht { $url ->
         [yes] den Speicher
        *[no] den Ordner
-     } nicht so wie dieser Rechner ({ $detail }).
+     } nicht so wie dieser Rechner:
     .do = { $url ->
         [yes] Dem Worker Zugang geben
        *[no] Den Ordner dort unter demselben Pfad einbinden

@@ -26,6 +26,9 @@ observation-value_without_sigma = Ein Wert hat keine Standardabweichung oder ein
 observation-no_value = Die Zeile hat keinen beobachteten Wert.
     .do = Die Zeile löschen.
 
+observation-row_refused = Diese Zeile ist nicht verwendbar: { $detail }.
+    .do = Zeile berichtigen oder löschen.
+
 observation-same_point = Beide Punkte dieser Zeile sind gleich.
     .do = Zwei verschiedene Punkte angeben.
 

@@ -1,7 +1,10 @@
 picture-no_scale = Der Maßstab des Bildes ist unbekannt: { $plane } und { $world } fehlen daneben.
     .do = Die Aufnahme zuerst entzerren oder eine dieser Dateien ergänzen.
 
-picture-other_system = Das Bild ist in { $picture }, der Block in { $block }.
+picture-other_system = Das Bild ist in { $picture }, der Block in { $block ->
+        [none] eigenen Achsen
+        *[other] { $block }
+    }.
     .do = Den Block transformieren: { OPTION("crs", "EPSG:25832") }.
 
 picture-earlier_adjustment = Das Bild gehört zu einer früheren Ausgleichung: Die Aufnahme { $photograph } hat sich um { $offset } { $unit } verschoben.

@@ -21,3 +21,6 @@ point-no_coordinate = Passpunkt { $point } hat eine Standardabweichung ({ $sigma
 
 point-not_in_result = Nicht im Ergebnis oder ohne Koordinaten: { $names }.
     .do = Punkte des Ergebnisses angeben.
+
+point-window_too_large = Das Fenster { NUM($window, digits: 6) } des Punktes { $point } ist größer als die Ausdehnung aller Punkte, { NUM($extent, digits: 6) }.
+    .do = Es in der Einheit der Koordinaten angeben.

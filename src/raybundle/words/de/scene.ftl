@@ -210,3 +210,6 @@ scene-contradicts_other = Die Geometrie dieser Szene ({ $model }) widerspricht d
 
 scene-pair_contradicts = Die Szenen { $first } und { $second } widersprechen sich; welche falsch ist, ist mehrdeutig.
     .do = Eine dritte Szene desselben Gebiets ergänzen oder Passpunkte angeben: { OPTION("control") }.
+
+scene-no_place = { $name }, Punkt { $point }: Keiner der { $n } Punkte hat einen Ort.
+    .do = Die Koordinaten der Punkte prüfen.

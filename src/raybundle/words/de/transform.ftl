@@ -32,5 +32,31 @@ transform-partly_free = { $name } lässt sich nicht drehen: Von { $parameters } 
 transform-calibration_incomplete = { $name } lässt sich nicht drehen: Die Kalibrierung hat keinen Wert für { $parameter }.
     .do = Mit diesem Parameter kalibrieren oder ohne Drehung transformieren.
 
-transform-row_not_possible = { $row } kann nicht transformiert werden ({ $detail }).
+transform-row_not_possible = { $row } kann nicht transformiert werden:
     .do = Diese Zeile vor der Transformation löschen oder das jetzige Koordinatensystem beibehalten.
+
+transform-not_given = Eine Koordinate fehlt, die die Drehung mit den gegebenen verbindet.
+
+transform-would_correlate = Ihre Koordinaten wären korreliert, was Standardabweichungen allein nicht angeben.
+
+transform-coefficients = Ihre Korrelationskoeffizienten sind nicht die beobachteter Größen.
+    .why = Ihre Matrix ist nicht positiv definit, oder eine Standardabweichung fehlt.
+
+transform-not_observed = { $kind ->
+        [coordinate] Eine Koordinate
+        *[angle] Ein Winkel
+    } wurde nicht beobachtet, aber die Drehung verbindet sie mit den beobachteten.
+    .do = Eine Standardabweichung angeben oder die Zeile weglassen.
+
+transform-too_correlated = Ihre { $kind ->
+        [coordinate] Koordinaten
+        *[angle] Winkel
+    } wären zu eng korreliert: kleinster Eigenwert { NUM($eigenvalue, digits: 2) } (Grenze { $limit }).
+    .why = Ihre Standardabweichungen sind zu verschieden.
+
+transform-phi_near_right_angle = phi läge nahe einem rechten Winkel.
+    .why = Dort drehen omega und kappa um dieselbe Achse.
+
+transform-vertical_turned = Die Zeile bezieht sich auf die Lotrichtung, die um { $angle_deg }° gedreht wird.
+
+transform-heights_tilted = Instrumenten- und Zielhöhen liegen in der Lotrichtung, die gekippt wird.

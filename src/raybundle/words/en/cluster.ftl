@@ -72,11 +72,10 @@ cluster-connection_lost = The scheduler does not answer ({ $detail }).
 
 # $host = "node7"
 # $url = false
-# $detail = "no such file"
 cluster-worker_blind = The worker on { $host } does not see the { $url ->
         [yes] store
        *[no] folder
-     } as this machine does ({ $detail }).
+     } as this machine does:
     .do = { $url ->
         [yes] Give it access
        *[no] Mount the folder there under the same path

@@ -37,6 +37,11 @@ observation-value_without_sigma = A value has no standard deviation, or a standa
 observation-no_value = The row has no observed value.
     .do = Delete the row.
 
+# A kind of observation of one's own refuses a row
+# $detail = "an azimuth needs two different points"
+observation-row_refused = This row cannot be used: { $detail }.
+    .do = Correct the row, or delete it.
+
 observation-same_point = Both points of this row are the same.
     .do = Give two different points.
 

@@ -5,7 +5,10 @@ picture-no_scale = The scale of the picture is unknown: { $plane } and { $world 
 
 # $picture = "EPSG:25832"
 # $block = "EPSG:25833"
-picture-other_system = The picture is in { $picture }, the block in { $block }.
+picture-other_system = The picture is in { $picture }, the block in { $block ->
+        [none] its own axes
+        *[other] { $block }
+    }.
     .do = Transform the block: { OPTION("crs", "EPSG:25832") }.
 
 # $photograph = "img_07"

@@ -35,3 +35,9 @@ point-no_coordinate = Control point { $point } has a standard deviation ({ $sigm
 # $names = ["A", "B"]
 point-not_in_result = Not in the result, or without coordinates: { $names }.
     .do = Give points of the result.
+
+# $point = "P7"
+# $window = 4.0
+# $extent = 2.0
+point-window_too_large = The window { NUM($window, digits: 6) } of point { $point } is larger than the extent of all points, { NUM($extent, digits: 6) }.
+    .do = Give it in the unit of the coordinates.

@@ -308,3 +308,9 @@ scene-contradicts_other = The geometry of this scene ({ $model }) contradicts sc
 # $second = "scene_2"
 scene-pair_contradicts = Scenes { $first } and { $second } contradict each other; which one is wrong is ambiguous.
     .do = Add a third scene of the same place, or give control points: { OPTION("control") }.
+
+# $name = "scene.tif"
+# $point = "P1"
+# $n = 12
+scene-no_place = { $name }, point { $point }: none of the { $n } points has a place.
+    .do = Check the coordinates of the points.

@@ -48,6 +48,36 @@ transform-calibration_incomplete = { $name } cannot be rotated: its calibration 
     .do = Calibrate with this parameter, or transform without rotation.
 
 # $row = "row 3"
-# $detail = "it is an angle"
-transform-row_not_possible = { $row } cannot be transformed ({ $detail }).
+transform-row_not_possible = { $row } cannot be transformed:
     .do = Delete this row before the transformation, or keep the present frame.
+
+transform-not_given = A coordinate is missing that the rotation combines with the given ones.
+
+transform-would_correlate = Its coordinates would be correlated, which standard deviations alone cannot state.
+
+transform-coefficients = Its correlation coefficients are not those of observed quantities.
+    .why = Their matrix is not positive definite, or a standard deviation is missing.
+
+# $kind = "coordinate"
+transform-not_observed = One { $kind ->
+        [coordinate] coordinate
+        *[angle] angle
+    } was not observed that the rotation combines with the observed ones.
+    .do = Give it a standard deviation, or leave the row out.
+
+# $kind = "coordinate"
+# $eigenvalue = 1e-12
+# $limit = 1e-10
+transform-too_correlated = Its { $kind ->
+        [coordinate] coordinates
+        *[angle] angles
+    } would be correlated too closely: least eigenvalue { NUM($eigenvalue, digits: 2) } (limit { $limit }).
+    .why = Their standard deviations are too different.
+
+transform-phi_near_right_angle = phi would be near a right angle.
+    .why = There, omega and kappa rotate about the same axis.
+
+# $angle_deg = 12.0
+transform-vertical_turned = The row refers to the vertical, which is turned by { $angle_deg }°.
+
+transform-heights_tilted = Instrument and target heights are along the vertical, which is tilted.

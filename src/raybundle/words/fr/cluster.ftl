@@ -33,7 +33,7 @@ cluster-connection_lost = L'ordonnanceur ne répond pas ({ $detail }).
 cluster-worker_blind = Le worker sur { $host } ne voit pas { $url ->
         [yes] le dépôt
        *[no] le dossier
-     } comme cette machine ({ $detail }).
+     } comme cette machine :
 
 cluster-worker_fails = Le worker sur { $host } a échoué dans { $n } tâches que cette machine peut faire.
 

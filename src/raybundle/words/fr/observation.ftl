@@ -16,6 +16,8 @@ observation-value_without_sigma = Une valeur sans écart-type, ou un écart-type
 
 observation-no_value = La ligne n'a pas de valeur observée.
 
+observation-row_refused = Cette ligne n'est pas utilisable : { $detail }.
+
 observation-same_point = Les deux points de cette ligne sont le même.
 
 observation-set_station = La série { $set } a une autre station dans une ligne précédente.

@@ -1,6 +1,9 @@
 picture-no_scale = L'échelle de l'image est inconnue : { $plane } et { $world } manquent.
 
-picture-other_system = L'image est en { $picture }, le bloc en { $block }.
+picture-other_system = L'image est en { $picture }, le bloc en { $block ->
+        [none] ses propres axes
+        *[other] { $block }
+    }.
 
 picture-earlier_adjustment = L'image vient d'une compensation antérieure : { $photograph } a bougé de { $offset } { $unit }.
 

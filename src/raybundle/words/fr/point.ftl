@@ -13,3 +13,5 @@ point-sigma_out_of_range = Point { $point }, { $axis } : { $sigma } n'est pas un
 point-no_coordinate = Le point d'appui { $point } a un écart-type ({ $sigma }) mais pas de coordonnée { $axis }.
 
 point-not_in_result = Absents du résultat ou sans coordonnées : { $names }.
+
+point-window_too_large = La fenêtre { NUM($window, digits: 6) } du point { $point } est plus grande que l'étendue de tous les points, { NUM($extent, digits: 6) }.

@@ -128,3 +128,5 @@ scene-pair_height = Les rayons de { $n } points communs se coupent à { NUM($hei
 scene-contradicts_other = La géométrie de cette scène ({ $model }) contredit la scène { $other }, qui s'accorde avec d'autres scènes.
 
 scene-pair_contradicts = Les scènes { $first } et { $second } se contredisent ; laquelle est fausse est ambigu.
+
+scene-no_place = { $name }, point { $point } : aucun des { $n } points n'a de position.

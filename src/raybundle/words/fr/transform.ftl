@@ -20,4 +20,23 @@ transform-partly_free = { $name } ne peut pas être tourné : parmi { $parameter
 
 transform-calibration_incomplete = { $name } ne peut pas être tourné : son étalonnage n'a pas de valeur de { $parameter }.
 
-transform-row_not_possible = { $row } ne peut pas être transformé ({ $detail }).
+transform-row_not_possible = { $row } ne peut pas être transformé :
+
+transform-not_given = Une coordonnée manque que la rotation combine avec les coordonnées données.
+
+transform-would_correlate = Ses coordonnées seraient corrélées, ce que des écarts-types seuls n'indiquent pas.
+
+transform-coefficients = Ses coefficients de corrélation ne sont pas ceux de grandeurs observées.
+
+transform-not_observed = { $kind ->
+        [coordinate] Une coordonnée
+        *[angle] Un angle
+    } manque que la rotation combine avec les valeurs observées.
+
+transform-too_correlated = Corrélation trop étroite : plus petite valeur propre { NUM($eigenvalue, digits: 2) } (limite { $limit }).
+
+transform-phi_near_right_angle = phi serait proche d'un angle droit.
+
+transform-vertical_turned = La ligne se rapporte à la verticale, tournée de { $angle_deg }°.
+
+transform-heights_tilted = Les hauteurs d'instrument et de cible suivent la verticale, qui est inclinée.

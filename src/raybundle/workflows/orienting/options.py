@@ -9,15 +9,15 @@ from typing import Literal
 from raybundle.adjustment.records.options import NOISE_HELP, NoiseModel
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, setting
 
-KNOWN = (
+KNOWN_HELP = (
     "File of known cameras. `estimate = []` in it fixes them. Calibrations of `raybundle calibrate` are observed "
     "with their covariance."
 )
-APART = (
+APART_HELP = (
     "Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For photographs "
     "without metadata."
 )
-LIBRARY = "Ignore calibrations of the camera library."
+LIBRARY_HELP = "Ignore calibrations of the camera library."
 CLUSTER_HELP = (
     "Run tasks such as features and depth maps on other machines. Give the cluster folder from `raybundle scheduler "
     "FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and end."
@@ -37,12 +37,12 @@ PIXELS_GB = 4.0
 class OrientOptions:
     """How photographs are oriented.  The defaults need no change."""
 
-    own_camera: tuple[str, ...] = setting((), APART, metavar="PATTERN")
+    own_camera: tuple[str, ...] = setting((), APART_HELP, metavar="PATTERN")
     masks: Path | None = setting(
         None, "Masks of the photographs: nothing is measured where they are 0. Named photo.jpg.png (COLMAP), "
         "photo_mask.png or photo.png (Metashape).", metavar="DIR",
     )  # fmt: skip
-    library: bool = setting(True, LIBRARY, flag="no-library")
+    library: bool = setting(True, LIBRARY_HELP, flag="no-library")
     target: tuple[str, ...] = setting(
         (), "Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or points "
         "of {control}. With several families: FAMILY:CODE.", metavar="FAMILY", also=("family",),

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import Trajectory
 from raybundle.placing.marks import Given
-from raybundle.settings import option
 
 
 def check_asked(
@@ -25,11 +24,6 @@ def check_asked(
     if crs is not None:
         parse_crs(crs)
     known = given.gps and any(p.metadata.gps is not None for p in photos)
-    why = (
-        "no photograph has a position"
-        if given.gps
-        else f"{option('gps', False, flag='no-gps')} leaves the positions out"
-    )
     if given.lever_arm is not None and not known:
         raise InputError("setting.needs_positions", name="lever_arm", gps=given.gps)
     if relative and not known:
@@ -38,6 +32,4 @@ def check_asked(
         return ()
     if any(c.crs == crs for c in given.control):
         return ()
-    why = "no positions of a grid are given" if positions is None else f"{positions.path.name} states its own"
-    remark = f"the coordinate system {crs} has no effect: {why}, and no control file lacks one, nor is there a "
-    return (remark + "satellite scene",)
+    return (phrase("crs.without_effect", system=crs, name="none" if positions is None else positions.path.name),)

@@ -17,12 +17,11 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.system.scene_start import with_scene_points
 from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows
-from raybundle.errors import NoOrientation, excluded, message
+from raybundle.errors import NoOrientation, excluded, message, phrase
 from raybundle.io.block.scenes import with_views
 from raybundle.matching.refine import LEVELS, halved, match_candidates
 from raybundle.matching.tracks import Tracks, tracks_of
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 from raybundle.numerics.places import Local
 from raybundle.numerics.progress import Progress
 from raybundle.orientation.cleaning import clean
@@ -155,8 +154,8 @@ def weighed(block: Block, threads: int) -> Block:
 def _why_alone(count: int, pairs: Sequence[ScenePair], i: int) -> str:
     mine = [p for p in pairs if i in (p.pair.first, p.pair.second)]
     if not mine:
-        return "shows no ground that another scene shows, and is not marked"
-    return f"only {counted(count, 'point')} in common with other scenes ({FEWEST_POINTS} are needed)"
+        return phrase("scene.no_common_ground")
+    return phrase("scene.few_common_points", n=count, needed=FEWEST_POINTS)
 
 
 def refined(folder: Path, scenes: SceneSet, tie: TieBlock, jobs: int, progress: Progress) -> PreciseBlock:

@@ -16,7 +16,7 @@ from functools import cached_property
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.geo.ground import Ground
 from raybundle.io.geo.parsed_names import parsed_system
@@ -172,11 +172,8 @@ def _odd_heights(rpc: Rpc, ground: Ground, size_px: tuple[int, int]) -> tuple[st
     if not out.any():
         return ()
     low, high = float(places[known, 2].min()), float(places[known, 2].max())
-    line = (
-        f"the ground under the scene lies {low:.0f} to {high:.0f} m above the ellipsoid, and the RPC holds for "
-        f"{rpc.height_range_words()}: look at the geoid and at the unit of the heights"
-    )
-    return (line,)
+    lowest, highest = rpc.height_range_m
+    return (phrase("scene.ground_outside_heights", low_m=low, high_m=high, lowest_m=lowest, highest_m=highest),)
 
 
 def _inner_grid(size_px: tuple[int, int]) -> Array:

@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.system.scene_start import with_scene_points
 from raybundle.block import Block, Role
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.geo.control_files import ControlFile
 from raybundle.io.geo.coordinate_systems import WGS84, LocalFrame, local_frame
 from raybundle.numerics.arrays import Array
@@ -79,7 +79,7 @@ def control_in_system(given: Given, scenes: SceneSet, crs: str | None) -> Given:
                     file=c.path,
                 )
             system = WGS84
-        remark = f"{c.path.name}: taken in {system}" + ("" if crs else " (longitude, latitude, ellipsoidal height)")
+        remark = phrase("scene.control_system", name=c.path.name, system=system, given=bool(crs))
         files.append(replace(c, crs=system, remarks=(*c.remarks, remark)))
     return replace(given, control=tuple(files))
 

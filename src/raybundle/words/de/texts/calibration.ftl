@@ -40,3 +40,13 @@ calibration-match = { $fits ->
         [yes] passt
         *[no] nein
     }: { $name }: { $reasons }
+
+calibration-completed = { $n } { $n ->
+        [one] Zielmarke
+        *[other] Zielmarken
+    } durch Prädiktion ergänzt.
+
+calibration-dots = { $n } { $n ->
+        [one] Punkt
+        *[other] Punkte
+    } ohne Code.

@@ -119,3 +119,11 @@ drawing_sheet-sheets = Gezeichnet: 1 : { $scale } auf { $paper }, { $n } { $n ->
     }.
 
 drawing_sheet-content = Inhalt: Bilder { $pictures }, Punkte { $points }, Linien { $lines }.
+
+drawing_sheet-other_block = Das Bild gehört zum Block { $block }, die Punkte zu { $other }.
+
+drawing_sheet-metres_assumed = Die Einheit des Bildes ist unbekannt; Meter werden angenommen.
+
+drawing_sheet-shortened = Im Schriftfeld gekürzt: { LIST($names, most: 12) }.
+
+drawing_sheet-letters = Zeichen, die ein Blatt nicht darstellen kann, sind als Fragezeichen gedruckt: { LIST($letters, most: 10) }.

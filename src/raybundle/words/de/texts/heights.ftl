@@ -76,3 +76,9 @@ heights-one_adjustment = Beide Oberflächen stammen aus einer Ausgleichung. { $c
     }
 
 heights-same_frame = Beide Oberflächen brauchen einen Rahmen: dieselben Passpunkte oder gemeinsame stabile Punkte.
+
+heights-changed_values = { $name } hat andere Werte als geschrieben wurden.
+    .why = Die Standardabweichungen gelten für die Werte davor.
+
+heights-adjusted_since = { $name } wurde nach der Messung dieser Oberfläche erneut ausgeglichen.
+    .do = raybundle surface { $name }

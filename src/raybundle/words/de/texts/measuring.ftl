@@ -39,7 +39,7 @@ measuring-suspect_fiducials = Scan { $image }: verdächtige Rahmenmarken: { $mar
 
 measuring-outside_scan = erwartet bei { NUM($x, decimals: 0) }; { NUM($y, decimals: 0) }, außerhalb des Scans
 
-measuring-nothing_found = nichts bei { NUM($x, decimals: 0) }; { NUM($y, decimals: 0) }: { $cause }
+measuring-nothing_found = nichts bei { NUM($x, decimals: 0) }; { NUM($y, decimals: 0) }:
 
 measuring-file_lacks = { $kind ->
         [csv] Eine CSV-Datei von Punkten
@@ -108,3 +108,13 @@ measuring-free_datum = Das Datum ist frei: Sigma gilt innerhalb des Netzes.
 measuring-minimal_datum = Sigma bezieht sich auf die wenigsten festen Koordinaten; in den Tabellen können es andere sein.
 
 measuring-near_zero = Ein Abstand nahe seinem Sigma ist nicht normalverteilt.
+
+measuring-masks_written = { $n } { $n ->
+        [one] Maske ist
+        *[other] Masken sind
+    } geschrieben.
+
+measuring-photographs_not_found = { $n } { $n ->
+        [one] Foto liegt
+        *[other] Fotos liegen
+    } nicht am Ort, den das Projekt nennt: ohne Masken.

@@ -11,3 +11,5 @@ noise-no_redundancy = es gibt keine Redundanz
 noise-rig = Bilder teilen die äußere Orientierung eines Kameraverbunds
 
 noise-no_format = das Sensormodell { $models } hat kein ebenes Format
+
+noise-too_few_photographs = { $n } Fotos sind zu wenige für eigene glatte Fehler (mindestens { $least } sind nötig)

@@ -24,3 +24,13 @@ picture-sigma0 = sigma0 { NUM($sigma0, digits: 2) } (Marken a priori { $sigma_px
 picture-points_off_plane = Abstand der Passpunkte von ihrer Ebene: { NUM($rms, digits: 2) } (RMS).
 
 picture-differences = Gemessene minus gegebene Koordinaten:
+
+picture-before_plane = { PERCENT($share) } % des Bildes zeigen Objekte vor der Ebene, die im Bild versetzt sind.
+    .why = Diese, etwa Bäume oder eine andere Wand, sind um mehr als { PERCENT($distance_share) } % der Entfernung näher, und kein Foto blickt an ihnen vorbei.
+    .do = Sie durch einen kleineren { OPTION("extent") } ausschließen oder Fotos mit { OPTION("only") } wählen.
+
+picture-axes_given = Das Bild hat die angegebenen Achsen, nicht die der Karte.
+
+picture-local_plane = { $system } ist kein projiziertes System; das Bild liegt in der lokalen Ebene des Blocks, Ost nach rechts.
+
+picture-in_map = Das Bild liegt in { $system }.

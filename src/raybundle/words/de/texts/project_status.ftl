@@ -34,3 +34,8 @@ project_status-parts = { $folder }: Teile { $in_use ->
 project_status-begun = Projekt begonnen.
 
 project_status-exported = Messungen exportiert.
+
+project_status-action = Aktion { $seq }: { $verb }{ $of ->
+        [0] {""}
+        *[other] {" "}von Aktion { $of }, { $of_verb } { LIST($arguments, most: 12) }
+    }.

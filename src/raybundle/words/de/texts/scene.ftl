@@ -37,3 +37,27 @@ scene-corrected = Korrigiert: { $n } von { $of } { $of ->
         [one] Szene
         *[other] Szenen
     }.
+
+scene-no_common_ground = Sie zeigt keinen Boden einer anderen Szene und ist nicht markiert.
+
+scene-few_common_points = Sie hat { $n } { $n ->
+        [one] Punkt
+        *[other] Punkte
+    } mit anderen Szenen gemeinsam ({ $needed } sind nötig).
+
+scene-control_system = { $name }: in { $system } genommen{ $given ->
+        [yes] {""}
+        *[no] {" "}(Länge, Breite, ellipsoidische Höhe)
+    }.
+
+scene-ground_outside_heights = Der Boden der Szene liegt { NUM($low_m, decimals: 0) } bis { NUM($high_m, decimals: 0) } m über dem Ellipsoid.
+    .why = Das RPC gilt für Höhen von { NUM($lowest_m, digits: 6) } bis { NUM($highest_m, digits: 6) } m.
+    .do = Das Geoid und die Einheit der Höhen prüfen.
+
+scene-height_outside = Höhe { NUM($height_m, digits: 6) } m; das RPC gilt für { NUM($lowest_m, digits: 6) } bis { NUM($highest_m, digits: 6) } m.
+
+scene-outside_area = Außerhalb der Fläche des RPC.
+
+scene-outside_picture = x { NUM($x_px, decimals: 1) }, y { NUM($y_px, decimals: 1) } liegt außerhalb des Bildes von { $width_px } x { $height_px } px.
+
+scene-other_body = Der Körper ist nicht die Erde; andere Programme werden für dieses RPC WGS 84 annehmen.

@@ -44,3 +44,5 @@ stage_summary-by_features = { $names } { $n ->
         *[other] verwenden
     } Positionen und Standardabweichungen der Merkmale.
     .why = Die Kleinste-Quadrate-Zuordnung misst dort zu wenige Punkte (unscharfe oder sehr verschiedene Aufnahme).
+
+stage_summary-scene_precision = { $n } von { $of } in Szenen, { $added } Strahlen ergänzt.

@@ -33,3 +33,10 @@ surface_remark-removed = { LIST($names, most: 12) }: entfernt, weil aus anderen 
 
 surface_remark-fine_cells = Eine Zelle von { NUM($cell) } ist schmaler als zwei Punktabstände (je { $density } × { NUM($pixel) }); manche haben keine Höhe.
     .do = { OPTION("dsm", $least) } setzen, damit die meisten Zellen eine haben.
+
+surface_remark-no_depth = Darin wurde { $region ->
+        [yes] innerhalb des Gebiets
+        *[no] {""}
+    } keine Tiefe gefunden.
+
+surface_remark-too_few_confirmed = Andere Tiefenkarten bestätigen { PERCENT($share) } % seiner Tiefen; nötig sind { PERCENT($needed) } %.

@@ -72,3 +72,15 @@ calibration-match = { $fits ->
         [yes] fits
         *[no] no
     }: { $name }: { $reasons }
+
+# $n = 3
+calibration-completed = { $n } { $n ->
+        [one] target
+        *[other] targets
+    } completed by prediction.
+
+# $n = 12
+calibration-dots = { $n } { $n ->
+        [one] dot
+        *[other] dots
+    } without a code.

@@ -150,3 +150,15 @@ drawing_sheet-sheets = Drawn: 1 : { $scale } on { $paper }, { $n } { $n ->
 # $points = 12
 # $lines = 3
 drawing_sheet-content = Content: pictures { $pictures }, points { $points }, lines { $lines }.
+
+# $block = "wall"
+# $other = "roof"
+drawing_sheet-other_block = The picture belongs to block { $block }, the points to { $other }.
+
+drawing_sheet-metres_assumed = The unit of the picture is unknown; metres are assumed.
+
+# $names = ["client", "place"]
+drawing_sheet-shortened = Shortened in the title block: { LIST($names, most: 12) }.
+
+# $letters = ["א", "字"]
+drawing_sheet-letters = Letters that a sheet cannot show are printed as question marks: { LIST($letters, most: 10) }.

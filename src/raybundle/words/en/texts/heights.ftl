@@ -136,3 +136,11 @@ heights-one_adjustment = Both surfaces are of one adjustment. { $common ->
     }
 
 heights-same_frame = Both surfaces need one frame: the same control, or common stable points.
+
+# $name = "heights.tif"
+heights-changed_values = { $name } has other values than were written.
+    .why = The standard deviations are those of the values before.
+
+# $name = "r"
+heights-adjusted_since = { $name } was adjusted again after this surface was measured.
+    .do = raybundle surface { $name }

@@ -57,8 +57,7 @@ measuring-outside_scan = expected at { NUM($x, decimals: 0) }, { NUM($y, decimal
 
 # $x = 120.0
 # $y = 135.0
-# $cause = "too little contrast"
-measuring-nothing_found = nothing at { NUM($x, decimals: 0) }, { NUM($y, decimals: 0) }: { $cause }
+measuring-nothing_found = nothing at { NUM($x, decimals: 0) }, { NUM($y, decimals: 0) }:
 
 # $kind = "csv"
 measuring-file_lacks = { $kind ->
@@ -142,3 +141,15 @@ measuring-free_datum = The datum is free: sigma holds within the network.
 measuring-minimal_datum = Sigma refers to the fewest coordinates held; these may differ from those of the result's tables.
 
 measuring-near_zero = A distance not well above its sigma is not normally distributed.
+
+# $n = 3
+measuring-masks_written = { $n } { $n ->
+        [one] mask is
+        *[other] masks are
+    } written.
+
+# $n = 2
+measuring-photographs_not_found = { $n } { $n ->
+        [one] photograph is
+        *[other] photographs are
+    } not at the place that the project records: without masks.

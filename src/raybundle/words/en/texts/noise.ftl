@@ -14,3 +14,7 @@ noise-rig = images share the exterior orientation of a rig
 
 # $models = ["rpc"]
 noise-no_format = the sensor model { $models } has no plane format
+
+# $n = 4
+# $least = 5
+noise-too_few_photographs = { $n } photographs are too few for smooth errors of their own (at least { $least } are needed)

@@ -25,3 +25,11 @@ photographs-camera = Camera { $camera }: { $name }, { $n } { $n ->
 
 # $n = 20
 photographs-more = and { $n } more: { OPTION("json", "True") }.
+
+# $name = "a.jpg"
+# $width_px = 160
+# $height_px = 120
+# $least_px = 300
+photographs-small = { $name } has { $width_px } x { $height_px } px, fewer than { $least_px } on a side.
+    .why = Hardly anything can be measured in it.
+    .do = Check whether it is a preview of the photograph.

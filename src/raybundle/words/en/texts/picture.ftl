@@ -44,3 +44,17 @@ picture-sigma0 = sigma0 { NUM($sigma0, digits: 2) } (marks { $sigma_px } px a pr
 picture-points_off_plane = Distance of the control points from their plane: { NUM($rms, digits: 2) } (rms).
 
 picture-differences = Measured minus given coordinates:
+
+# $share = 0.12
+# $distance_share = 0.02
+picture-before_plane = { PERCENT($share) } % of the picture shows objects before the plane, displaced in the picture.
+    .why = These, such as trees or another wall, are nearer by more than { PERCENT($distance_share) } % of the distance, and no photograph looks past them.
+    .do = Exclude them by a smaller { OPTION("extent") }, or choose photographs by { OPTION("only") }.
+
+picture-axes_given = The picture has the given axes, not those of the map.
+
+# $system = "EPSG:4326"
+picture-local_plane = { $system } is no projected system; the picture is in the local plane of the block, east to the right.
+
+# $system = "EPSG:32633"
+picture-in_map = The picture is in { $system }.

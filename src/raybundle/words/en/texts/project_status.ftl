@@ -49,3 +49,13 @@ project_status-parts = { $folder }: parts of { $in_use ->
 project_status-begun = Project begun.
 
 project_status-exported = Measurements exported.
+
+# $seq = 3
+# $verb = "undo"
+# $of = 2
+# $of_verb = "put"
+# $arguments = ["image IMG_3.jpg", "point gate"]
+project_status-action = Action { $seq }: { $verb }{ $of ->
+        [0] {""}
+        *[other] {" "}of action { $of }, { $of_verb } { LIST($arguments, most: 12) }
+    }.

@@ -72,3 +72,43 @@ scene-corrected = Corrected: { $n } of { $of } { $of ->
         [one] scene
         *[other] scenes
     }.
+
+scene-no_common_ground = It shows no ground of another scene, and is not marked.
+
+# $n = 4
+# $needed = 8
+scene-few_common_points = It has { $n } { $n ->
+        [one] point
+        *[other] points
+    } in common with other scenes ({ $needed } are needed).
+
+# $name = "control.csv"
+# $system = "EPSG:32633"
+# $given = true
+scene-control_system = { $name }: taken in { $system }{ $given ->
+        [yes] {""}
+        *[no] {" "}(longitude, latitude, ellipsoidal height)
+    }.
+
+# $low_m = 1200.0
+# $high_m = 1500.0
+# $lowest_m = -100.0
+# $highest_m = 900.0
+scene-ground_outside_heights = The ground of the scene is { NUM($low_m, decimals: 0) } to { NUM($high_m, decimals: 0) } m above the ellipsoid.
+    .why = The RPC is valid for heights of { NUM($lowest_m, digits: 6) } to { NUM($highest_m, digits: 6) } m.
+    .do = Check the geoid and the unit of the heights.
+
+# $height_m = 1200.0
+# $lowest_m = -100.0
+# $highest_m = 900.0
+scene-height_outside = Height { NUM($height_m, digits: 6) } m; the RPC is valid for { NUM($lowest_m, digits: 6) } to { NUM($highest_m, digits: 6) } m.
+
+scene-outside_area = Outside the area of the RPC.
+
+# $x_px = 1200.5
+# $y_px = -3.0
+# $width_px = 1000
+# $height_px = 1000
+scene-outside_picture = x { NUM($x_px, decimals: 1) }, y { NUM($y_px, decimals: 1) } is outside the picture of { $width_px } x { $height_px } px.
+
+scene-other_body = The body is not the earth; other programs will assume WGS 84 for this RPC.

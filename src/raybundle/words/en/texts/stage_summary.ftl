@@ -71,3 +71,8 @@ stage_summary-by_features = { $names } { $n ->
         *[other] use
     } positions and standard deviations of features.
     .why = Least-squares matching measures too few points there (a soft or very different photograph).
+
+# $n = 90
+# $of = 120
+# $added = 14
+stage_summary-scene_precision = { $n } of { $of } in scenes, { $added } rays added.

@@ -56,3 +56,13 @@ surface_remark-removed = { LIST($names, most: 12) }: removed, because made from 
 # $least = 0.016
 surface_remark-fine_cells = A cell of { NUM($cell) } is narrower than two point spacings ({ $density } × { NUM($pixel) } each); some have no height.
     .do = Set { OPTION("dsm", $least) } to fill most cells.
+
+# $region = true
+surface_remark-no_depth = No depth was found in it{ $region ->
+        [yes] {" within the region"}
+        *[no] {""}
+    }.
+
+# $share = 0.31
+# $needed = 0.5
+surface_remark-too_few_confirmed = Other depth maps confirm { PERCENT($share) } % of its depths; { PERCENT($needed) } % are needed.

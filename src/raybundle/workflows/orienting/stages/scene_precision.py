@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.block import Block
+from raybundle.errors import phrase
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.stage import Codec, Means, Stage
@@ -56,7 +57,7 @@ def measure(i: Inputs, means: Means) -> Measured:
 def _put(state: OrientState, m: Measured) -> OrientState:
     scenes = state.with_scenes
     block = again(m.block, scenes.set(state.asked.options))
-    words = f"{m.measured} of {m.offered} in scenes, {m.added} rays added"
+    words = phrase("stage_summary.scene_precision", n=m.measured, of=m.offered, added=m.added)
     return replace(state, scenes=replace(scenes, block=block, weights=m.weights, measured=words))
 
 

@@ -1,0 +1,3 @@
+# $stage = "depth_maps"
+# $name = "depth maps"
+progress-stage = { $name }
