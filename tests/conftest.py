@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests import slow
+
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[2] / "shared/data"))
 
 
@@ -28,6 +30,25 @@ os.environ["RAYBUNDLE_TASK_MODULES"] = "tests.pipeline.graph,tests.pipeline.test
 settings.register_profile("busy", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("busy")
 """How long an example takes says how busy the machine is."""
+
+
+SLOW = slow.names()
+
+
+def pytest_addoption(parser):
+    parser.addoption("--cpu", metavar="FILE", help="append the processor seconds of each test, see tests/slow.py")
+
+
+def pytest_configure(config):
+    if config.getoption("--cpu"):
+        config.pluginmanager.register(slow.Measured(config.getoption("--cpu")))
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    for item in items:
+        if item.nodeid in SLOW:
+            item.add_marker(pytest.mark.long)
 
 
 @pytest.fixture(scope="session")

@@ -94,7 +94,7 @@ LONG = {
     "recording-sheet", "rectify", "results-in-python", "rtk-flight", "satellite-pair", "satellite-rpc", "scale-bars",
     "studio", "surface", "surface-products", "targets", "uav", "uav-precision", "video", "without-a-compiler",
 }  # fmt: skip
-"""Pages whose examples take more than five seconds"""
+"""Pages whose examples take more than five seconds; others of more than 1.5 stand in tests/slow.txt"""
 RUN_PAGES = [pytest.param(p, marks=pytest.mark.long if p.stem in LONG else (), id=p.stem) for p in PAGES]
 
 
