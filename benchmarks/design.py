@@ -14,12 +14,12 @@ from pathlib import Path
 
 import numpy as np
 from design_problems import Judge, Problem, look, problems
+
+from raybundle.objects.surface import Surface, SurfacePoints
 from raybundle.planning.network.candidates import Stations
 from raybundle.planning.network.configuration import Designer, improved
 from raybundle.planning.network.expected import Networks
 from raybundle.planning.network.site import Access, Site
-
-from raybundle.objects.surface import Surface, SurfacePoints
 from raybundle.planning.synthetic_networks import brown_camera
 
 RESULTS = Path(__file__).with_name("results")

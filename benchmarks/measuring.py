@@ -14,9 +14,9 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
-from raybundle.measuring.actions.verbs import Put  # noqa: E402
 from tests.measuring.test_journal import check_kept, killed_while_writing  # noqa: E402
 
+from raybundle.measuring.actions.verbs import Put  # noqa: E402
 from raybundle.measuring.journal import Journal, entries_of  # noqa: E402
 from raybundle.measuring.names import Known  # noqa: E402
 from raybundle.measuring.position import locate  # noqa: E402

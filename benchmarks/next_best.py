@@ -15,11 +15,6 @@ import time
 from dataclasses import replace
 
 import numpy as np
-from raybundle.planning.next.best import ranking
-from raybundle.planning.next.goals import Goal, measure_of
-from raybundle.planning.next.outlook import Outlook
-from raybundle.planning.next.stations import Reach, reachable
-from raybundle.planning.next.visibility import PointSight
 
 from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block
@@ -33,6 +28,11 @@ from raybundle.block import Block
 from raybundle.block.points import automatic_name
 from raybundle.calibration.maps import projection_shifts
 from raybundle.planning.flights.uav_networks import Flight, flight_block
+from raybundle.planning.next.best import ranking
+from raybundle.planning.next.goals import Goal, measure_of
+from raybundle.planning.next.outlook import Outlook
+from raybundle.planning.next.stations import Reach, reachable
+from raybundle.planning.next.visibility import PointSight
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 

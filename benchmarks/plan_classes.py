@@ -17,12 +17,12 @@ import json
 from pathlib import Path
 
 import numpy as np
-from raybundle.planning.network.of_result import points_of_result
 from scipy.optimize import least_squares
 from scipy.spatial import KDTree
 
 from raybundle.objects.sight import Sight
 from raybundle.objects.surfels import CORNERS, surface_of_points
+from raybundle.planning.network.of_result import points_of_result
 from raybundle.results.folder import read_result
 
 OUT = Path(__file__).with_name("results") / "plan_classes.json"

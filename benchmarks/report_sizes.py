@@ -12,12 +12,12 @@ import tempfile
 import time
 from pathlib import Path
 
-from raybundle.report.network.page import write_network_page
 from runs import peak_mb
 
 from raybundle import adjust
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
+from raybundle.report.network.page import write_network_page
 from raybundle.report.writing import write_report
 
 RESULTS = Path(__file__).parent / "results/report_sizes.json"

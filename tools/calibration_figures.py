@@ -9,12 +9,12 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.calibration.maps import projection_uncertainty
 from raybundle.numerics.arrays import Array
+from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import Scene
 

@@ -78,10 +78,10 @@ def python() -> str:
     shapes = [shape for f in functions for shape in get_overloads(f) or [f]]
     parts += [f"```py\n{generate_stubs.definition(shape)}\n```\n" for shape in shapes]
     parts.append("## raybundle.orientation\n\n| name | what it is |\n|---|---|")
-    from raybundle import orientation  # noqa: PLC0415
+    from raybundle import orientation
 
     parts += [f"| `{n}` | {first_line(getattr(orientation, n))} |" for n in orientation_names]
-    from raybundle.adjustment.evaluation import queries  # noqa: PLC0415
+    from raybundle.adjustment.evaluation import queries
 
     parts.append("\n## raybundle.adjustment.evaluation.queries\n\n| name | what it is |\n|---|---|")
     parts += [f"| `{n}` | {first_line(getattr(queries, n))} |" for n in ("own_values", "precision_in_datum")]

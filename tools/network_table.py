@@ -9,10 +9,10 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 
 PAGE = Path(__file__).resolve().parents[1] / "docs/explanation/calibration-networks.md"

@@ -34,7 +34,7 @@ SEEN = ("portal_02.jpg", "portal_04.jpg", "portal_06.jpg")
 
 def project_in(folder: Path) -> tuple[Path, Path]:
     """The demonstration's photographs, oriented."""
-    from raybundle.commands.orient import orient  # noqa: PLC0415
+    from raybundle.commands.orient import orient
 
     photos = folder / "photos"
     shutil.copytree(PORTAL / "photos", photos)

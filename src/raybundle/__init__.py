@@ -171,7 +171,7 @@ __all__ = [*_HOME, "__version__"]  # noqa: PLE0604  # pyright: ignore[reportUnsu
 def __getattr__(name: str) -> Any:
     """The public name, from the module where it lives."""
     if name == "__version__":
-        from importlib.metadata import version  # noqa: PLC0415
+        from importlib.metadata import version
 
         value: Any = version("raybundle")
     elif name in _HOME:

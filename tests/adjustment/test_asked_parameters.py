@@ -1,9 +1,9 @@
 """What a person frees or holds goes before the block and before the automatic choice."""
 
 import pytest
-from raybundle.planning.network.calibration_networks import ROLLS
 
 from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.planning.network.calibration_networks import ROLLS
 from raybundle.settings import made
 from tests.adjustment.test_decide import GIVEN, decided
 from tests.messages import refused

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from scipy.stats import chi2
 
 from raybundle.adjustment.decision.decide import decide
@@ -14,6 +13,7 @@ from raybundle.block.known import known_before, observed_as_known
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.block.toml import head_text
+from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 
 SIGMA = {"c": 0.05, "x0": 0.4, "y0": 0.4}

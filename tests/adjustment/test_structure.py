@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 
 from raybundle import adjust
 from raybundle.adjustment.decision.decide import decide
@@ -12,6 +11,7 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.evaluation.residual_structure import repeated_residuals, residual_structure, structure_notice
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.select import with_rows
+from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from raybundle.sensors import sensor_models

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
@@ -16,6 +15,7 @@ from raybundle.errors import InputError
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.photos.cameras import CameraGroup, with_calibration
+from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 

@@ -3,12 +3,12 @@
 from dataclasses import replace
 
 import numpy as np
-from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.system.predict import predicted_px
 from raybundle.calibration.eccentricity import eccentricity_px, radius_scale
+from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 
 EXACT = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=1e-6)

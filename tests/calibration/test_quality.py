@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.planning.next.calibration import advised, next_photographs
 
 from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.records.options import AdjustmentOptions
@@ -14,6 +13,7 @@ from raybundle.calibration.cross_validation import cross_validation
 from raybundle.calibration.maps import calibration_difference
 from raybundle.calibration.one_camera import find_splits, own_interiors
 from raybundle.calibration.quality import calibration_qualities
+from raybundle.planning.next.calibration import advised, next_photographs
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 

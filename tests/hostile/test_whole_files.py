@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from raybundle.report.network.page import write_network_page
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.errors import InputError
@@ -15,6 +14,7 @@ from raybundle.io.calibrations.base import write_whole
 from raybundle.io.scenes.writing import write_rpc
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
+from raybundle.report.network.page import write_network_page
 from raybundle.report.writing import write_report
 from raybundle.scenes.rpc import Rpc
 

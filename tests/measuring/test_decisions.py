@@ -6,12 +6,12 @@ import shutil
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from raybundle.measuring.actions.decisions import with_decisions
 
 import raybundle as rb
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.cli.main import cli
 from raybundle.errors import InputError
+from raybundle.measuring.actions.decisions import with_decisions
 from raybundle.measuring.journal import entries_of, journal_path, measured_result
 from raybundle.measuring.names import Known
 from raybundle.measuring.selection import figures_of, figures_of_result, latest_figures, latest_result, selected

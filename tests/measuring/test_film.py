@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from PIL import Image
-from raybundle.measuring.actions.verbs import Fiducial
 
 import raybundle as rb
 from raybundle.cli.main import cli
 from raybundle.errors import InputError
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.film.fiducials import film_of, read_calibrated
+from raybundle.measuring.actions.verbs import Fiducial
 from raybundle.measuring.film import read_scans
 from raybundle.measuring.merge import merge
 from raybundle.measuring.start import begun

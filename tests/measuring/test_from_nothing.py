@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from raybundle.measuring.actions.verbs import Point, Put
 
 import raybundle as rb
 from raybundle.cli.main import cli
 from raybundle.errors import InputError, NoOrientation, NotSolvable, code_of
+from raybundle.measuring.actions.verbs import Point, Put
 from raybundle.measuring.merge import merge
 from raybundle.measuring.start import begun
 from raybundle.measuring.state import folded

@@ -11,10 +11,10 @@ import sys
 import threading
 
 import pytest
-from raybundle.measuring.actions.verbs import VERBS, Move, Put, Redo, SetBar, Undo, action_of
 
 import raybundle as rb
 from raybundle.errors import InputError
+from raybundle.measuring.actions.verbs import VERBS, Move, Put, Redo, SetBar, Undo, action_of
 from raybundle.measuring.journal import Journal, entries_of, journal_path, measured_result, state_of
 from raybundle.measuring.names import Known
 

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.measuring.actions.verbs import Point, Put, Reject, Rename, SetBar, SetDatum, SetLine
 from scipy.stats import chi2
 
 from raybundle.block import Role
@@ -14,6 +13,7 @@ from raybundle.block.transform import transform_block
 from raybundle.errors import InputError, phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.geo.control_files import read_control
+from raybundle.measuring.actions.verbs import Point, Put, Reject, Rename, SetBar, SetDatum, SetLine
 from raybundle.measuring.axes import by_level
 from raybundle.measuring.export import lost_in_csv, lost_in_gcp_list, write_csv, write_gcp_list, write_merged_block
 from raybundle.measuring.merge import merge

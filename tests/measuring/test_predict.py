@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.measuring.actions.verbs import Put
 from scipy.stats import chi2
 
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block.select import with_rows
 from raybundle.errors import code_of
+from raybundle.measuring.actions.verbs import Put
 from raybundle.measuring.position import locate
 from raybundle.measuring.predict import affine, predict, visible, worst
 from raybundle.measuring.session import Session

@@ -3,6 +3,8 @@
 import random
 
 import pytest
+
+from raybundle.errors import InputError
 from raybundle.measuring.actions.verbs import (
     Accept,
     Forget,
@@ -19,8 +21,6 @@ from raybundle.measuring.actions.verbs import (
     Unbar,
     Undo,
 )  # fmt: skip
-
-from raybundle.errors import InputError
 from raybundle.measuring.names import Known
 from raybundle.measuring.state import EMPTY, Fold, MeasuredPoint, folded
 

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 from PIL import Image
-from raybundle.measuring.actions.control import control_of_text
-from raybundle.measuring.actions.masks import drawn_by_file, free_of, write_masks
-from raybundle.measuring.actions.verbs import action_of
 
 from raybundle.errors import InputError
 from raybundle.io.photos.masks import find_masks
 from raybundle.io.photos.photo import read_photo
+from raybundle.measuring.actions.control import control_of_text
+from raybundle.measuring.actions.masks import drawn_by_file, free_of, write_masks
+from raybundle.measuring.actions.verbs import action_of
 from raybundle.measuring.journal import Journal
 from raybundle.measuring.merge import merge
 from raybundle.measuring.names import Known

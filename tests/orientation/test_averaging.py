@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.orientation.projective.camera_constant import checked_by_pairs
 
 from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation
 from raybundle.numerics.transform import similarity
 from raybundle.orientation.averaging import average_start
+from raybundle.orientation.projective.camera_constant import checked_by_pairs
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, Ring, aerial_scene, brown_camera, ring_scene
 from tests.orientation.scenes import room

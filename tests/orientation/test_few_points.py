@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.orientation.projective.manual_points import orient_few
 
 from raybundle.block import Block, Images, Observations, Points
 from raybundle.block.known import observed_as_known
+from raybundle.orientation.projective.manual_points import orient_few
 from tests.measuring.hand_made import HAND_PX, Scene
 
 

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.orientation.rigs.pose import Common, StationRays, joined_by_stations, resected_station
 
 from raybundle import adjust
 from raybundle.adjustment.blunders.behind_cameras import meeting_before_cameras
@@ -16,6 +15,7 @@ from raybundle.block.select import select_block
 from raybundle.errors import RankDefect
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation.rays import angular_residuals, rays_of
+from raybundle.orientation.rigs.pose import Common, StationRays, joined_by_stations, resected_station
 from tests.orientation.rig_blocks import MOUNTING, RIGS, rig_block, rough
 from tests.truth.mixed_blocks import two_camera_rig
 

@@ -6,15 +6,15 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from raybundle.planning.network.expected import Expected, Networks, has_depth
-from raybundle.planning.network.of_result import good_points, surface_of_result
-from raybundle.planning.network.site import Access, Site
 from scipy.cluster.vq import kmeans2
 from scipy.spatial import KDTree
 
 from raybundle.adjustment.system.datum import GOOD
 from raybundle.objects.surface import SurfacePoints
 from raybundle.planning.measured import measured_kinds
+from raybundle.planning.network.expected import Expected, Networks, has_depth
+from raybundle.planning.network.of_result import good_points, surface_of_result
+from raybundle.planning.network.site import Access, Site
 from raybundle.results.folder import read_result
 
 POINTS = 4000

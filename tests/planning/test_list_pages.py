@@ -7,10 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from raybundle.planning.network.assistants import assistants
-from raybundle.planning.network.assistants.base import held_words
-from raybundle.planning.network.calibration_networks import calibration_camera
-from raybundle.planning.network.calibration_quality import calibration_worth
 
 import raybundle as rb
 from raybundle import words
@@ -21,6 +17,10 @@ from raybundle.commands.planning.objects import surface_of
 from raybundle.commands.planning.photograph_list import ListSettings, run_plan_list, task_of
 from raybundle.errors import InputError, phrase
 from raybundle.objects.distance import Distances
+from raybundle.planning.network.assistants import assistants
+from raybundle.planning.network.assistants.base import held_words
+from raybundle.planning.network.calibration_networks import calibration_camera
+from raybundle.planning.network.calibration_quality import calibration_worth
 from raybundle.planning.synthetic_networks import look_at
 from raybundle.report.figures.labels import placed_labels
 from raybundle.report.photograph_list import DOT, ListedPhotograph, PhotographList, list_pdf, sketches

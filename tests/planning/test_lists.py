@@ -8,10 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from raybundle.planning.network.assistants import assistants
-from raybundle.planning.network.candidates import Stations
-from raybundle.planning.network.of_result import stations_of_result
-from raybundle.planning.network.taken_stations import ticked
 from tests.cli.reported import reported, values_of
 
 import raybundle as rb
@@ -20,6 +16,10 @@ from raybundle.cli.main import main
 from raybundle.commands.planning.photograph_list import ListSettings, task_of
 from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.planning.network.assistants import assistants
+from raybundle.planning.network.candidates import Stations
+from raybundle.planning.network.of_result import stations_of_result
+from raybundle.planning.network.taken_stations import ticked
 
 PORTAL = Path(__file__).parents[2] / "demo_data" / "portal" / "photos"
 OBJECTS = {k: a.example for k, a in assistants.items()}

@@ -5,6 +5,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.commands.planning.network import NetworkSettings, site_of
+from raybundle.errors import InputError
+from raybundle.objects.kinds import object_kinds
+from raybundle.objects.surface import SurfacePoints, spread
+from raybundle.planning.measured import measured_kinds
+from raybundle.planning.network.aims import aims
 from raybundle.planning.network.bars import placed_bars
 from raybundle.planning.network.candidates import Stations
 from raybundle.planning.network.configuration import Designer, Search, improved
@@ -17,15 +26,6 @@ from raybundle.planning.network.optics import Optics
 from raybundle.planning.network.planned_block import planned_block
 from raybundle.planning.network.reliability import redundancies
 from raybundle.planning.network.site import Access, Site
-
-from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.records.options import AdjustmentOptions
-from raybundle.commands.planning.network import NetworkSettings, site_of
-from raybundle.errors import InputError
-from raybundle.objects.kinds import object_kinds
-from raybundle.objects.surface import SurfacePoints, spread
-from raybundle.planning.measured import measured_kinds
-from raybundle.planning.network.aims import aims
 from raybundle.planning.synthetic_networks import brown_camera
 
 FREE = ("c", "x0", "y0", "K1", "K2")

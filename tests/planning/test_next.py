@@ -4,14 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.planning.next.best import next_best, ranking
-from raybundle.planning.next.goals import Goal, measure_of
-from raybundle.planning.next.obstacles import Obstacles
-from raybundle.planning.next.outlook import Outlook
-from raybundle.planning.next.plan import Conditions, frame_known, plan_next, vertical_of
-from raybundle.planning.next.stations import Reach, reachable
-from raybundle.planning.next.visibility import FARTHER, PointSight
-from raybundle.planning.next.words import hold_message, instruction, place_message
 
 from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.engine import adjust_block
@@ -25,6 +17,14 @@ from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.objects.surface import Surface
 from raybundle.planning.flights.uav_networks import Flight, flight_block
+from raybundle.planning.next.best import next_best, ranking
+from raybundle.planning.next.goals import Goal, measure_of
+from raybundle.planning.next.obstacles import Obstacles
+from raybundle.planning.next.outlook import Outlook
+from raybundle.planning.next.plan import Conditions, frame_known, plan_next, vertical_of
+from raybundle.planning.next.stations import Reach, reachable
+from raybundle.planning.next.visibility import FARTHER, PointSight
+from raybundle.planning.next.words import hold_message, instruction, place_message
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import Ring, TargetField, field_scene, ring_scene
 

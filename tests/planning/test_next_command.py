@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import trimesh
-from raybundle.planning.next.goals import Standing
 from tests.cli.reported import reported, values_of
 
 import raybundle as rb
@@ -16,6 +15,7 @@ from raybundle.cli.plan.next import summary
 from raybundle.commands.planning.next import NextSettings, write_next_plan
 from raybundle.errors import phrase
 from raybundle.io.block.folder import read_block, write_block
+from raybundle.planning.next.goals import Standing
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import Ring, TargetField, field_scene, ring_scene
 from raybundle.settings import made

@@ -9,10 +9,10 @@ from functools import cache
 
 import numpy as np
 import pytest
-from raybundle.planning.network.calibration_networks import ROLLS
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.planning.network.calibration_networks import ROLLS
 from raybundle.planning.rules.networks import IMAGE_SIGMA_PX, Cone, Network, Targets, known_camera, pair
 
 DRAWS = 800

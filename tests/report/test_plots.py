@@ -12,7 +12,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.report.network.shape import ellipse_rows, ellipses, network_shape
 
 import raybundle as rb
 from raybundle.adjustment.engine import adjust_block
@@ -22,6 +21,7 @@ from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, SinglePhoto, aerial_scene, single_scene
 from raybundle.report.detectable import detectable
 from raybundle.report.figures.distortion import balanced, radial_curve
+from raybundle.report.network.shape import ellipse_rows, ellipses, network_shape
 from raybundle.report.residuals import normalised
 from raybundle.report.view import adjusted_interior, view_of
 from tests.report.conftest import MAKERS, made

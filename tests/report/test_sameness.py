@@ -1,9 +1,9 @@
 """Whether two results say the same, and how near."""
 
 import pytest
-from raybundle.report.comparison.sameness import sameness
 
 from raybundle.errors import phrase
+from raybundle.report.comparison.sameness import sameness
 
 
 def test_same_near_and_unlike(tmp_path):

@@ -6,11 +6,11 @@ import re
 
 import numpy as np
 import pytest
-from raybundle.report.network.page import extent_of
-from raybundle.report.network.sigma_classes import GOOD, MISSED, SHADES, sigma_classes
 
 from raybundle.cli.main import main
 from raybundle.errors import phrase
+from raybundle.report.network.page import extent_of
+from raybundle.report.network.sigma_classes import GOOD, MISSED, SHADES, sigma_classes
 from tests.studio.browser import ARGUMENTS, chromium
 
 RNG = np.random.default_rng(5)

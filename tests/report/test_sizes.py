@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from raybundle.report.network.page import write_network_page
 
 from raybundle import adjust, words
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
+from raybundle.report.network.page import write_network_page
 from raybundle.report.writing import write_report
 
 

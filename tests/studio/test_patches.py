@@ -4,8 +4,8 @@ import csv
 from pathlib import Path
 
 import numpy as np
-from raybundle.measuring.actions.verbs import Put
 
+from raybundle.measuring.actions.verbs import Put
 from raybundle.studio.snapping import snapped
 
 TRUTH = Path(__file__).parents[2] / "demo_data" / "portal" / "truth" / "observations.csv"

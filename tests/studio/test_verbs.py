@@ -5,10 +5,10 @@ import shutil
 
 import numpy as np
 from click.testing import CliRunner
-from raybundle.measuring.actions.verbs import VERBS
 
 from raybundle.cli.main import cli
 from raybundle.io.block.folder import read_block
+from raybundle.measuring.actions.verbs import VERBS
 from raybundle.measuring.journal import Journal, entries_of, journal_path, state_of
 from raybundle.measuring.names import Known
 from raybundle.measuring.selection import latest_figures, selected

@@ -4,11 +4,11 @@ import functools
 
 import numpy as np
 import pytest
-from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from scipy.stats import chi2
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 from tests.truth.bands import assert_true_to_ten_percent, whitener
 

@@ -8,13 +8,13 @@ import sys
 from dataclasses import dataclass, replace
 
 import numpy as np
-from raybundle.planning.network.calibration_networks import FlatField, flat_field_scene
 
 from raybundle import adjust
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block, Role
 from raybundle.errors import RaybundleError
 from raybundle.planning.flights.uav_networks import Flight, flight_block
+from raybundle.planning.network.calibration_networks import FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import Scene, TargetField, brown_camera, field_scene, look_at
 from tests.truth.mixed_blocks import room

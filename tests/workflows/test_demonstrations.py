@@ -2,9 +2,6 @@
 
 import numpy as np
 import pytest
-from raybundle.planning.rendered.ground import gravel_pit
-from raybundle.planning.rendered.part import photograph
-from raybundle.planning.rendered.rendering import View
 
 import raybundle as rb
 from raybundle.cli.main import main
@@ -12,6 +9,9 @@ from raybundle.commands.demonstrations import make_set, set_named, set_names
 from raybundle.commands.demonstrations.files import made_camera
 from raybundle.commands.demonstrations.sets import board, flight, part, scene
 from raybundle.errors import InputError
+from raybundle.planning.rendered.ground import gravel_pit
+from raybundle.planning.rendered.part import photograph
+from raybundle.planning.rendered.rendering import View
 from raybundle.targets.detect import detect_targets
 from raybundle.targets.families import family_named
 from raybundle.targets.marks import detect, target

@@ -51,7 +51,7 @@ def _part(result: Adjustment) -> Block:
 
 def _neighbouring(block: Block) -> Mask:
     """Images (n,) that grow from the one with most image points, each the one that shares most with those before."""
-    from scipy.sparse import csr_matrix  # noqa: PLC0415
+    from scipy.sparse import csr_matrix
 
     o, n = block.observations, len(block.images)
     sees = csr_matrix((np.ones(len(o)), (o.image, o.point)), shape=(n, len(block.points)))

@@ -336,7 +336,7 @@ def _open_beside_given(result: Adjustment) -> list[Notice]:
 
 def _why_open(result: Adjustment) -> tuple[str, dict[str, Value]]:
     """Why control or projection centres leave a part of the datum open, as a code and its values."""
-    from scipy.special import chdtri  # noqa: PLC0415
+    from scipy.special import chdtri
 
     if ABOUT_LINE not in result.datum_defect:
         return "control_leaves_open", {}

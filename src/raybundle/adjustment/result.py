@@ -145,7 +145,7 @@ class Adjustment:
         coefficients  4, 5, 8, 12 or 14; None: the fewest that are exact, or within 0.01 px
         raises        InputError for an unknown camera, and where OpenCV has none within 0.1 px (`opencv_camera`)
         """
-        from raybundle.cameras.opencv import opencv_camera  # noqa: PLC0415  (what computes is loaded where it is used)
+        from raybundle.cameras.opencv import opencv_camera
 
         return opencv_camera(*interior_of(self, camera, image), coefficients=coefficients)
 

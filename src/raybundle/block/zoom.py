@@ -144,7 +144,7 @@ def scaled_variable(focal_mm: float, range_mm: tuple[float, float], variable: Va
 
 def legendre(t: float, order: int) -> tuple[Array, Array]:
     """Legendre polynomials (order + 1,) at t and their derivatives."""
-    from numpy.polynomial import legendre as series  # noqa: PLC0415
+    from numpy.polynomial import legendre as series
 
     value = series.legvander(np.array([t]), order)[0]
     slope = np.array([float(series.legval(t, series.legder(row))) for row in np.eye(order + 1)])

@@ -188,7 +188,7 @@ class Eliminated:
 
 
 def _blas() -> tuple[Any, Any]:
-    from scipy.linalg import blas, lapack  # noqa: PLC0415
+    from scipy.linalg import blas, lapack
 
     return blas, lapack
 

@@ -17,7 +17,7 @@ def meeting(pieces: Iterable[tuple[Index, Index]], count: int, pairs: Array) -> 
     pieces  tables of rows (k,), ascending, and the nodes (k,) that stand in them; every row lies in one piece
     pairs   (e, 2) nodes that meet beside
     """
-    from scipy.sparse import csr_matrix  # noqa: PLC0415
+    from scipy.sparse import csr_matrix
 
     low, high = np.minimum(*pairs.T), np.maximum(*pairs.T)
     keys = distinct(low[low < high].astype(np.int64) * count + high[low < high])

@@ -20,7 +20,7 @@ def onto(own: Array, given: Array, datum: Datum) -> Array:
     Small transformations are repeated until nothing moves (`adjustment.system.transformation.fit_to_given`): all that
     they need of the points are these sums.
     """
-    from scipy.linalg import expm  # noqa: PLC0415
+    from scipy.linalg import expm
 
     M = _generators(datum)
     A = np.eye(4)  # r -> A r, homogeneous, from the centre

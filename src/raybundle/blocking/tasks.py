@@ -51,7 +51,7 @@ def known(store: Store, key: str) -> Known:
     with _lock:
         at = _known.get(key)
         if at is None:
-            from raybundle.blocking.network_store import network_of  # noqa: PLC0415  (which keeps networks by these tasks' store)
+            from raybundle.blocking.network_store import network_of
 
             at = remember(network_of(store, key))
             _read.append(at)

@@ -115,8 +115,8 @@ def _bisected(places: Array, sizes: Array) -> Mask:
 
 def _cover(graph: Any, side: Mask) -> Index:
     """A smallest set of nodes that touches every edge between the sides (Koenig)."""
-    from scipy.sparse import csr_matrix  # noqa: PLC0415
-    from scipy.sparse.csgraph import maximum_bipartite_matching  # noqa: PLC0415
+    from scipy.sparse import csr_matrix
+    from scipy.sparse.csgraph import maximum_bipartite_matching
 
     edges = graph.tocoo()
     cut = ~side[edges.row] & side[edges.col]

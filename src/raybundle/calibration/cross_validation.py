@@ -86,7 +86,7 @@ def cross_validation(
     divided by the root of their redundancy share, so that the few unknowns of an orientation do not make them look
     small.  Limits: errors that all photographs share.
     """
-    from scipy.special import fdtri  # noqa: PLC0415  (scipy.stats takes half a second to load)
+    from scipy.special import fdtri
 
     block = replace(result.adjusted, observations=result.given.observations)
     k = next(i for i, c in enumerate(block.cameras) if c.id == camera)

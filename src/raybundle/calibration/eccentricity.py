@@ -198,7 +198,7 @@ def _weighted(column: Array, cov: Array) -> Array:
 
 def target_normals(xyz: Array) -> Array:
     """(p, 3) unit normals of the surface on which targets stand; NaN where the nearest ones lie in no plane."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     normal = np.full(xyz.shape, np.nan)
     known = np.flatnonzero(np.isfinite(xyz).all(axis=1))

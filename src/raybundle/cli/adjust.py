@@ -37,9 +37,9 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> int:
     Example:
       raybundle adjust camcal21 --out camcal21-result
       raybundle adjust camcal21 --out free --datum inner --estimate auto --reject snooping
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.workflows.unfinished_parts import left_beside  # noqa: PLC0415
+    """
+    from raybundle.cli.progress import reporting
+    from raybundle.workflows.unfinished_parts import left_beside
 
     settings = made(AdjustSettings, {"block": block, "out": out, **values_of(AdjustSettings, given)})
     try:

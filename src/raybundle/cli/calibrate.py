@@ -50,8 +50,8 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
       raybundle calibrate photos/ --target aicon14 --out calibration
       raybundle calibrate board/ --target chessboard-9x6 --out calibration --keep
       raybundle calibrate photos/ --sheet sheet.toml --out calibration
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(CalibrateSettings, {"photos": photos, "out": out, **values_of(CalibrateSettings, given)})
     try:
@@ -67,8 +67,8 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
 def _summary(done: Calibration, files: list[Path]) -> Summary:
     """What the command reports."""
-    from raybundle.adjustment.records.notice import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.text.summary import details  # noqa: PLC0415
+    from raybundle.adjustment.records.notice import sorted_notices
+    from raybundle.report.text.summary import details
 
     read = sum(int(m.named.sum()) for sets in done.marks for m in sets)
     points = read or len(done.adjustment.given.points)

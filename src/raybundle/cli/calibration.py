@@ -28,7 +28,7 @@ def command() -> None:
       raybundle calibration compare may.toml october.toml
       raybundle calibration add result --photo images/DSC_0001.JPG
       raybundle calibration find images/DSC_0001.JPG
-    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+    """
 
 
 for _subcommand in (convert, compare, add, list_, find, zoom):

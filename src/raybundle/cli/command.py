@@ -76,7 +76,7 @@ class Command(click.Command):
             status = super().invoke(ctx)
         summary = ctx.meta.get(SUMMARY)
         if as_json:
-            from raybundle.results.contents import clean  # noqa: PLC0415  (NumPy is loaded with it)
+            from raybundle.results.contents import clean
 
             found = clean(_object(ctx, status, printed.getvalue()))
             click.echo(json.dumps(found, ensure_ascii=False, default=str))
@@ -247,14 +247,14 @@ def _kept(name: str) -> Callable[[click.Context, click.Parameter, bool], None]:
 
 def _overwriting(ctx: click.Context, _: click.Parameter, value: bool) -> None:  # noqa: FBT001  (click's signature)
     if value and not ctx.resilient_parsing:
-        from raybundle.io.folders import overwriting  # noqa: PLC0415
+        from raybundle.io.folders import overwriting
 
         ctx.with_resource(overwriting())
 
 
 def _settings_read(ctx: click.Context, _: click.Parameter, value: Path | None) -> None:
     if value is not None and not ctx.resilient_parsing:
-        from raybundle.cli.settings_file import defaults_of  # noqa: PLC0415  (TOML is read where it is asked for)
+        from raybundle.cli.settings_file import defaults_of
 
         root = cast("click.Group", ctx.find_root().command)
         ctx.default_map = {**(ctx.default_map or {}), **defaults_of(value, ctx.command, _name(ctx), root)}
@@ -286,7 +286,7 @@ def _object(ctx: click.Context, status: Any, printed: str) -> dict[str, Any]:
 
 def _written(out: Path) -> dict[str, Any]:
     """What stands in the JSON files of a command's folder, by their names."""
-    from raybundle.io.reading.trees import read_json  # noqa: PLC0415
+    from raybundle.io.reading.trees import read_json
 
     places = [out / "result"] if (out / "result" / "result.json").is_file() else [out]
     files = [folder / name for folder in places for name in WRITTEN if (folder / name).is_file()]

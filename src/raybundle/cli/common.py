@@ -51,7 +51,7 @@ def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
 
 def store_lines(project: Path) -> list[str]:
     """A line that names the URL at which the products of a run lie; none if they lie in its folder."""
-    from raybundle.pipeline.project import HERE, store_given  # noqa: PLC0415  (loaded after the help)
+    from raybundle.pipeline.project import HERE, store_given
 
     store = store_given(project)
     return [f"products: {store}"] if store not in {"", HERE} else []

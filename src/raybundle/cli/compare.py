@@ -28,8 +28,8 @@ def command(first: Path, second: Path, progress: str, **given: Any) -> None:
     \b
     Example:
       raybundle compare camcal21-result free --out camcal21.html
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     asked = {"first": first, "second": second, **values_of(CompareSettings, given)}
     settings = made(CompareSettings, asked)

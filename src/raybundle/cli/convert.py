@@ -63,7 +63,7 @@ class _Target(click.Choice[str]):
 @common_options
 def command(source: Path, progress: str, **given: Any) -> None:
     """Convert, and print what was assumed."""
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.cli.progress import reporting
 
     settings = made(ConvertSettings, {"source": source, **values_of(ConvertSettings, given)})
     with reporting(progress) as notify:
@@ -71,7 +71,7 @@ def command(source: Path, progress: str, **given: Any) -> None:
     b = done.block
     facts(images=int(b.images.oriented.sum()), points=len(b.points), observations=len(b.observations))
     facts(files=dict(done.written), cameras_px=done.deviation_px, not_read=dict(done.unread))
-    from raybundle.results.state import state_messages  # noqa: PLC0415
+    from raybundle.results.state import state_messages
 
     fitted = [note("block.cameras_fitted", largest_px=done.deviation_px)] if done.deviation_px > 0 else []
     more = done.files - len(done.written)

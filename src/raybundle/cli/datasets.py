@@ -24,14 +24,14 @@ def command() -> None:
       raybundle datasets list
       raybundle datasets get sceaux-castle
       raybundle orient sceaux-castle/images --out sceaux-project
-    """  # noqa: D301
+    """
 
 
 @command.command("list")
 @listing_option
 def list_command(listing: Path | None) -> None:
     """Show the sets: name, size, content, licence."""
-    from raybundle.io.datasets import known_datasets  # noqa: PLC0415
+    from raybundle.io.datasets import known_datasets
 
     sets = known_datasets(listing)
     facts(sets=[{"name": s.name, "bytes": s.size, "about": s.about, "licence": s.licence} for s in sets.values()])
@@ -56,9 +56,9 @@ def get_command(name: str, out: Path | None, listing: Path | None, progress: str
       raybundle datasets get sceaux-castle
       raybundle datasets get copr-uav --out flight
       raybundle datasets get reichstag --listing benchmarks/corpus.toml
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.io.datasets import dataset, fetch  # noqa: PLC0415
+    """
+    from raybundle.cli.progress import reporting
+    from raybundle.io.datasets import dataset, fetch
 
     wanted = dataset(name, listing)
     folder = Path(name) if out is None else out

@@ -34,8 +34,8 @@ def command(result: Path, out: Path, **given: Any) -> None:
     Example:
       raybundle datum facade-project --origin A --axis B --plane C --out facade-axes
       raybundle datum pond-project --origin A --axis B --level W1 --level W2 --level W3 --out pond-axes
-    """  # noqa: D301
-    from raybundle.commands.marks import transform_to_points  # noqa: PLC0415
+    """
+    from raybundle.commands.marks import transform_to_points
 
     transform_to_points(result, out, **values_of(DatumSettings, given))
     files = [out / "points.csv", out / "transformation.json"]

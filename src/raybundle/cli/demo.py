@@ -45,8 +45,8 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
       raybundle demo --out demo
       raybundle demo --set flight --out flight
       raybundle demo --set demo_data/portal --out portal
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415
+    """
+    from raybundle.cli.progress import reporting
 
     if photographs in set_names():
         with reporting(progress) as notify:
@@ -54,15 +54,15 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
         click.echo("\n".join([f" {line}" for line in files] + [f" all in {out}"]))
         return
     if photographs is not None:
-        from raybundle.cli.demo_set import run  # noqa: PLC0415
+        from raybundle.cli.demo_set import run
 
         run(Path(photographs), out, progress)
         return
-    from raybundle.planning.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.planning.synthetic_networks import TargetField, field_scene  # noqa: PLC0415
-    from raybundle.report.write import write_result  # noqa: PLC0415
-    from raybundle.results.folder import check_target  # noqa: PLC0415
-    from raybundle.workflows.adjust import adjust  # noqa: PLC0415
+    from raybundle.planning.simulate import Survey, simulate
+    from raybundle.planning.synthetic_networks import TargetField, field_scene
+    from raybundle.report.write import write_result
+    from raybundle.results.folder import check_target
+    from raybundle.workflows.adjust import adjust
 
     survey = Survey(seed=seed, image_sigma_px=0.1, scale_bars=1, scale_bar_sigma=2e-5, orientation="absent")
     simulation = simulate(field_scene(TargetField()), survey)
@@ -85,7 +85,7 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
 
 def _write_input(simulation: Simulation, out: Path) -> None:
     """Write block and truth; those of an earlier demo stay if they are the same."""
-    from raybundle.io.block.folder import write_block, write_block_files  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block, write_block_files
 
     for name, block in (("block", simulation.observed), ("truth", simulation.truth)):
         folder = out / name
@@ -109,7 +109,7 @@ def _given(simulation: Simulation, sigma: float) -> Message:
 
 def _point_errors(simulation: Simulation, adjustment: Adjustment) -> list[Message]:
     """Errors of object points after a rigid motion onto the truth, beside what is stated."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     if adjustment.precision is None:
         return []

@@ -57,7 +57,7 @@ def rigid_difference(estimate: Array, truth: Array) -> tuple[Array, Array]:
 
     Least squares without weights (Arun, Huang and Blostein 1987); the scale is left as it is.
     """
-    from raybundle.numerics.rotation import nearest_rotation  # noqa: PLC0415
+    from raybundle.numerics.rotation import nearest_rotation
 
     a, b = estimate - estimate.mean(axis=0), truth - truth.mean(axis=0)
     turn = nearest_rotation(b.T @ a)

@@ -24,12 +24,12 @@ def run(folder: Path, out: Path, progress: str) -> None:
 
     folder  photos/, measured.csv (marked targets) and truth/ (a block folder with the scale bar)
     """
-    from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.commands.orient import report_stage, write_orientation  # noqa: PLC0415
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415
-    from raybundle.pipeline.project import PHOTOGRAPHS_IN  # noqa: PLC0415
-    from raybundle.results.folder import check_target  # noqa: PLC0415
-    from raybundle.workflows.orient import orient  # noqa: PLC0415
+    from raybundle.cli.progress import reporting
+    from raybundle.commands.orient import report_stage, write_orientation
+    from raybundle.io.block.folder import read_block
+    from raybundle.pipeline.project import PHOTOGRAPHS_IN
+    from raybundle.results.folder import check_target
+    from raybundle.workflows.orient import orient
 
     if not folder.is_dir():
         raise InputError("dataset.unknown", name=str(folder), known=list(set_names()), file=folder)
@@ -61,13 +61,13 @@ def run(folder: Path, out: Path, progress: str) -> None:
 
 def given_of(folder: Path, truth: Block) -> Given:
     """The marked targets of a set, without coordinates, and its scale bars."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.block import Role  # noqa: PLC0415
-    from raybundle.io.geo.control_files import ControlFile, read_measurements  # noqa: PLC0415
-    from raybundle.io.reading.files import read_lines  # noqa: PLC0415
-    from raybundle.io.reading.rows import cells_of  # noqa: PLC0415
-    from raybundle.placing.marks import Given, ScaleBar  # noqa: PLC0415
+    from raybundle.block import Role
+    from raybundle.io.geo.control_files import ControlFile, read_measurements
+    from raybundle.io.reading.files import read_lines
+    from raybundle.io.reading.rows import cells_of
+    from raybundle.placing.marks import Given, ScaleBar
 
     marks = folder / "measured.csv"
     rows = [next(cells_of([line])) for _, line in read_lines(marks) if line]
@@ -87,7 +87,7 @@ def given_of(folder: Path, truth: Block) -> Given:
 
 def compared(truth: Block, a: Adjustment) -> list[Message]:
     """Errors against the truth: of the interior orientation and of the targets."""
-    from raybundle.cli.demo_errors import interior_errors  # noqa: PLC0415
+    from raybundle.cli.demo_errors import interior_errors
 
     name, error, covariance = errors(truth, a)[0]
     rms = 1000 * math.sqrt(float((error**2).mean()))
@@ -116,7 +116,7 @@ def normalised(error: Array, covariance: Array) -> tuple[float, float, float]:
 
     The band is that of independent errors; those of one network are correlated, so that it is rather too narrow.
     """
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
     from scipy.stats import chi2
 
     squares = np.einsum("ni,nij,nj->n", error, np.linalg.inv(covariance), error)
@@ -130,9 +130,9 @@ def errors(truth: Block, a: Adjustment) -> list[tuple[str, Array, Array]]:
     Both in the frame of the targets: a rigid motion onto their true places, covariances under inner constraints over
     them.
     """
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.adjustment.evaluation.queries import precision_in_datum  # noqa: PLC0415
+    from raybundle.adjustment.evaluation.queries import precision_in_datum
 
     found = {name: k for k, name in enumerate(a.adjusted.points.ids)}
     targets = tuple(n for n in truth.points.ids if n in found)

@@ -54,7 +54,7 @@ def command(as_json: bool) -> int:  # noqa: FBT001  (a flag of the command line)
     Example:
       raybundle doctor
       raybundle doctor --json
-    """  # noqa: D301
+    """
     found = examine()
     if as_json:
         click.echo(json.dumps(found, indent=1))
@@ -65,7 +65,7 @@ def command(as_json: bool) -> int:  # noqa: FBT001  (a flag of the command line)
 
 def examine() -> dict[str, Any]:
     """What is installed; None for what is not."""
-    from raybundle.numerics import native  # noqa: PLC0415
+    from raybundle.numerics import native
 
     return {
         "raybundle": _version("raybundle"),

@@ -39,7 +39,7 @@ def command(points: Path, **given: Any) -> int:
     Example:
       raybundle empirical control.csv
       raybundle empirical control.csv --model dlt-brown --without K3 --image-sigma 0.3 --out camera
-    """  # noqa: D301
+    """
     settings = made(EmpiricalSettings, {"points": points, **values_of(EmpiricalSettings, given)})
     done = run_empirical(settings)
     facts(

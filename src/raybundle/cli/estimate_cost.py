@@ -45,8 +45,8 @@ def command(photos: Path | None, progress: str, **given: Any) -> None:
     Example:
       raybundle estimate-cost images/ --overlap 12
       raybundle estimate-cost --images 10000 --megapixels 20 --flight-overlap 0.8 0.6 --workers 16
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     with reporting(progress) as notify:
         found = run_estimate_cost(made(EstimateCostSettings, values_of(EstimateCostSettings, given)), photos, notify)

@@ -26,7 +26,7 @@ def command(code: str, language: str, as_json: bool) -> None:  # noqa: FBT001  (
     \b
     Example:
       raybundle explain outline.no_area
-    """  # noqa: D301
+    """
     code = code.strip("[]")
     found = [c for c in words.codes() if c == code] or [c for c in words.codes() if c.startswith(f"{code}.")]
     if language not in words.languages():

@@ -23,7 +23,7 @@ def failure_lines(error: Exception) -> tuple[str, int]:
         reason = error.strerror or str(error)
         return f"the output could not be shown ({reason}); what was to be written is written", 2
     if isinstance(error, OSError):
-        from raybundle.io.reading.words import quoted  # noqa: PLC0415  (NumPy is loaded with it)
+        from raybundle.io.reading.words import quoted
 
         names = " -> ".join(quoted(os.fsdecode(n)) for n in (error.filename, error.filename2) if n is not None)
         return f"{type(error).__name__}: {names or 'a file'} cannot be used: {error.strerror or error}", 2

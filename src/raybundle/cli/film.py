@@ -35,7 +35,7 @@ def command(marks: Path, progress: str, **given: Any) -> None:
     \b
     Example:
       raybundle film marks.csv --calibrated certificate.csv --calibration rmk.toml --image-points points.csv --out film
-    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+    """
     del progress
     settings = made(FilmSettings, {"marks": marks, **values_of(FilmSettings, given)})
     done = run_film(settings)
@@ -51,9 +51,9 @@ def command(marks: Path, progress: str, **given: Any) -> None:
 
 def _summary(films: Mapping[str, Film], points: Marks | None, out: Path) -> Summary:
     """What the command reports."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.film.fiducials import suspects  # noqa: PLC0415
+    from raybundle.io.film.fiducials import suspects
 
     rows = ['image         marks  sigma0   rms [um]   shrinkage x, y [ppm]     shear ["]   turn [deg]']
     notices, largest = list[Message](), 0.0

@@ -28,8 +28,8 @@ def command(video: Path, progress: str, **given: Any) -> None:
     Example:
       raybundle frames walk.mp4 --out walk
       raybundle frames walk.mp4 --out walk-60 --count 60
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(FramesSettings, {"video": video, **values_of(FramesSettings, given)})
     with reporting(progress) as notify:

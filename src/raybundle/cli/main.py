@@ -85,7 +85,7 @@ COMMANDS = {name: summary for commands in TASKS.values() for name, summary in co
 
 def _print_version(ctx: click.Context, _: click.Parameter, value: bool) -> None:  # noqa: FBT001  (click's signature)
     if value and not ctx.resilient_parsing:
-        from importlib.metadata import version  # noqa: PLC0415  (reads the metadata only where it is asked for)
+        from importlib.metadata import version
 
         click.echo(f"raybundle {version('raybundle')}")
         ctx.exit()
@@ -104,7 +104,7 @@ def cli() -> None:
       raybundle orient facade/ --out facade-project
       raybundle adjust camcal21 --out camcal21-result
       raybundle adjust --help
-    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+    """
 
 
 cli.home, cli.summaries, cli.sections, cli.frequent = "raybundle.cli", COMMANDS, TASKS, frequent.COMMANDS

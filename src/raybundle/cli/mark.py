@@ -81,9 +81,9 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
     Example:
       raybundle mark begin archive/ --out archive-project
       raybundle mark begin archive/ --own-camera "1938_*" --calibration cameras.toml
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.commands.new_project import begin  # noqa: PLC0415
+    """
+    from raybundle.cli.progress import reporting
+    from raybundle.commands.new_project import begin
 
     lines: list[str] = []
     with reporting(progress) as notify:
@@ -107,7 +107,7 @@ def put(
     \b
     Example:
       raybundle mark put facade-project IMG_3.jpg gate 1204.3 880.1
-    """  # noqa: D301
+    """
     _place(folder, "put", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
 
 
@@ -126,7 +126,7 @@ def move(
     \b
     Example:
       raybundle mark move facade-project IMG_3.jpg gate 1204.6 880.0 --mark-sigma 0.2
-    """  # noqa: D301
+    """
     _place(folder, "move", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
 
 
@@ -139,7 +139,7 @@ def remove(folder: Path, image: str, point: str, author: str) -> None:
     \b
     Example:
       raybundle mark remove facade-project IMG_3.jpg gate
-    """  # noqa: D301
+    """
     do(folder, "remove", author, image=image, point=point)
 
 
@@ -161,7 +161,7 @@ def point_(
     \b
     Example:
       raybundle mark point facade-project gate --role control --coordinates 12.5 3.25 - --sigma 0.01 0.01 -
-    """  # noqa: D301
+    """
     xyz, s = ([None if v == NO_NUMBER else v for v in values or (NO_NUMBER,) * 3] for values in (coordinates, sigma))
     do(folder, "point", author, point=point, role=role, xyz=xyz, sigma=s)
 
@@ -175,7 +175,7 @@ def rename(folder: Path, point: str, to: str, author: str) -> None:
     \b
     Example:
       raybundle mark rename facade-project t17 gate
-    """  # noqa: D301
+    """
     do(folder, "rename", author, point=point, to=to)
 
 
@@ -187,7 +187,7 @@ def forget(folder: Path, point: str, author: str) -> None:
     \b
     Example:
       raybundle mark forget facade-project gate
-    """  # noqa: D301
+    """
     do(folder, "forget", author, point=point)
 
 
@@ -202,7 +202,7 @@ def bar(folder: Path, start: str, end: str, length: float, sigma: float, author:
     \b
     Example:
       raybundle mark bar facade-project A B 1.0003 0.0001
-    """  # noqa: D301
+    """
     do(folder, "bar", author, start=start, end=end, length=length, sigma=sigma)
 
 
@@ -215,7 +215,7 @@ def unbar(folder: Path, start: str, end: str, author: str) -> None:
     \b
     Example:
       raybundle mark unbar facade-project A B
-    """  # noqa: D301
+    """
     do(folder, "unbar", author, start=start, end=end)
 
 
@@ -243,7 +243,7 @@ def line_(folder: Path, line: str, points: tuple[str, ...], kind: str, sigma: fl
     Example:
       raybundle mark line facade-project edge gate sill-1 sill-2 --figure plumb
       raybundle mark line pond-project water W1 W2 W3 --figure level --sigma 0.002
-    """  # noqa: D301
+    """
     do(folder, "line", author, line=line, points=points, kind=kind, sigma=sigma)
 
 
@@ -258,7 +258,7 @@ def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
     Example:
       raybundle mark datum facade-project A B C
       raybundle mark datum pond-project A B
-    """  # noqa: D301
+    """
     if len(names) not in {0, 2, 3}:
         raise InputError("axes.point_count", n=len(names))
     do(folder, "datum", author, **dict(zip(("origin", "axis", "plane"), names, strict=False)))
@@ -276,7 +276,7 @@ def reject(folder: Path, image: str | None, point: str | None, author: str, **li
       raybundle mark reject facade-project IMG_3.jpg t17
       raybundle mark reject facade-project --w 4
       raybundle mark reject facade-project --sigma 0.02
-    """  # noqa: D301
+    """
     given = {name: limit for name, limit in limits.items() if limit is not None}
     if len(given) == 1 and image is None:
         ((quantity, limit),) = given.items()
@@ -296,7 +296,7 @@ def accept(folder: Path, image: str, point: str, author: str) -> None:
     \b
     Example:
       raybundle mark accept facade-project IMG_3.jpg t17
-    """  # noqa: D301
+    """
     do(folder, "accept", author, image=image, point=point)
 
 
@@ -310,7 +310,7 @@ def parameter(folder: Path, camera: str, symbol: str, choice: str, author: str) 
     \b
     Example:
       raybundle mark parameter facade-project canon K3 held
-    """  # noqa: D301
+    """
     do(folder, "parameter", author, camera=camera, symbol=symbol, choice=choice)
 
 
@@ -329,7 +329,7 @@ def fiducial(
     \b
     Example:
       raybundle mark fiducial archive-project 17_0412.tif F1 812.4 9310.7
-    """  # noqa: D301
+    """
     _place(folder, "fiducial", author, sigma, covariance, image=image, name=name, x_px=x_px, y_px=y_px)
 
 
@@ -340,7 +340,7 @@ def undo(folder: Path, author: str) -> None:
     \b
     Example:
       raybundle mark undo facade-project
-    """  # noqa: D301
+    """
     do(folder, "undo", author)
 
 
@@ -351,7 +351,7 @@ def redo(folder: Path, author: str) -> None:
     \b
     Example:
       raybundle mark redo facade-project
-    """  # noqa: D301
+    """
     do(folder, "redo", author)
 
 
@@ -365,11 +365,11 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
     \b
     Example:
       raybundle mark list facade-project --history
-    """  # noqa: D301
-    from raybundle.commands.marks import as_plain, history, marks  # noqa: PLC0415
-    from raybundle.commands.new_project import standing_folder  # noqa: PLC0415
-    from raybundle.measuring.session import block_folder  # noqa: PLC0415
-    from raybundle.measuring.state import in_force  # noqa: PLC0415
+    """
+    from raybundle.commands.marks import as_plain, history, marks
+    from raybundle.commands.new_project import standing_folder
+    from raybundle.measuring.session import block_folder
+    from raybundle.measuring.state import in_force
 
     block_folder(standing_folder(folder) or folder)
     if not with_history:
@@ -412,8 +412,8 @@ def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: 
       raybundle mark export facade-project gcp_list.txt --crs EPSG:32633
       raybundle mark export facade-project facade-measured
       raybundle mark export facade-project masks --as-masks
-    """  # noqa: D301
-    from raybundle.commands.marks import export_marks, export_masks  # noqa: PLC0415
+    """
+    from raybundle.commands.marks import export_marks, export_masks
 
     done = export_masks(folder, out) if as_masks else export_marks(folder, out, crs=crs)
     facts(files=done.files)
@@ -448,15 +448,15 @@ def adjust_(
     Example:
       raybundle mark adjust facade-project
       raybundle mark adjust facade-project --out facade-with-control --reject snooping
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.commands.marks import adjust_marks  # noqa: PLC0415
-    from raybundle.commands.new_project import standing_folder  # noqa: PLC0415
-    from raybundle.measuring.journal import measured_result  # noqa: PLC0415
-    from raybundle.pipeline.project import PHOTOGRAPHS_IN, photographs_of  # noqa: PLC0415
-    from raybundle.report.text.summary import adjusted  # noqa: PLC0415
-    from raybundle.report.write import write_result  # noqa: PLC0415
-    from raybundle.results.folder import check_target  # noqa: PLC0415
+    """
+    from raybundle.cli.progress import reporting
+    from raybundle.commands.marks import adjust_marks
+    from raybundle.commands.new_project import standing_folder
+    from raybundle.measuring.journal import measured_result
+    from raybundle.pipeline.project import PHOTOGRAPHS_IN, photographs_of
+    from raybundle.report.text.summary import adjusted
+    from raybundle.report.write import write_result
+    from raybundle.results.folder import check_target
 
     folder = standing_folder(folder) or folder
     target = out or measured_result(folder)

@@ -30,7 +30,7 @@ def command() -> None:
       raybundle mark put facade-project IMG_3.jpg gate 1204.3 880.1 --mark-sigma 0.3
       raybundle mark bar facade-project A B 1.0003 0.0001
       raybundle mark adjust facade-project
-    """  # noqa: D301
+    """
 
 
 def _author(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -51,8 +51,8 @@ def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
 
 def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
     """Do an action of a verb and report its number; a folder of photographs has its project begun."""
-    from raybundle.commands.marks import mark  # noqa: PLC0415
-    from raybundle.commands.new_project import measuring_folder, standing_folder  # noqa: PLC0415  (loaded after the help)
+    from raybundle.commands.marks import mark
+    from raybundle.commands.new_project import measuring_folder, standing_folder
 
     begun, lines = list[Path](), list[str]()
     if standing_folder(folder) is None:
@@ -70,8 +70,8 @@ def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
 
 def _moved(folder: Path, seq: int) -> Entry | None:
     """The action that an undo took back, or that a redo did again."""
-    from raybundle.commands.marks import history  # noqa: PLC0415
-    from raybundle.measuring.state import in_force  # noqa: PLC0415
+    from raybundle.commands.marks import history
+    from raybundle.measuring.state import in_force
 
     entries = [e for e in history(folder) if e.seq <= seq]
     _, moved = in_force([e.action for e in entries])

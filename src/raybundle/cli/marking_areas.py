@@ -20,7 +20,7 @@ def control(folder: Path, file: str, author: str) -> None:
     \b
     Example:
       raybundle mark control facade-project total-station.csv
-    """  # noqa: D301
+    """
     do(folder, "control", author, file=file)
 
 
@@ -41,7 +41,7 @@ def mask(folder: Path, mask: str, image: str, polygon: str, camera: bool, author
     Example:
       raybundle mark mask facade-project tree IMG_3.jpg --polygon "0,0 800,0 760,1200 0,1300"
       raybundle mark mask car-project bonnet IMG_3.jpg --polygon "0,1700 4000,1700 4000,2000 0,2000" --all-images
-    """  # noqa: D301
+    """
     do(folder, "mask", author, mask=mask, image=image, polygon=_corners(polygon), camera=camera)
 
 
@@ -53,12 +53,12 @@ def unmask(folder: Path, mask: str, author: str) -> None:
     \b
     Example:
       raybundle mark unmask facade-project tree
-    """  # noqa: D301
+    """
     do(folder, "unmask", author, mask=mask)
 
 
 def _corners(text: str) -> list[list[float]]:
-    from raybundle.io.reading.words import number_of, quoted  # noqa: PLC0415  (NumPy is loaded with it)
+    from raybundle.io.reading.words import number_of, quoted
 
     found: list[list[float]] = []
     for k, word in enumerate(text.split()):

@@ -52,8 +52,8 @@ def command(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
       raybundle measure photos/ --target aicon14 --scale-bar 2 74 0.9512 0.00001 --out part
       raybundle measure photos/ --scale-bar 2 74 0.9512 0.00001 --nominal cad.csv --by 1 2 3 --out part
       raybundle measure part --lengths certificate.csv --allowed 0.02 0.01 --out part-test
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(MeasureSettings, {"photos": photos, **values_of(MeasureSettings, given)})
     with reporting(progress) as notify:
@@ -72,10 +72,10 @@ def kept(done: Measured) -> bool:
 
 def _summary(done: Measured, files: list[Path]) -> Summary:
     """What the command reports."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.adjustment.records.notice import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.text.summary import details  # noqa: PLC0415
+    from raybundle.adjustment.records.notice import sorted_notices
+    from raybundle.report.text.summary import details
 
     a, s = done.adjustment, 1000 * done.points.sigma
     images = len(np.unique(a.given.observations.image))
@@ -100,7 +100,7 @@ def _summary(done: Measured, files: list[Path]) -> Summary:
 
 def _fit(f: BestFit) -> list[Message]:
     """How well the points fit the nominal ones, and whether tolerances are met."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     n, largest = int(f.significant.sum()), int(f.length.argmax())
     found = [
@@ -119,7 +119,7 @@ def _fit(f: BestFit) -> list[Message]:
 
 def _deviations(f: BestFit) -> list[Message | str]:
     """Scale, and the significant deviations."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     found: list[Message | str] = []
     if f.scale_sigma:
@@ -136,7 +136,7 @@ def _deviations(f: BestFit) -> list[Message | str]:
 
 def _lengths(t: LengthTest) -> list[Message]:
     """Errors of known lengths."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     k, over = t.largest_at, 0
     if t.kept is not None:

@@ -34,9 +34,9 @@ def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
     Example:
       raybundle merge inside-project outside-project --out both
       raybundle adjust both --reject snooping --out both-result
-    """  # noqa: D301
-    from raybundle.block.joined import joint_messages  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.cli.progress import reporting  # noqa: PLC0415
+    """
+    from raybundle.block.joined import joint_messages
+    from raybundle.cli.progress import reporting
 
     settings = made(MergeSettings, {"sources": sources, **values_of(MergeSettings, given)})
     with reporting(progress) as notify:

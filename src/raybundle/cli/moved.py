@@ -38,8 +38,8 @@ def command(epochs: tuple[Path, ...], progress: str, **given: Any) -> None:
       raybundle moved spring-result autumn-result --out since-spring
       raybundle moved spring-result autumn-result --datum-points A B C D --out since-spring
       raybundle moved before after --axes nominal.csv --unit 0.001 --title "Part 7 under load" --pdf --out load
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(MovedSettings, {"epochs": epochs, **values_of(MovedSettings, given)})
     with reporting(progress) as notify:
@@ -50,7 +50,7 @@ def command(epochs: tuple[Path, ...], progress: str, **given: Any) -> None:
 
 def _summary(done: Congruence, settings: MovedSettings, files: list[Path]) -> Summary:
     """What the command reports."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     n, moved = len(done.ids), int(done.moved.sum())
     least = 1000 * np.quantile(done.detectable[np.isfinite(done.detectable)], [0.5, 1.0])
@@ -95,7 +95,7 @@ def _warnings(done: Congruence) -> list[Message]:
 
 def _displaced(done: Congruence) -> list[str]:
     """The displaced points, the farthest first."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     std = np.sqrt(np.maximum(np.diagonal(done.covariance, axis1=2, axis2=3), 0))
     length = np.linalg.norm(done.displacement, axis=2).max(axis=0)

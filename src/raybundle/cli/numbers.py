@@ -51,7 +51,7 @@ class Length(Number):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """5mm, 0.5cm, 5."""
-        from raybundle.io.reading.words import number_of  # noqa: PLC0415  (NumPy is loaded with it)
+        from raybundle.io.reading.words import number_of
 
         if isinstance(value, float):
             return value

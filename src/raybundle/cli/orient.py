@@ -26,7 +26,7 @@ class StageName(click.ParamType):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """The whole name."""
-        from raybundle.workflows.orient import stages  # noqa: PLC0415  (what computes is loaded after the help)
+        from raybundle.workflows.orient import stages
 
         known = stages()
         begun = [name for name in known if name.startswith(str(value).lower())]
@@ -61,8 +61,8 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
       raybundle orient flight/ --out flight-project --control gcp_list.txt --check checks.csv --accuracy-class 0.03,0.05
       raybundle orient facade/ --out scaled --control marks.csv --scale-bar A B 1.2319 0.0001
       raybundle orient pair/ --out pair-project --control gcp.csv --crs EPSG:32633
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(OrientSettings, {"photos": photos, "out": out, **values_of(OrientSettings, given)})
     try:
@@ -77,7 +77,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
 def _summary(done: Orientation, settings: OrientSettings) -> Summary:
     """What the command reports."""
-    from raybundle.workflows.orient import component_folder  # noqa: PLC0415
+    from raybundle.workflows.orient import component_folder
 
     result, other = settings.out / "result", done.other_components
     lost = {n for n, _ in done.not_oriented}

@@ -21,7 +21,7 @@ class Output(click.Path):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """The path; raises InputError where nothing can be written there, or what stands there would be lost."""
-        from raybundle.io.folders import check_new_file, check_place  # noqa: PLC0415
+        from raybundle.io.folders import check_new_file, check_place
 
         path = cast("Path", super().convert(value, param, ctx))
         if not (ctx is not None and ctx.resilient_parsing):

@@ -40,8 +40,8 @@ def command(photos: tuple[Path, ...], as_json: bool, progress: str, **given: Any
     Example:
       raybundle photos images/
       raybundle photos images/ --json
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(PhotosSettings, {"photos": photos, **values_of(PhotosSettings, given)})
     with reporting(progress) as notify:

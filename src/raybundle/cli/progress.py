@@ -98,9 +98,9 @@ class _Terminal:
 
     @staticmethod
     def _open() -> Bar:
-        from rich.console import Console  # noqa: PLC0415  (loaded only where there is something to show)
-        from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn  # noqa: PLC0415
-        from rich.progress import Progress as Bar  # noqa: PLC0415
+        from rich.console import Console
+        from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
+        from rich.progress import Progress as Bar
 
         bar = Bar(
             TextColumn("{task.description}"),

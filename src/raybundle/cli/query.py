@@ -33,8 +33,8 @@ def command(result: Path, as_json: bool, **given: Any) -> None:  # noqa: FBT001 
       raybundle query facade-project --distance A B --coordinates A
       raybundle query camcal21-result --angle 1 2 3 --area 1 2 3 4 --json
       raybundle query facade-project --plane A B C D E --to-line P A B
-    """  # noqa: D301
-    from raybundle.commands.marks import query  # noqa: PLC0415
+    """
+    from raybundle.commands.marks import query
 
     answers = query(result, **values_of(QuerySettings, given))
     if as_json:

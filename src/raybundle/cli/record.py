@@ -30,7 +30,7 @@ def command(project: Path, **given: Any) -> None:
     Example:
       raybundle record facade-project
       raybundle record facade-project --object "Town hall, south side" --client "Monument office" --rights "CC BY 4.0"
-    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+    """
     reported = run_record(made(RecordSettings, {"project": project, **values_of(RecordSettings, given)}))
     facts(record={name: words for name, words, _ in rows(reported)}, files=reported.files)
     table = list[str]()

@@ -40,8 +40,8 @@ def command(source: Path, progress: str, **given: Any) -> None:
       raybundle rectify facade-project --out facade.tif --pixel 0.002
       raybundle rectify wall.jpg --control marks.csv --out wall.tif
       raybundle rectify flight-project --horizontal --out ground.tif
-    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(RectifySettings, {"source": source, **values_of(RectifySettings, given)})
     with reporting(progress) as notify:
@@ -53,8 +53,8 @@ def command(source: Path, progress: str, **given: Any) -> None:
 
 def _summary(done: Rectification, settings: RectifySettings) -> Summary:
     """What the command reports."""
-    from raybundle.results.state import state_messages  # noqa: PLC0415
-    from raybundle.workflows.object_plane import Plane  # noqa: PLC0415
+    from raybundle.results.state import state_messages
+    from raybundle.workflows.object_plane import Plane
 
     source, grid = done.source, done.grid
     of = _of_plane(source, done) if isinstance(source, Plane) else _of_photo(source, settings.mark_sigma)
@@ -69,8 +69,8 @@ def _summary(done: Rectification, settings: RectifySettings) -> Summary:
 
 
 def _of_plane(plane: Plane, done: Rectification) -> Summary:
-    from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
-    from raybundle.workflows.rectify import FEW  # noqa: PLC0415
+    from raybundle.workflows.object_plane import MapLevel
+    from raybundle.workflows.rectify import FEW
 
     unit, (slope, largest) = done.unit, done.picture.slope
     exact = plane.kind == "vertical" and plane.of == 2
@@ -92,7 +92,7 @@ def _of_plane(plane: Plane, done: Rectification) -> Summary:
 
 
 def _of_photo(single: SinglePhoto, sigma_px: float) -> Summary:
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     fit, names = single.fit, single.names
     rows = [f"{'point':<12}{'right':>12}{'up':>12}"]

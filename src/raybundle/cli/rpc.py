@@ -38,7 +38,7 @@ def command() -> None:
     Example:
       raybundle rpc info 13MAY08000330.XML
       raybundle rpc correct 13MAY08000330.TIF control.csv --out corrected.tif
-    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+    """
 
 
 command.add_command(correct)
@@ -54,9 +54,9 @@ def info(scene: Path) -> None:
     \b
     Example:
       raybundle rpc info 13MAY08000330.XML
-    """  # noqa: D301
-    from raybundle.commands.scenes.inputs import scene_input  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.scenes import check_agreement  # noqa: PLC0415
+    """
+    from raybundle.commands.scenes.inputs import scene_input
+    from raybundle.io.scenes import check_agreement
 
     s = scene_input(scene).scene
     facts(format=s.format, sensor=s.sensor, time=s.time, width_px=s.width_px, height_px=s.height_px, rpc=s.rpc)
@@ -83,7 +83,7 @@ def project(scene: Path, points: Path, **given: Any) -> None:
     Example:
       raybundle rpc project 13MAY08000330.XML ground.csv --out image.csv
       raybundle rpc project 13MAY08000330.XML image.csv --to-ground --out ground.csv
-    """  # noqa: D301
+    """
     asked = {"scene": scene, "points": points, **values_of(RpcProjectSettings, given)}
     settings = made(RpcProjectSettings, asked)
     done = run_project(settings)
@@ -104,7 +104,7 @@ def fit(scene: Path, **given: Any) -> None:
     \b
     Example:
       raybundle rpc fit 13MAY08000330.XML --heights 0 400 --out fitted_RPC.TXT
-    """  # noqa: D301
+    """
     settings = made(RpcFitSettings, {"scene": scene, **values_of(RpcFitSettings, given)})
     result, remarks = run_fit(settings)
     facts(heights_m=result.height_range, rms_px=result.rms_px, largest_px=result.largest_px, points=result.points)
@@ -118,7 +118,7 @@ def fit(scene: Path, **given: Any) -> None:
 
 
 def _of_rpc(rpc: Rpc) -> list[Message]:
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     lon, lat, h = rpc.ground_offset
     low, high = h - rpc.ground_scale[2], h + rpc.ground_scale[2]
@@ -134,7 +134,7 @@ def _of_rpc(rpc: Rpc) -> list[Message]:
 
 
 def _of_line(s: Scene, line: LineScene) -> list[Message]:
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     size = np.array([line.width_px, line.height_px])
     h = 0.0 if s.rpc is None else float(s.rpc.ground_offset[2])
@@ -150,7 +150,7 @@ def _of_line(s: Scene, line: LineScene) -> list[Message]:
 
 def _agreement(s: Scene) -> list[Message]:
     """The differences of the two models."""
-    from raybundle.io.scenes import agreement_of  # noqa: PLC0415
+    from raybundle.io.scenes import agreement_of
 
     found = agreement_of(s)
     if found is None:

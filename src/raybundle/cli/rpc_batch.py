@@ -32,8 +32,8 @@ def batch(scenes: tuple[Path, ...], progress: str, **given: Any) -> None:
     Example:
       raybundle rpc batch scenes --control control.gpkg --out corrected
       raybundle rpc batch a.tif b.tif --control utm.csv --crs EPSG:32654 --to tif --out corrected
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(RpcBatchSettings, {"scenes": scenes, **values_of(RpcBatchSettings, given)})
     with reporting(progress) as notify:

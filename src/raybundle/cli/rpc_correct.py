@@ -40,7 +40,7 @@ def correct(scene: Path, points: Path, **given: Any) -> None:
       raybundle rpc correct 13MAY08000330.XML control.csv
       raybundle rpc correct 13MAY08000330.TIF control.gpkg --out corrected.tif
       raybundle rpc correct scene.tif utm.csv --crs EPSG:32654+5773 --scene-bias shift --out corrected_RPC.TXT
-    """  # noqa: D301
+    """
     asked = {"scene": scene, "points": points, **values_of(RpcCorrectSettings, given)}
     settings = made(RpcCorrectSettings, asked)
     check_outputs(settings)
@@ -110,7 +110,7 @@ def _models(advice: BiasAdvice) -> list[str]:
 
 def _terms(found: Correction) -> list[str]:
     """Every term of the correction that is built in."""
-    from raybundle.scenes.bias import BIAS_PARAMETERS  # noqa: PLC0415
+    from raybundle.scenes.bias import BIAS_PARAMETERS
 
     fit = found.fit
     if fit is None or fit.kind == "none":

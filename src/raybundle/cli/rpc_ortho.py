@@ -30,8 +30,8 @@ def ortho(scene: Path, progress: str, **given: Any) -> None:
       raybundle rpc ortho corrected.tif --dem dem.tif --out ortho.tif
       raybundle rpc ortho scene.tif --rpc corrected.RPB --dem dem.tif --geoid EPSG:3855 --out ortho.tif
       raybundle rpc ortho corrected.tif --dem dem.tif --crs EPSG:2193 --pixel 0.5 --out ortho.tif
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(RpcOrthoSettings, {"scene": scene, **values_of(RpcOrthoSettings, given)})
     if settings.out is None:

@@ -27,8 +27,8 @@ def command(cluster: Path, **given: Any) -> None:
     Example:
       raybundle scheduler office-cluster
       raybundle scheduler office-cluster --host 192.168.1.20 --port 8786
-    """  # noqa: D301
-    from raybundle.commands.worker import run_scheduler  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.commands.worker import run_scheduler
 
     with contextlib.suppress(KeyboardInterrupt):  # the way in which it ends
         run_scheduler(

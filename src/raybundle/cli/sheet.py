@@ -32,9 +32,9 @@ def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
       raybundle sheet facade.tif facade-project --scale 50 --paper A2 --out facade.pdf
       raybundle sheet facade-project --vertical --out points.pdf
       raybundle sheet ground.tif --scale 200 --several --out plan.pdf
-    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.results.state import state_messages  # noqa: PLC0415
+    """
+    from raybundle.cli.progress import reporting
+    from raybundle.results.state import state_messages
 
     settings = made(DrawingSheetSettings, {"sources": sources, **values_of(DrawingSheetSettings, given)})
     with reporting(progress) as notify:

@@ -35,7 +35,7 @@ def command(scene: str, out: Path, progress: str, **given: Any) -> None:
       raybundle adjust field/block --out field-result --reject snooping
       raybundle plan network facade:6,4 --photographs 8 --out plan
       raybundle simulate plan --seed 7 --out measured
-    """  # noqa: D301
+    """
     del progress
     done = run_simulate(made(SimulateSettings, {"scene": scene, "out": out, **values_of(SimulateSettings, given)}))
     block = done.observed

@@ -29,8 +29,8 @@ def command(source: Path, progress: str, **given: Any) -> None:
     Example:
       raybundle spreadsheet part-7 --out part-7.xlsx
       raybundle spreadsheet flight --tables map,check --out flight.xlsx
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(SpreadsheetSettings, {"source": source, **values_of(SpreadsheetSettings, given)})
     with reporting(progress) as notify:

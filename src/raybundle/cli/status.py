@@ -27,8 +27,8 @@ def command(project: Path) -> None:
     \b
     Example:
       raybundle status facade-project
-    """  # noqa: D301
-    from raybundle.commands.status import status_of  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.commands.status import status_of
 
     found = status_of(project)
     facts(

@@ -49,10 +49,10 @@ def command(
       raybundle studio facade-project
       raybundle studio facade-result --photos facade/ --no-browser
       raybundle studio archive/ --out archive-project
-    """  # noqa: D301
-    from raybundle.commands.new_project import measuring_folder  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.languages import checked_language  # noqa: PLC0415
-    from raybundle.studio.serve import serve  # noqa: PLC0415
+    """
+    from raybundle.commands.new_project import measuring_folder
+    from raybundle.report.languages import checked_language
+    from raybundle.studio.serve import serve
 
     checked_language(language)
     project = measuring_folder(source, out, lambda line: click.echo(f"   {line}"))

@@ -54,8 +54,8 @@ def of_adjustment(
     details: Sequence[Message | str] = (), notices: Sequence[Message] = (),
 ) -> Summary:  # fmt: skip
     """The summary of an adjustment; `done` replaces how much was adjusted, notices and details are added."""
-    from raybundle.adjustment.records.notice import sorted_notices  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.text import summary  # noqa: PLC0415
+    from raybundle.adjustment.records.notice import sorted_notices
+    from raybundle.report.text import summary
 
     if a.free_scale:
         next_step = note("summary.next_scale")
@@ -83,7 +83,7 @@ def of_texts(texts: Iterable[str], severity: Severity | None = None) -> list[Mes
 
 def lines(summary: Summary, *, verbose: bool) -> list[str]:
     """What a terminal shows, at most eight lines without --verbose."""
-    from raybundle.words import headline, reader  # noqa: PLC0415  (Fluent is loaded with it)
+    from raybundle.words import headline, reader
 
     grave = _grave(summary.notices)
     shown = grave if verbose else grave[:SHOWN]
@@ -152,7 +152,7 @@ def notice_line(notice: Message | Coded, *, whole: bool = False) -> str:
 
 def _remedy(grave: Sequence[Message | Coded]) -> str:
     """What to do about the gravest notice that has a remedy."""
-    from raybundle.words import action, reader  # noqa: PLC0415
+    from raybundle.words import action, reader
 
     found = (action(m.code, m.values, reader()) for m in map(_message, grave))
     return next(filter(None, found), "")

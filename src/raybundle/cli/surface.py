@@ -40,8 +40,8 @@ def command(source: Path, progress: str, **given: Any) -> int:
     Example:
       raybundle surface facade-project
       raybundle surface facade-project --density 2 --out facade-surface
-    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(SurfaceSettings, {"source": source, **values_of(SurfaceSettings, given)})
     try:
@@ -62,7 +62,7 @@ def command(source: Path, progress: str, **given: Any) -> int:
 
 def _summary(done: MeasuredSurface, work: Path) -> Summary:
     """What the command reports."""
-    from raybundle.surfaces.photographs import lost_message  # noqa: PLC0415  (loaded after the help)
+    from raybundle.surfaces.photographs import lost_message
 
     s, written = done.surface, done.pages.summary.written
     points = note("surface.points", n=written or len(s), maps=sum(1 for n in s.counts if n))
@@ -80,7 +80,7 @@ def _summary(done: MeasuredSurface, work: Path) -> Summary:
 
 def _precision(done: MeasuredSurface) -> list[Message]:
     """How good points are in the datum, and by what their errors along the ray come about."""
-    from raybundle.numerics.length_units import precision_unit  # noqa: PLC0415  (loaded after the help)
+    from raybundle.numerics.length_units import precision_unit
 
     if not len(done.surface):
         return []

@@ -37,7 +37,7 @@ def command() -> None:
     Example:
       raybundle targets sheet --target aicon14 --codes 1-50 --paper A4 --out sheet.pdf
       raybundle targets detect images/ --target aicon14 --out targets.csv --overlay found
-    """  # noqa: D301
+    """
 
 
 @command.command("sheet")
@@ -51,7 +51,7 @@ def sheet(progress: str, **given: Any) -> None:
       raybundle targets sheet --target aicon12 --count 20 --out sheet.pdf
       raybundle targets sheet --target charuco-8x6-5x5_100 --spacing 25mm --lying --out board.pdf
       raybundle targets sheet --target agisoft12 --codes 1-12 --paper A2 --tile A4 --dot-radius 10mm --out large.pdf
-    """  # noqa: D301
+    """
     del progress
     settings = made(SheetSettings, values_of(SheetSettings, given))
     designed, files = run_sheet(settings)
@@ -74,7 +74,7 @@ def choose(progress: str, **given: Any) -> None:
     \b
     Example:
       raybundle targets choose --target aicon14 --count 40
-    """  # noqa: D301
+    """
     del progress
     settings = made(ChooseSettings, values_of(ChooseSettings, given))
     choice, family = run_choose(settings)
@@ -100,9 +100,9 @@ def detect(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
     Example:
       raybundle targets detect images/ --target aicon14
       raybundle targets detect images/ --target chessboard-9x6 --out targets.csv --overlay found
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.commands.targets import run_detect  # noqa: PLC0415
+    """
+    from raybundle.cli.progress import reporting
+    from raybundle.commands.targets import run_detect
 
     settings = made(DetectSettings, {"photos": photos, **values_of(DetectSettings, given)})
     with reporting(progress) as notify:

@@ -39,9 +39,9 @@ def command(project: str | None, progress: str, **given: Any) -> int:
       raybundle worker --cluster office-cluster --jobs 8
       raybundle worker facade-project --shard 0/4
       raybundle worker s3://surveys/facade --shard 0/4
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.commands.worker import run_worker  # noqa: PLC0415
+    """
+    from raybundle.cli.progress import reporting
+    from raybundle.commands.worker import run_worker
 
     settings = made(WorkerSettings, values_of(WorkerSettings, given))
     done = None

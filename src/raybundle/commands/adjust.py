@@ -55,22 +55,22 @@ class AdjustSettings(AdjustmentOptions):
 
 def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustment:
     """Read, adjust and write; raises InputError, NotSolvable."""
-    from raybundle.adjustment.blunders.accuracy_class import accuracy_class  # noqa: PLC0415  (what computes is loaded later)
-    from raybundle.adjustment.records.notice import notice_of_text  # noqa: PLC0415
-    from raybundle.adjustment.records.severity import Severity  # noqa: PLC0415
-    from raybundle.io.parquet import check_tables  # noqa: PLC0415
-    from raybundle.report.write import write_result  # noqa: PLC0415
-    from raybundle.results.folder import check_target  # noqa: PLC0415
-    from raybundle.workflows.adjust import adjust  # noqa: PLC0415
-    from raybundle.workflows.block_frame import in_block_frame  # noqa: PLC0415
-    from raybundle.workflows.within_memory import within_memory  # noqa: PLC0415
+    from raybundle.adjustment.blunders.accuracy_class import accuracy_class
+    from raybundle.adjustment.records.notice import notice_of_text
+    from raybundle.adjustment.records.severity import Severity
+    from raybundle.io.parquet import check_tables
+    from raybundle.report.write import write_result
+    from raybundle.results.folder import check_target
+    from raybundle.workflows.adjust import adjust
+    from raybundle.workflows.block_frame import in_block_frame
+    from raybundle.workflows.within_memory import within_memory
 
     check_target(settings.out)
     check_pages(settings)
     check_tables(settings.tables)
     wanted = accuracy_class(settings.accuracy_class)
     if settings.store:
-        from raybundle.pipeline.stores import check_store  # noqa: PLC0415
+        from raybundle.pipeline.stores import check_store
 
         check_store(settings.store, out=settings.out, apart=(settings.block,), lasting=False)
     with within_memory(
@@ -100,9 +100,9 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
 
 def accuracy_outcome(settings: AdjustSettings, done: Adjustment) -> Outcome | None:
     """What became of the accuracy that was asked for; None where none was."""
-    from raybundle.adjustment.blunders.accuracy_class import accuracy_class  # noqa: PLC0415
-    from raybundle.report.delivery import wanted_outcome  # noqa: PLC0415
-    from raybundle.workflows.block_frame import in_block_frame  # noqa: PLC0415
+    from raybundle.adjustment.blunders.accuracy_class import accuracy_class
+    from raybundle.report.delivery import wanted_outcome
+    from raybundle.workflows.block_frame import in_block_frame
 
     _, frame, _ = in_block_frame(done.given)
     return wanted_outcome(done, accuracy_class(settings.accuracy_class), frame)

@@ -73,8 +73,8 @@ class CalibrateSettings:
 
     def options(self) -> CalibrateOptions:
         """What the workflow is asked for; raises InputError."""
-        from raybundle.targets.sidecar import read_sidecar  # noqa: PLC0415
-        from raybundle.workflows.calibrate import CalibrateOptions  # noqa: PLC0415
+        from raybundle.targets.sidecar import read_sidecar
+        from raybundle.workflows.calibrate import CalibrateOptions
 
         return CalibrateOptions(
             targets=wanted_targets(self.target, self.table, self.bits, self.sheet),
@@ -104,10 +104,10 @@ def calibrate(
 
 def run_calibrate(settings: CalibrateSettings, progress: Progress = silent) -> Calibration:
     """Calibrate what the settings ask for, and write the result; a folder that was begun for nothing is deleted."""
-    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
-    from raybundle.report.write import write_result  # noqa: PLC0415
-    from raybundle.results.folder import PROJECT, check_target  # noqa: PLC0415
-    from raybundle.workflows.calibrate import calibrate as calibrated  # noqa: PLC0415
+    from raybundle.pipeline.project import discard_empty
+    from raybundle.report.write import write_result
+    from raybundle.results.folder import PROJECT, check_target
+    from raybundle.workflows.calibrate import calibrate as calibrated
 
     out, options = settings.out, settings.options()
     check_target(out)
@@ -140,15 +140,15 @@ def wanted_targets(
         return names
     if table is None or bits is None or names or sheet is not None:
         raise InputError("target.table_settings", sheet=True)
-    from raybundle.targets.codes import read_table  # noqa: PLC0415
-    from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
+    from raybundle.targets.codes import read_table
+    from raybundle.targets.kinds.rings import Rings
 
     return (Rings(rings=read_table(table, bits)),)
 
 
 def additions(done: Calibration) -> dict[str, object]:
     """What result.json states beside the adjustment."""
-    from raybundle.io.digits import reported  # noqa: PLC0415
+    from raybundle.io.digits import reported
 
     lost = [{"file": f, "reason": r, **text_json(r)} for f, r in (*done.refused, *done.not_used)]
     return {
@@ -167,7 +167,7 @@ def additions(done: Calibration) -> dict[str, object]:
 
 def _exif(done: Calibration, camera: str) -> dict[str, Any]:
     """What a camera's first photograph states of it: by this its calibration is found again."""
-    from raybundle.io.cameras.library import key_of  # noqa: PLC0415
+    from raybundle.io.cameras.library import key_of
 
     key = key_of(done.photos[_first_image(done, camera)])
     return {
@@ -201,9 +201,9 @@ def quality_table(q: CalibrationQuality) -> dict[str, Any]:
 
 def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
     """Put a calibration into the camera library; where, or why not."""
-    from datetime import UTC, datetime  # noqa: PLC0415
+    from datetime import UTC, datetime
 
-    from raybundle.io.cameras.library import LibraryEntry, add_entry, key_of  # noqa: PLC0415
+    from raybundle.io.cameras.library import LibraryEntry, add_entry, key_of
 
     if q.grade not in {"good", "usable"}:
         return phrase("calibration_remark.not_good_enough", camera=q.camera, grade=q.grade.replace(" ", "_"))

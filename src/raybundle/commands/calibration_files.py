@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def calibrations_of(source: Path, given: str | None, size: tuple[int, int] | None) -> tuple[Calibration, ...]:
     """All calibrations of a file, or of the cameras of a result folder."""
-    from raybundle.io.calibrations import read_calibrations  # noqa: PLC0415
+    from raybundle.io.calibrations import read_calibrations
 
     if given is None and (source / "result.json").is_file():
         return tuple(c for c, _ in of_result(source))
@@ -26,10 +26,10 @@ def calibrations_of(source: Path, given: str | None, size: tuple[int, int] | Non
 
 def of_result(folder: Path) -> list[tuple[Calibration, dict[str, Any]]]:
     """The adjusted cameras of a result folder with their covariance, and what the library wants to know of them."""
-    import numpy as np  # noqa: PLC0415  (nothing numeric is loaded for the help)
+    import numpy as np
 
-    from raybundle.io.calibrations import Calibration  # noqa: PLC0415
-    from raybundle.results.folder import read_result  # noqa: PLC0415
+    from raybundle.io.calibrations import Calibration
+    from raybundle.results.folder import read_result
 
     result = read_result(folder)
     images = result.block.images
@@ -84,8 +84,8 @@ def one_of(source: Path, given: str | None, size: tuple[int, int] | None, id_: s
 
 def our_camera(calibration: Calibration) -> tuple[Camera, Text | None]:
     """The calibration as one of our cameras, and the deviation of the fit; None: it is exact."""
-    from raybundle.block import Camera  # noqa: PLC0415
-    from raybundle.io.calibrations import convert_calibration  # noqa: PLC0415
+    from raybundle.block import Camera
+    from raybundle.io.calibrations import convert_calibration
 
     conversion = convert_calibration(calibration, "raybundle")
     camera = conversion.calibration.camera
@@ -100,9 +100,9 @@ def calibrations_of_files(folder: Path) -> tuple[tuple[Calibration, ...], tuple[
 
     Where the camera's model cannot be turned, that is a warning: the camera of the result is then the only one.
     """
-    from raybundle.block.frames import stored_ways  # noqa: PLC0415
-    from raybundle.io.calibrations import Calibration  # noqa: PLC0415
-    from raybundle.results.folder import read_result  # noqa: PLC0415
+    from raybundle.block.frames import stored_ways
+    from raybundle.io.calibrations import Calibration
+    from raybundle.results.folder import read_result
 
     block = read_result(folder).block
     found: list[Calibration] = []

@@ -266,7 +266,7 @@ def calibrate_zoom(results: Sequence[str | Path], out: str | Path, **settings: A
 
 def converted(settings: CalibrationConvertSettings) -> ConvertedCalibrations:
     """The conversions that are asked for; nothing is written."""
-    from raybundle.io.calibrations import convert_calibration as as_format  # noqa: PLC0415
+    from raybundle.io.calibrations import convert_calibration as as_format
 
     s = settings
     found = calibrations_of(s.source, s.read_as, s.format)
@@ -281,8 +281,8 @@ def converted(settings: CalibrationConvertSettings) -> ConvertedCalibrations:
 
 def write_converted(settings: CalibrationConvertSettings, found: ConvertedCalibrations) -> ConvertedCalibrations:
     """Write the conversions."""
-    from raybundle.io.calibrations import write_calibrations  # noqa: PLC0415
-    from raybundle.io.calibrations.base import format_named  # noqa: PLC0415
+    from raybundle.io.calibrations import write_calibrations
+    from raybundle.io.calibrations.base import format_named
 
     s = settings
     files = with_names(found.conversions, found.of_files, s.out, several=format_named(s.to).several)
@@ -293,9 +293,9 @@ def write_converted(settings: CalibrationConvertSettings, found: ConvertedCalibr
 
 def run_compare(settings: CalibrationCompareSettings) -> ComparedCalibrations:
     """Compare what the settings ask for."""
-    import numpy as np  # noqa: PLC0415  (nothing numeric is loaded for the help)
+    import numpy as np
 
-    from raybundle.calibration.maps import calibration_difference, projection_uncertainty, scaled  # noqa: PLC0415
+    from raybundle.calibration.maps import calibration_difference, projection_uncertainty, scaled
 
     distance = settings.object_distance
     cameras: list[Camera] = []
@@ -328,7 +328,7 @@ def run_compare(settings: CalibrationCompareSettings) -> ComparedCalibrations:
 
 def run_add(settings: CalibrationAddSettings) -> KeptCalibration:
     """Keep what the settings name."""
-    from raybundle.io.cameras.library import LibraryEntry, add_entry  # noqa: PLC0415
+    from raybundle.io.cameras.library import LibraryEntry, add_entry
 
     s = settings
     calibration = one_of(s.source, s.read_as, s.format, s.camera)
@@ -348,8 +348,8 @@ def run_add(settings: CalibrationAddSettings) -> KeptCalibration:
 
 def _key(s: CalibrationAddSettings, calibration: Calibration) -> CameraKey:
     """By what a calibration is found again: what the photograph states, and what is stated in its place."""
-    from raybundle.io.cameras.library import CameraKey, key_of  # noqa: PLC0415
-    from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
+    from raybundle.io.cameras.library import CameraKey, key_of
+    from raybundle.io.photos.photo import read_photo
 
     key = CameraKey()
     if s.photo is not None:
@@ -374,15 +374,15 @@ def _key(s: CalibrationAddSettings, calibration: Calibration) -> CameraKey:
 
 def run_list(settings: CalibrationListSettings) -> Library:
     """Read the library."""
-    from raybundle.io.cameras.library import read_library  # noqa: PLC0415
+    from raybundle.io.cameras.library import read_library
 
     return read_library(settings.library)
 
 
 def run_find(settings: CalibrationFindSettings) -> FoundCalibrations:
     """Look for what serves the photograph; nothing is written."""
-    from raybundle.io.cameras.library import find_calibrations  # noqa: PLC0415
-    from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
+    from raybundle.io.cameras.library import find_calibrations
+    from raybundle.io.photos.photo import read_photo
 
     taken = read_photo(settings.photo)
     return FoundCalibrations(photo=taken, matches=tuple(find_calibrations(taken, settings.library)))
@@ -390,8 +390,8 @@ def run_find(settings: CalibrationFindSettings) -> FoundCalibrations:
 
 def write_best(settings: CalibrationFindSettings, found: FoundCalibrations) -> None:
     """Write the camera to be taken, where there is one and it is asked for."""
-    from raybundle.io.calibrations.base import write_whole  # noqa: PLC0415
-    from raybundle.io.calibrations.ours import cameras_text  # noqa: PLC0415
+    from raybundle.io.calibrations.base import write_whole
+    from raybundle.io.calibrations.ours import cameras_text
 
     if settings.out is None or found.best is None:
         return
@@ -401,9 +401,9 @@ def write_best(settings: CalibrationFindSettings, found: FoundCalibrations) -> N
 
 def run_zoom(settings: ZoomSettings) -> ZoomLens:
     """Combine what the settings name, and write it."""
-    from raybundle.calibration.zoom import calibrate_zoom as combined  # noqa: PLC0415
-    from raybundle.io.cameras.zoom_files import write_zoom  # noqa: PLC0415
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.calibration.zoom import calibrate_zoom as combined
+    from raybundle.io.cameras.zoom_files import write_zoom
+    from raybundle.io.folders import new_folder
 
     s = settings
     found, keys = _zoom_settings(s.results, s.focal)
@@ -417,7 +417,7 @@ def run_zoom(settings: ZoomSettings) -> ZoomLens:
 
 def keep_zoom(settings: ZoomSettings, done: ZoomLens) -> Path:
     """Keep a zoom lens in the camera library; raises InputError where its settings are of different lenses."""
-    from raybundle.io.cameras.library import LibraryEntry, add_entry  # noqa: PLC0415
+    from raybundle.io.cameras.library import LibraryEntry, add_entry
 
     key = done.keys[0]
     if any((k.make, k.model, k.serial, k.lens) != (key.make, key.model, key.serial, key.lens) for k in done.keys):
@@ -435,9 +435,9 @@ def _today() -> str:
 
 def _zoom_settings(results: tuple[Path, ...], focal: tuple[float, ...]) -> tuple[list[ZoomSetting], list[CameraKey]]:
     """The settings and EXIF keys of all cameras in some result folders."""
-    from raybundle.block.zoom import ZoomSetting  # noqa: PLC0415
-    from raybundle.io.cameras.library import CameraKey  # noqa: PLC0415
-    from raybundle.results.folder import read_result  # noqa: PLC0415
+    from raybundle.block.zoom import ZoomSetting
+    from raybundle.io.cameras.library import CameraKey
+    from raybundle.results.folder import read_result
 
     settings: list[ZoomSetting] = []
     keys: list[CameraKey] = []

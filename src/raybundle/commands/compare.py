@@ -38,9 +38,9 @@ class Compared:
 
 def run_compare(settings: CompareSettings, progress: Progress = silent) -> Compared:
     """Read both results and write the comparison; raises InputError."""
-    from raybundle.report.comparison.page import write_comparison  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.comparison.sameness import sameness  # noqa: PLC0415
-    from raybundle.results.folder import read_result  # noqa: PLC0415
+    from raybundle.report.comparison.page import write_comparison
+    from raybundle.report.comparison.sameness import sameness
+    from raybundle.results.folder import read_result
 
     out = settings.out
     if out.is_dir() or out.suffix.lower() not in {".html", ".htm"}:

@@ -106,9 +106,9 @@ def convert(
 
 def _folder_of(source: Block | Adjustment, room: Path) -> Path:
     """The folder of a block or a result that is in memory."""
-    from raybundle.block import Block  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.block.folder import write_block  # noqa: PLC0415
-    from raybundle.report.write import write_result  # noqa: PLC0415
+    from raybundle.block import Block
+    from raybundle.io.block.folder import write_block
+    from raybundle.report.write import write_result
 
     if isinstance(source, Block):
         write_block(source, room / "block")
@@ -119,7 +119,7 @@ def _folder_of(source: Block | Adjustment, room: Path) -> Path:
 
 def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Converted:
     """Read, bring to the frame asked for, and write: one format after the other."""
-    from raybundle.workflows.convert import named_for  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.workflows.convert import named_for
 
     each = tuple(dict.fromkeys(name.strip() for name in settings.to.split(",")))
     if len(each) == 1:
@@ -156,8 +156,8 @@ def _not_all(written: Sequence[tuple[str, Path]], failed: Sequence[tuple[str, In
 
 def _places(out: Path, each: tuple[str, ...]) -> tuple[tuple[str, Path], ...]:
     """Where each of several formats goes; raises InputError before anything is written."""
-    from raybundle.io.formats import formats  # noqa: PLC0415
-    from raybundle.workflows.convert import check_new  # noqa: PLC0415
+    from raybundle.io.formats import formats
+    from raybundle.workflows.convert import check_new
 
     folders = [to for to in each if to not in formats or formats[to].kind != "file"]
     if folders:
@@ -172,14 +172,14 @@ def _places(out: Path, each: tuple[str, ...]) -> tuple[tuple[str, Path], ...]:
 
 def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
     """Read, bring to the frame asked for, and write."""
-    from raybundle.block.frames import in_file_frames  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.cameras.single_exposure import at_one_instant  # noqa: PLC0415
-    from raybundle.io.formats import formats  # noqa: PLC0415
-    from raybundle.io.pictures.plane_file import axes_in  # noqa: PLC0415
-    from raybundle.io.pictures.undistort import point_colours  # noqa: PLC0415
-    from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
-    from raybundle.workflows.convert import BLOCK, RPC, check_new, placed, straightened, written  # noqa: PLC0415
-    from raybundle.workflows.sources import (  # noqa: PLC0415
+    from raybundle.block.frames import in_file_frames
+    from raybundle.io.cameras.single_exposure import at_one_instant
+    from raybundle.io.formats import formats
+    from raybundle.io.pictures.plane_file import axes_in
+    from raybundle.io.pictures.undistort import point_colours
+    from raybundle.pipeline.project import photographs_of
+    from raybundle.workflows.convert import BLOCK, RPC, check_new, placed, straightened, written
+    from raybundle.workflows.sources import (
         read_source,
         recognised,
         result_within,

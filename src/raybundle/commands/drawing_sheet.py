@@ -351,8 +351,8 @@ def _extent(
 
 def _record(s: DrawingSheetSettings, folder: Path | None) -> Record:
     """What is stated of the delivery: with the sheet, else with the result."""
-    from raybundle.commands.record import known_record  # noqa: PLC0415  (needed only here)
-    from raybundle.commands.sheet_settings import record_of_sheet  # noqa: PLC0415  (which imports this)
+    from raybundle.commands.record import known_record
+    from raybundle.commands.sheet_settings import record_of_sheet
 
     return record_of_sheet(s, Record() if folder is None else known_record(folder))
 

@@ -15,7 +15,7 @@ def masks_of_run(photos: Sequence[Path], given: Path | None, project: Path) -> P
 
     Where something is drawn, both are written together into PROJECT/measured-masks; the journal stays what counts.
     """
-    from raybundle.io.photos.photo import find_photos  # noqa: PLC0415  (loaded after the help)
+    from raybundle.io.photos.photo import find_photos
 
     return _with_drawn(project, given, lambda: find_photos(photos).photos, project)
 
@@ -26,11 +26,11 @@ def masks_of_result(source: Path, given: Path | None, folders: Sequence[Path], i
     folders  in which the photographs are
     into     folder in whose measured-masks both are written together, where something is drawn
     """
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415
-    from raybundle.measuring.actions.masks import photographs_in  # noqa: PLC0415
-    from raybundle.measuring.session import block_folder  # noqa: PLC0415
-    from raybundle.pipeline.project import masks_given  # noqa: PLC0415
-    from raybundle.workflows.sources import result_within  # noqa: PLC0415
+    from raybundle.io.block.folder import read_block
+    from raybundle.measuring.actions.masks import photographs_in
+    from raybundle.measuring.session import block_folder
+    from raybundle.pipeline.project import masks_given
+    from raybundle.workflows.sources import result_within
 
     def photos() -> Sequence[Photo]:
         return photographs_in(read_block(block_folder(source)), folders)
@@ -40,10 +40,10 @@ def masks_of_result(source: Path, given: Path | None, folders: Sequence[Path], i
 
 def _with_drawn(project: Path, given: Path | None, photos: Callable[[], Sequence[Photo]], into: Path) -> Path | None:
     """The given folder, or one of those masks and the drawn ones."""
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415
-    from raybundle.measuring.actions.masks import FOLDER, drawn_by_file, write_masks  # noqa: PLC0415
-    from raybundle.measuring.journal import journal_path, state_of  # noqa: PLC0415
-    from raybundle.measuring.session import block_folder, holds_block  # noqa: PLC0415
+    from raybundle.io.block.folder import read_block
+    from raybundle.measuring.actions.masks import FOLDER, drawn_by_file, write_masks
+    from raybundle.measuring.journal import journal_path, state_of
+    from raybundle.measuring.session import block_folder, holds_block
 
     if not holds_block(project):
         return given

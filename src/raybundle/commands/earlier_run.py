@@ -16,10 +16,10 @@ def earlier_run(project: Path) -> Earlier | None:
 
     A result that cannot be read is about to be replaced, and is passed over.
     """
-    from raybundle.block.points import is_automatic  # noqa: PLC0415  (loaded after the help)
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415
-    from raybundle.measuring.journal import entries_of, journal_path  # noqa: PLC0415
-    from raybundle.workflows.orienting.previous_names import Earlier  # noqa: PLC0415
+    from raybundle.block.points import is_automatic
+    from raybundle.io.block.folder import read_block
+    from raybundle.measuring.journal import entries_of, journal_path
+    from raybundle.workflows.orienting.previous_names import Earlier
 
     folder = project / "result" / "block"
     if not (folder / "block.toml").is_file():

@@ -82,9 +82,9 @@ def empirical(points: str | Path, **settings: Any) -> Empirical:
 
 def run_empirical(settings: EmpiricalSettings) -> Empirical:
     """Fit what the settings ask for, and write it where they say so."""
-    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
+    import numpy as np
 
-    from raybundle.scenes.empirical_statistics import empirical_statistics  # noqa: PLC0415
+    from raybundle.scenes.empirical_statistics import empirical_statistics
 
     s = settings
     if s.out is not None:
@@ -108,8 +108,8 @@ def run_empirical(settings: EmpiricalSettings) -> Empirical:
 
 def _fitted(s: EmpiricalSettings, points: ControlPoints) -> tuple[EmpiricalFit, EmpiricalAdvice | None]:
     """The model asked for; else the advised one, or that which predicts points left out best."""
-    from raybundle.scenes.empirical import fit_empirical  # noqa: PLC0415
-    from raybundle.scenes.empirical_statistics import choose_empirical  # noqa: PLC0415
+    from raybundle.scenes.empirical import fit_empirical
+    from raybundle.scenes.empirical_statistics import choose_empirical
 
     use = ~points.check
     try:
@@ -127,9 +127,9 @@ def _fitted(s: EmpiricalSettings, points: ControlPoints) -> tuple[EmpiricalFit, 
 
 def read_points(path: Path) -> ControlPoints:
     """The points of a table; raises InputError."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
+    from raybundle.io.tables import Column, read_table
 
     ground, grid = ("lon_deg", "lat_deg", "h_m"), ("X", "Y", "Z")
     table = read_table(
@@ -142,7 +142,7 @@ def read_points(path: Path) -> ControlPoints:
         ],
     )
     if all(c in table.number for c in ground):
-        from raybundle.numerics.geodesy import LocalPlace  # noqa: PLC0415
+        from raybundle.numerics.geodesy import LocalPlace
 
         geographic = table.numbers(*ground)
         east, north, up = geographic.mean(axis=0).tolist()
@@ -157,7 +157,7 @@ def read_points(path: Path) -> ControlPoints:
     roles = table.text.get("role", ("",) * table.rows)
     for k, role in enumerate(roles):
         if role not in {"", "control", "check"}:
-            from raybundle.io.reading.words import quoted  # noqa: PLC0415  (NumPy is loaded with it)
+            from raybundle.io.reading.words import quoted
 
             raise InputError(
                 "value.not_supported",
@@ -172,13 +172,13 @@ def read_points(path: Path) -> ControlPoints:
 
 
 def _write(out: Path, found: Empirical) -> None:
-    import json  # noqa: PLC0415
+    import json
 
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.digits import STD, Within, jointly  # noqa: PLC0415
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.io.tables import write_table  # noqa: PLC0415
+    from raybundle.io.digits import STD, Within, jointly
+    from raybundle.io.folders import new_folder
+    from raybundle.io.tables import write_table
 
     fit, s = found.fit, found.statistics
     n = fit.normalisation
@@ -207,9 +207,9 @@ def _write(out: Path, found: Empirical) -> None:
 
 def _columns(found: Empirical) -> tuple[dict[str, Any], dict[str, Any]]:
     """points.csv: residuals of all points, redundancy, w and smallest detectable blunders of those that took part."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.digits import EVERY, REDUNDANCY, STD, TEST, by_sigma  # noqa: PLC0415
+    from raybundle.io.digits import EVERY, REDUNDANCY, STD, TEST, by_sigma
 
     s, points = found.statistics, found.points
 

@@ -85,10 +85,10 @@ def estimate_cost(photos: str | Path | None = None, *, progress: Progress = sile
 
 def run_estimate_cost(s: EstimateCostSettings, photos: Path | None, progress: Progress = silent) -> Estimate:
     """Count photographs, take constants, and estimate."""
-    from raybundle.numerics.machine import available_memory  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.workflows.costs.estimate import estimate  # noqa: PLC0415
-    from raybundle.workflows.costs.photographs import image_points_of  # noqa: PLC0415
-    from raybundle.workflows.costs.stages import Asked  # noqa: PLC0415
+    from raybundle.numerics.machine import available_memory
+    from raybundle.workflows.costs.estimate import estimate
+    from raybundle.workflows.costs.photographs import image_points_of
+    from raybundle.workflows.costs.stages import Asked
 
     if s.measure and s.shipped:
         raise InputError("costs.measure_and_shipped")
@@ -106,13 +106,13 @@ def run_estimate_cost(s: EstimateCostSettings, photos: Path | None, progress: Pr
 
 def constants_of(s: EstimateCostSettings, progress: Progress) -> Constants:
     """Those of this machine, measured where they are not kept; or those that come with raybundle."""
-    from raybundle.workflows.costs import constants  # noqa: PLC0415
+    from raybundle.workflows.costs import constants
 
     if s.shipped:
         return constants.shipped()
     found = None if s.measure else constants.kept()
     if found is None:
-        from raybundle.workflows.costs.measure import measure  # noqa: PLC0415
+        from raybundle.workflows.costs.measure import measure
 
         found = measure(progress)
         constants.keep(found)
@@ -127,7 +127,7 @@ def _size(s: EstimateCostSettings, photos: Path | None) -> tuple[int, float, tup
         return s.images, s.megapixels or MEGAPIXELS, ()
     if s.images is not None:
         raise InputError("costs.photographs_and_number", n=s.images)
-    from raybundle.workflows.costs.headers import counted_headers  # noqa: PLC0415
+    from raybundle.workflows.costs.headers import counted_headers
 
     count, pixels, unread = counted_headers(photos)
     if count < 2:

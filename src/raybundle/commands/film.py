@@ -64,7 +64,7 @@ def film(marks: str | Path, out: str | Path, **settings: Any) -> StraightFilm:
 
 def run_film(settings: FilmSettings) -> StraightFilm:
     """Fit each scan, and write what comes of it."""
-    from raybundle.io.film.fiducials import read_calibrated, read_marks, straight_points  # noqa: PLC0415
+    from raybundle.io.film.fiducials import read_calibrated, read_marks, straight_points
 
     s = settings
     check_free(s.out)
@@ -79,7 +79,7 @@ def run_film(settings: FilmSettings) -> StraightFilm:
 
 def _films(s: FilmSettings, marks: Marks, certificate: Calibrated, pixel_mm: float) -> dict[str, Film]:
     """The transformation of each scan; raises InputError that names all that have none."""
-    from raybundle.io.film.fiducials import film_of  # noqa: PLC0415
+    from raybundle.io.film.fiducials import film_of
 
     films: dict[str, Film] = {}
     failed: list[Message] = []
@@ -99,7 +99,7 @@ def _films(s: FilmSettings, marks: Marks, certificate: Calibrated, pixel_mm: flo
 
 
 def _camera(path: Path) -> Camera:
-    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
+    from raybundle.io.block.toml import read_cameras
 
     cameras = read_cameras(path)
     if len(cameras) != 1:
@@ -108,12 +108,12 @@ def _camera(path: Path) -> Camera:
 
 
 def _write(out: Path, films: Mapping[str, Film], camera: Camera, straight: tuple[Marks, Array] | None) -> None:
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.calibrations.ours import cameras_text  # noqa: PLC0415
-    from raybundle.io.digits import EVERY, TEST, of_residual  # noqa: PLC0415
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.io.tables import write_table  # noqa: PLC0415
+    from raybundle.io.calibrations.ours import cameras_text
+    from raybundle.io.digits import EVERY, TEST, of_residual
+    from raybundle.io.folders import new_folder
+    from raybundle.io.tables import write_table
 
     every = list(films.values())
     with new_folder(out) as folder:
@@ -134,9 +134,9 @@ def _write(out: Path, films: Mapping[str, Film], camera: Camera, straight: tuple
 
 def _columns(films: list[Film]) -> tuple[dict[str, Any], dict[str, Any]]:
     """film.csv: fit and shrinkage of each scan; and the digits of its numbers."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.digits import COUNT, SHARE, STD, by_sigma  # noqa: PLC0415
+    from raybundle.io.digits import COUNT, SHARE, STD, by_sigma
 
     shrinkage = [f.shrinkage for f in films]
     values, std = (np.array([getattr(s, n) for s in shrinkage]) for n in ("values", "std"))

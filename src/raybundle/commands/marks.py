@@ -177,8 +177,8 @@ def find_fiducials(folder: str | Path, image: str, *, operator: str = "") -> Map
 
     Each detected mark is an action. The other marks predict its place; the picture gives its position.
     """
-    from raybundle.io.photos.photo import read_grey, read_photo  # noqa: PLC0415
-    from raybundle.measuring.fiducials import find_fiducials as found_in  # noqa: PLC0415
+    from raybundle.io.photos.photo import read_grey, read_photo
+    from raybundle.measuring.fiducials import find_fiducials as found_in
 
     project = _standing(folder)
     scans = read_scans(project)
@@ -276,7 +276,7 @@ def export_masks(folder: str | Path, out: str | Path) -> Exported:
 
 def as_plain(state: State) -> dict[str, Any]:
     """A state as JSON states it: lists of objects in place of pairs of names as keys."""
-    from dataclasses import asdict  # noqa: PLC0415
+    from dataclasses import asdict
 
     return {
         "marks": [{"image": i, "point": p, **asdict(m)} for (i, p), m in state.marks.items()],

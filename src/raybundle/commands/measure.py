@@ -139,10 +139,10 @@ def measure(
 
 def run_measure(s: MeasureSettings, progress: Progress = silent) -> Measured:
     """Measure what the settings ask for, and write it."""
-    from raybundle.measuring.point_sets import point_set  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.metrology.misfit_words import nominal_contradicted  # noqa: PLC0415
-    from raybundle.metrology.notices import length_notices, nominal_notices, of_a_tool  # noqa: PLC0415
-    from raybundle.results.folder import check_target  # noqa: PLC0415
+    from raybundle.measuring.point_sets import point_set
+    from raybundle.metrology.misfit_words import nominal_contradicted
+    from raybundle.metrology.notices import length_notices, nominal_notices, of_a_tool
+    from raybundle.results.folder import check_target
 
     check_target(s.out)
     check_pages(s)
@@ -188,9 +188,9 @@ def _check_asked(s: MeasureSettings) -> None:
 
 
 def _write(s: MeasureSettings, done: Measured, source: _Source, progress: Progress) -> None:
-    from raybundle.commands.calibrate import additions  # noqa: PLC0415
-    from raybundle.report.text.metrology_words import outcomes  # noqa: PLC0415
-    from raybundle.report.write import write_result  # noqa: PLC0415
+    from raybundle.commands.calibrate import additions
+    from raybundle.report.text.metrology_words import outcomes
+    from raybundle.report.write import write_result
 
     known = {} if source.calibration is None else additions(source.calibration)
     write_result(
@@ -204,7 +204,7 @@ def _write(s: MeasureSettings, done: Measured, source: _Source, progress: Progre
 
 
 def _length_test(s: MeasureSettings, points: PointSet, known: Sequence[KnownLength], result: Adjustment) -> LengthTest:
-    from raybundle.metrology.lengths import length_test  # noqa: PLC0415
+    from raybundle.metrology.lengths import length_test
 
     allowed = None if s.allowed is None else (s.allowed[0] / 1000, s.allowed[1] / 1000)
     check_lengths(points, known, s.lengths)
@@ -223,10 +223,10 @@ class _Source:
 
 
 def _source(s: MeasureSettings, progress: Progress) -> _Source:
-    from raybundle.commands.planning.objects import adjusted_block_in  # noqa: PLC0415
-    from raybundle.measuring.session import holds_block  # noqa: PLC0415
-    from raybundle.metrology.notices import photographs_lost, rests_on  # noqa: PLC0415
-    from raybundle.results.state import faults_of  # noqa: PLC0415
+    from raybundle.commands.planning.objects import adjusted_block_in
+    from raybundle.measuring.session import holds_block
+    from raybundle.metrology.notices import photographs_lost, rests_on
+    from raybundle.results.state import faults_of
 
     if len(s.photos) == 1 and holds_block(s.photos[0]):
         if s.target or s.dots:
@@ -244,14 +244,14 @@ def _source(s: MeasureSettings, progress: Progress) -> _Source:
 
 def _adjusted(s: MeasureSettings, block: Block, progress: Progress) -> tuple[Adjustment, tuple[Notice, ...]]:
     """The adjustment, and what is to be reported beside it."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.adjustment.decision.decide import decide  # noqa: PLC0415
-    from raybundle.adjustment.decision.variance_groups import by_groups  # noqa: PLC0415
-    from raybundle.adjustment.records.options import AdjustmentOptions, noise_of_photographs  # noqa: PLC0415
-    from raybundle.adjustment.system.adjusted_values import started  # noqa: PLC0415
-    from raybundle.metrology.lengths import KnownLength  # noqa: PLC0415
-    from raybundle.metrology.notices import bar_notices  # noqa: PLC0415
+    from raybundle.adjustment.decision.decide import decide
+    from raybundle.adjustment.decision.variance_groups import by_groups
+    from raybundle.adjustment.records.options import AdjustmentOptions, noise_of_photographs
+    from raybundle.adjustment.system.adjusted_values import started
+    from raybundle.metrology.lengths import KnownLength
+    from raybundle.metrology.notices import bar_notices
 
     if s.calibration is not None:
         block = _with_calibration(block, s.calibration)
@@ -276,9 +276,9 @@ def _adjusted(s: MeasureSettings, block: Block, progress: Progress) -> tuple[Adj
 
 
 def _of_photographs(s: MeasureSettings, progress: Progress) -> Calibration:
-    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
-    from raybundle.results.folder import PROJECT  # noqa: PLC0415
-    from raybundle.workflows.calibrate import CalibrateOptions, calibrate  # noqa: PLC0415
+    from raybundle.pipeline.project import discard_empty
+    from raybundle.results.folder import PROJECT
+    from raybundle.workflows.calibrate import CalibrateOptions, calibrate
 
     options = CalibrateOptions(targets=s.target, dots=s.dots, jobs=s.jobs, noise=s.noise)
     try:
@@ -292,7 +292,7 @@ def _of_photographs(s: MeasureSettings, progress: Progress) -> Calibration:
 
 def _with_calibration(block: Block, path: Path) -> Block:
     """The block with a held camera; raises InputError where the calibration is of another format."""
-    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
+    from raybundle.io.block.toml import read_cameras
 
     cameras = read_cameras(path)
     if len(cameras) != 1 or len(block.cameras) != 1:
@@ -317,7 +317,7 @@ def _with_calibration(block: Block, path: Path) -> Block:
 
 
 def _check_lengths(s: MeasureSettings) -> list[KnownLength]:
-    from raybundle.metrology.lengths import KnownLength  # noqa: PLC0415
+    from raybundle.metrology.lengths import KnownLength
 
     for a, b, _ in s.check_length:
         if a == b:

@@ -23,8 +23,8 @@ LIST, NOMINAL, LENGTHS = "coordinate_list.csv", "nominal.csv", "lengths.csv"
 
 def known_lengths(path: Path, unit: float) -> list[KnownLength]:
     """Lengths of a table from,to,length[,sigma] in units of so many metres; raises InputError."""
-    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
-    from raybundle.metrology.lengths import KnownLength  # noqa: PLC0415
+    from raybundle.io.tables import Column, read_table
+    from raybundle.metrology.lengths import KnownLength
 
     columns = [Column(name=n, kind="text") for n in ("from", "to")]
     columns += [
@@ -48,7 +48,7 @@ def without_doubles(
     known: Sequence[KnownLength], kind: Literal["length", "scale_bar"]
 ) -> tuple[list[KnownLength], tuple[Notice, ...]]:
     """Lengths, each once though it was given twice, its ends exchanged or not; and notices."""
-    from raybundle.metrology.notices import given_twice  # noqa: PLC0415
+    from raybundle.metrology.notices import given_twice
 
     found: dict[tuple[frozenset[str], float], KnownLength] = {}
     twice: list[str] = []
@@ -64,7 +64,7 @@ def without_doubles(
 
 def check_lengths(points: PointSet, known: Sequence[KnownLength], path: Path | None) -> None:
     """Raise InputError for ends that were not measured, with the file and its line, and lengths in another unit."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     place = {name: k for k, name in enumerate(points.ids)}
     for k in known:
@@ -77,7 +77,7 @@ def check_lengths(points: PointSet, known: Sequence[KnownLength], path: Path | N
     way = points.xyz[[place[k.end] for k in known]] - points.xyz[[place[k.start] for k in known]]
     ratio = float(np.median(np.array([k.length for k in known]) / np.maximum(np.linalg.norm(way, axis=1), 1e-300)))
     if is_other_unit(ratio):
-        from raybundle.metrology.misfit_words import unit_of  # noqa: PLC0415
+        from raybundle.metrology.misfit_words import unit_of
 
         raise InputError(
             "length_test.other_unit",
@@ -91,7 +91,7 @@ def check_lengths(points: PointSet, known: Sequence[KnownLength], path: Path | N
 
 def fitted_to(points: PointSet, nominal: Nominal, path: Path, **how: Any) -> BestFit:
     """Measured points fitted onto those of a file (`best_fit`); raises InputError with the file."""
-    from raybundle.metrology.best_fit import best_fit  # noqa: PLC0415
+    from raybundle.metrology.best_fit import best_fit
 
     try:
         return best_fit(points, nominal, **how)
@@ -101,7 +101,7 @@ def fitted_to(points: PointSet, nominal: Nominal, path: Path, **how: Any) -> Bes
 
 def check_unit(points: PointSet, nominal: Nominal, path: Path) -> None:
     """Raise InputError where nominal points lie so far apart against the measured ones that their unit is another."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     at = {name: k for k, name in enumerate(points.ids)}
     both = [(at[name], k) for k, name in enumerate(nominal.ids) if name in at]
@@ -114,7 +114,7 @@ def check_unit(points: PointSet, nominal: Nominal, path: Path) -> None:
     sizes = [float(np.median(np.linalg.norm(xyz - np.median(xyz, axis=0), axis=1))) for xyz in (wanted, measured)]
     if min(sizes) <= 1e-9 * max(sizes) or not is_other_unit(ratio := sizes[0] / sizes[1]):
         return  # those that are all one point lie in one line, which the fit finds
-    from raybundle.metrology.misfit_words import unit_of  # noqa: PLC0415
+    from raybundle.metrology.misfit_words import unit_of
 
     raise InputError(
         "fit.other_unit",
@@ -127,10 +127,10 @@ def check_unit(points: PointSet, nominal: Nominal, path: Path) -> None:
 
 def nominal_points(path: Path, unit: float) -> Nominal:
     """Coordinates of a table point,X,Y,Z[,sX,sY,sZ][,tolerance] in units of so many metres; raises InputError."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
-    from raybundle.metrology.best_fit import Nominal  # noqa: PLC0415
+    from raybundle.io.tables import Column, read_table
+    from raybundle.metrology.best_fit import Nominal
 
     columns = [Column(name="point", kind="id"), *(Column(name=a, kind="number") for a in "XYZ")]
     columns += [Column(name=f"s{a}", kind="number", optional=True, empty=True, limit=">= 0") for a in "XYZ"]
@@ -145,9 +145,9 @@ def nominal_points(path: Path, unit: float) -> Nominal:
 
 def write_tables(folder: Path, points: PointSet, fit: BestFit | None, lengths: LengthTest | None) -> None:
     """Coordinates, deviations from nominal and errors of lengths, each in a table of its own."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.digits import (  # noqa: PLC0415
+    from raybundle.io.digits import (
         PROBABILITY,
         SHARE,
         SHORT,
@@ -157,8 +157,8 @@ def write_tables(folder: Path, points: PointSet, fit: BestFit | None, lengths: L
         jointly,
         of_pairs,
     )
-    from raybundle.io.tables import write_table  # noqa: PLC0415
-    from raybundle.numerics.statistics import correlation  # noqa: PLC0415
+    from raybundle.io.tables import write_table
+    from raybundle.numerics.statistics import correlation
 
     order = np.array(natural_order(points.ids), np.int64)
     own = points.own[order]

@@ -32,11 +32,11 @@ def scaled(block: Block, bars: Sequence[tuple[str, str, float, float]]) -> Block
 
     raises  InputError for points that the block has not, and for bars of which one is in another unit
     """
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.block import Distances  # noqa: PLC0415
-    from raybundle.block.transform import transform_block  # noqa: PLC0415
-    from raybundle.numerics.transform import SimilarityTransform  # noqa: PLC0415
+    from raybundle.block import Distances
+    from raybundle.block.transform import transform_block
+    from raybundle.numerics.transform import SimilarityTransform
 
     if not bars:
         return block
@@ -70,7 +70,7 @@ def _check_units(bars: Sequence[tuple[str, str, float, float]], ratio: Array) ->
 
     ratio  (k,) of given and measured lengths
     """
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     if ratio.max() <= BEYOND * ratio.min():
         return
@@ -106,10 +106,10 @@ def with_bars_compared(block: Block, free: Callable[[Block], Adjustment]) -> tup
 
     free  an adjustment of the block as a free network, to which bars are compared
     """
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.measuring.point_sets import point_set  # noqa: PLC0415
-    from raybundle.metrology.bars import Bar, bars_compared  # noqa: PLC0415
+    from raybundle.measuring.point_sets import point_set
+    from raybundle.metrology.bars import Bar, bars_compared
 
     d = block.distances
     if len(d) < 2:
@@ -152,19 +152,19 @@ def controlled(block: Block, path: Path, unit: float) -> tuple[Block, tuple[Noti
     Control that contradicts the network as a whole (mirrored, another scale, other names) takes no part: nothing that
     was measured is bent by it. A single point that contradicts the others is compared as a check point.
     """
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.block.transform import transform_block  # noqa: PLC0415
-    from raybundle.io.geo.control_files import ControlDefaults, read_control  # noqa: PLC0415
-    from raybundle.metrology.misfit import in_one_line, misfit  # noqa: PLC0415
-    from raybundle.metrology.misfit_words import control_contradicted, control_wrong  # noqa: PLC0415
-    from raybundle.metrology.notices import (  # noqa: PLC0415
+    from raybundle.block.transform import transform_block
+    from raybundle.io.geo.control_files import ControlDefaults, read_control
+    from raybundle.metrology.misfit import in_one_line, misfit
+    from raybundle.metrology.misfit_words import control_contradicted, control_wrong
+    from raybundle.metrology.notices import (
         control_assumed,
         control_lost,
         control_remarks,
         tolerances_ignored,
     )
-    from raybundle.numerics.transform import similarity  # noqa: PLC0415
+    from raybundle.numerics.transform import similarity
 
     usual = ControlDefaults(plan=CONTROL_M / unit, height=CONTROL_M / unit, unit=_unit_name(unit))
     given = read_control(path, defaults=usual)
@@ -211,9 +211,9 @@ def controlled(block: Block, path: Path, unit: float) -> tuple[Block, tuple[Noti
 
 def _with_control(block: Block, given: ControlFile, unit: float, own: Array, out: Collection[str]) -> Block:
     """The block with the coordinates of a file; those of `out` are check points."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.block import Role  # noqa: PLC0415
+    from raybundle.block import Role
 
     place = {name: k for k, name in enumerate(block.points.ids)}
     xyz, sigma, role = block.points.xyz.copy(), block.points.sigma.copy(), np.array(block.points.role)
@@ -228,9 +228,9 @@ def _with_control(block: Block, given: ControlFile, unit: float, own: Array, out
 
 def _measured_control(given: ControlFile, place: Mapping[str, int], path: Path) -> list[int]:
     """Rows of control with three coordinates that was measured; raises InputError for fewer than three."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.block import Role  # noqa: PLC0415
+    from raybundle.block import Role
 
     full = [
         k for k, name in enumerate(given.ids)
@@ -248,9 +248,9 @@ def _measured_control(given: ControlFile, place: Mapping[str, int], path: Path) 
 
 def _check_scale(found: Misfit, path: Path) -> None:
     """Raise InputError where control is in another unit than bars."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.metrology.misfit_words import unit_of  # noqa: PLC0415
+    from raybundle.metrology.misfit_words import unit_of
 
     if found.scaled and not found.scattered and abs(np.log(found.factor)) > np.log(FAR_OFF):
         unit = unit_of(found.factor)
@@ -265,7 +265,7 @@ def _check_scale(found: Misfit, path: Path) -> None:
 
 def _scale_sigma(block: Block) -> float:
     """Standard deviation of the scale by the bars of a block, as a share."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     d = block.distances
     return float(1 / np.sqrt(np.sum((d.length / np.maximum(d.sigma, 1e-12)) ** 2)))

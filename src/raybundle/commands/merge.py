@@ -54,12 +54,12 @@ def merge_projects(
 
 def run_merge(s: MergeSettings, progress: Progress = silent) -> Joined:
     """Merge what the settings ask for, and write it."""
-    from raybundle.block.joined import frame_of, join_blocks  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.commands.merge_tests import Member, measured_once  # noqa: PLC0415
-    from raybundle.commands.planning.objects import adjusted_block_in  # noqa: PLC0415
-    from raybundle.io.block.folder import write_block  # noqa: PLC0415
-    from raybundle.io.folders import short_names  # noqa: PLC0415
-    from raybundle.workflows.block_frame import in_frame_of  # noqa: PLC0415
+    from raybundle.block.joined import frame_of, join_blocks
+    from raybundle.commands.merge_tests import Member, measured_once
+    from raybundle.commands.planning.objects import adjusted_block_in
+    from raybundle.io.block.folder import write_block
+    from raybundle.io.folders import short_names
+    from raybundle.workflows.block_frame import in_frame_of
 
     if len(s.sources) < 2:
         raise InputError("join.one_block")
@@ -92,8 +92,8 @@ def _with_dots_alike(
     blocks: Sequence[Block], names: Sequence[str]
 ) -> tuple[list[Block], list[dict[str, str]], list[Message]]:
     """Blocks in which dots without a code are called alike where they are one by their place; what each was called."""
-    from raybundle.block.joined import frame_of  # noqa: PLC0415
-    from raybundle.metrology.dots import Dots  # noqa: PLC0415
+    from raybundle.block.joined import frame_of
+    from raybundle.metrology.dots import Dots
 
     first = frame_of(blocks)
     known = Dots.of(blocks[first].points.ids, blocks[first].points.xyz)
@@ -118,10 +118,10 @@ def _carriers(
 
     Remarks and cautions beside it: about points, scales, frames and cameras of the same id.
     """
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.block.joined import frame_of  # noqa: PLC0415
-    from raybundle.commands.merge_tests import check_cameras, check_frames, stayed_of  # noqa: PLC0415
+    from raybundle.block.joined import frame_of
+    from raybundle.commands.merge_tests import check_cameras, check_frames, stayed_of
 
     first = frame_of([m.block for m in members])
     base = members[first]

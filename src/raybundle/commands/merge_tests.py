@@ -41,7 +41,7 @@ class Member:
     @cached_property
     def as_free(self) -> Adjustment:
         """Without what control states; raises InputError and NotSolvable."""
-        from raybundle.measuring.session import adjusted_as_free  # noqa: PLC0415
+        from raybundle.measuring.session import adjusted_as_free
 
         return adjusted_as_free(self.source)
 
@@ -53,8 +53,8 @@ class Member:
     @cached_property
     def placed(self) -> tuple[PointSet, bool]:
         """The points where control, positions and bars have them, and whether these fix all of the frame."""
-        from raybundle.block.joined import fixed  # noqa: PLC0415
-        from raybundle.measuring.session import adjusted_again, readjusted  # noqa: PLC0415
+        from raybundle.block.joined import fixed
+        from raybundle.measuring.session import adjusted_again, readjusted
 
         if fixed(self.block) < 2:
             return self.shape, False
@@ -80,7 +80,7 @@ class Member:
         )  # fmt: skip
 
     def _points(self, done: Adjustment) -> PointSet:
-        from raybundle.measuring.point_sets import point_set  # noqa: PLC0415
+        from raybundle.measuring.point_sets import point_set
 
         points = point_set(done, self.name)
         return replace(points, ids=tuple(self.called.get(i, i) for i in points.ids))
@@ -91,9 +91,9 @@ def measured_once(blocks: Sequence[Block], names: Sequence[str]) -> list[Message
 
     raises  InputError where a block has no photograph that is not in another
     """
-    from itertools import combinations  # noqa: PLC0415
+    from itertools import combinations
 
-    from raybundle.block.same_images import images_measured_alike  # noqa: PLC0415
+    from raybundle.block.same_images import images_measured_alike
 
     cautions: list[Message] = []
     for (one, first), (two, second) in combinations(zip(names, blocks, strict=True), 2):
@@ -112,7 +112,7 @@ def stayed_of(base: Member, member: Member, significance: float) -> Congruence |
 
     raises  InputError where most common points are not one point
     """
-    from raybundle.metrology.congruence import LEAST, congruence  # noqa: PLC0415
+    from raybundle.metrology.congruence import LEAST, congruence
 
     try:
         if len(set(member.shape.ids) & set(base.shape.ids)) < LEAST:
@@ -131,10 +131,10 @@ def check_frames(base: Member, member: Member, stayed: Sequence[str]) -> list[Me
 
     raises  InputError where their scales differ as units do
     """
-    from raybundle.block.joined import fixed  # noqa: PLC0415
-    from raybundle.metrology.bars import LEVEL  # noqa: PLC0415
-    from raybundle.metrology.frames import between  # noqa: PLC0415
-    from raybundle.numerics.length_units import is_other_unit  # noqa: PLC0415
+    from raybundle.block.joined import fixed
+    from raybundle.metrology.bars import LEVEL
+    from raybundle.metrology.frames import between
+    from raybundle.numerics.length_units import is_other_unit
 
     if not fixed(base.block) or not fixed(member.block):
         return []
@@ -167,7 +167,7 @@ def check_frames(base: Member, member: Member, stayed: Sequence[str]) -> list[Me
 
 
 def _other_unit(base: Member, member: Member, found: Between) -> Message:
-    from raybundle.numerics.length_units import units_of  # noqa: PLC0415
+    from raybundle.numerics.length_units import units_of
 
     unit, base_unit = units_of(found.factor) or ("", "")
     return message(
@@ -181,8 +181,8 @@ def check_cameras(base: Member, member: Member) -> list[Message]:
 
     raises  InputError where a parameter differs by more than CONTRADICTS standard deviations, or held ones differ
     """
-    from raybundle.block.joined import CONTRADICTS  # noqa: PLC0415
-    from raybundle.metrology.bars import LEVEL  # noqa: PLC0415
+    from raybundle.block.joined import CONTRADICTS
+    from raybundle.metrology.bars import LEVEL
 
     try:
         mine, theirs = (
@@ -224,9 +224,9 @@ def _apart(a: InteriorResult, b: InteriorResult) -> list[tuple[float, str]]:
 
 def _together(a: InteriorResult, b: InteriorResult, freedom: float) -> tuple[float, float]:
     """F of all parameters that both estimated being the same, and its probability."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.numerics.statistics import joint_test  # noqa: PLC0415
+    from raybundle.numerics.statistics import joint_test
 
     free = [s for s in a.free if s in b.free]
     if not free:

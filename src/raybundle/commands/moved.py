@@ -92,16 +92,16 @@ def run_moved(settings: MovedSettings, progress: Progress = silent) -> Congruenc
 
 
 def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress: Progress) -> Congruence:
-    from raybundle.adjustment.readjust import block_again  # noqa: PLC0415
-    from raybundle.adjustment.result import Adjustment  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.block.points import dot_number  # noqa: PLC0415
-    from raybundle.io.folders import check_new_folder, short_names  # noqa: PLC0415
-    from raybundle.measuring.point_sets import point_set  # noqa: PLC0415
-    from raybundle.measuring.session import adjusted_as_free  # noqa: PLC0415
-    from raybundle.metrology.congruence import congruence  # noqa: PLC0415
-    from raybundle.metrology.dots import dots_alike  # noqa: PLC0415
-    from raybundle.metrology.epochs import comparable, most_moved, others_as_well  # noqa: PLC0415
-    from raybundle.metrology.misfit_words import axes_notices  # noqa: PLC0415
+    from raybundle.adjustment.readjust import block_again
+    from raybundle.adjustment.result import Adjustment
+    from raybundle.block.points import dot_number
+    from raybundle.io.folders import check_new_folder, short_names
+    from raybundle.measuring.point_sets import point_set
+    from raybundle.measuring.session import adjusted_as_free
+    from raybundle.metrology.congruence import congruence
+    from raybundle.metrology.dots import dots_alike
+    from raybundle.metrology.epochs import comparable, most_moved, others_as_well
+    from raybundle.metrology.misfit_words import axes_notices
 
     if len(epochs) < 2:
         raise InputError("epochs.only_one")
@@ -152,7 +152,7 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
 
 def _with_coordinates(folder: str | Path) -> Block | Path:
     """The folder, or its block where coordinates had to be found first."""
-    from raybundle.commands.planning.objects import adjusted_block_in  # noqa: PLC0415
+    from raybundle.commands.planning.objects import adjusted_block_in
 
     block, raw = adjusted_block_in(Path(folder))
     return block if raw else Path(folder)
@@ -167,7 +167,7 @@ def _check_there(points: Sequence[str], sets: Sequence[PointSet]) -> None:
 
 def _check_axes(fit: BestFit, path: Path) -> None:
     """Raise InputError where the axes of a file are no axes of the measurement: mirrored, of another scale."""
-    from raybundle.metrology.misfit_words import fit_values  # noqa: PLC0415
+    from raybundle.metrology.misfit_words import fit_values
 
     m = fit.misfit
     if m.scattered:
@@ -180,18 +180,18 @@ def _check_axes(fit: BestFit, path: Path) -> None:
 
 def faults_in(epochs: Sequence[Path]) -> dict[str, tuple[str, ...]]:
     """Of each measurement whose own result is not to be used yet, by its short name: the faults that it states."""
-    from raybundle.io.folders import short_names  # noqa: PLC0415
-    from raybundle.results.state import faults_of  # noqa: PLC0415
+    from raybundle.io.folders import short_names
+    from raybundle.results.state import faults_of
 
     found = {name: faults_of(epoch) for name, epoch in zip(short_names(epochs), epochs, strict=True)}
     return {name: messages for name, messages in found.items() if messages}
 
 
 def _faults(epoch: Adjustment | str | Path) -> tuple[str, ...]:
-    from raybundle.adjustment.records.severity import Severity  # noqa: PLC0415
+    from raybundle.adjustment.records.severity import Severity
 
     if isinstance(epoch, str | Path):
-        from raybundle.results.state import faults_of  # noqa: PLC0415
+        from raybundle.results.state import faults_of
 
         return faults_of(Path(epoch))
     return tuple(n.text for n in epoch.notices if n.severity is Severity.FAULT)
@@ -199,7 +199,7 @@ def _faults(epoch: Adjustment | str | Path) -> tuple[str, ...]:
 
 def _digits(columns: Mapping[str, Any]) -> dict[str, Digits]:
     """The digits of points.csv: displacements by their standard deviations, coordinates by those of the first."""
-    from raybundle.io.digits import PROBABILITY, STD, TEST, by_sigma  # noqa: PLC0415
+    from raybundle.io.digits import PROBABILITY, STD, TEST, by_sigma
 
     rules: dict[str, Digits] = {"F": TEST, "p": PROBABILITY, "detectable_mm": STD}
     for tag in sorted({n[3:-3] for n in columns if n.startswith("sdX")}):
@@ -213,13 +213,13 @@ def _digits(columns: Mapping[str, Any]) -> dict[str, Digits]:
 def _write(
     s: MovedSettings, done: Congruence, fit: BestFit | None, faults: Mapping[str, tuple[str, ...]]
 ) -> None:  # fmt: skip
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.digits import SHORT  # noqa: PLC0415
-    from raybundle.io.digits import reported as in_digits  # noqa: PLC0415
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.io.tables import write_table  # noqa: PLC0415
-    from raybundle.results.contents import clean  # noqa: PLC0415
+    from raybundle.io.digits import SHORT
+    from raybundle.io.digits import reported as in_digits
+    from raybundle.io.folders import new_folder
+    from raybundle.io.tables import write_table
+    from raybundle.results.contents import clean
 
     order = np.array(natural_order(done.ids), np.int64)
     std = np.sqrt(np.maximum(np.diagonal(done.covariance, axis1=2, axis2=3), 0))
@@ -261,7 +261,7 @@ def _write(
         )
         pages = [folder / name for name, asked in (("report.html", s.report), ("report.pdf", s.pdf)) if asked]
         if pages:
-            from raybundle.report.moved import MovedFacts, axes_words, write_moved_report  # noqa: PLC0415  (Jinja2 only where it is used)
+            from raybundle.report.moved import MovedFacts, axes_words, write_moved_report
 
             axes = "" if fit is None or s.axes is None else axes_words(s.axes.name, fit)
             about = MovedFacts(record=record_of(s), faults=faults, axes=axes)

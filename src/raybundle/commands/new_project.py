@@ -117,10 +117,10 @@ def _as_asked(project: Path) -> BeginSettings:
 
 def _block(s: BeginSettings, notify: Notify, progress: Progress) -> Block:
     """The photographs alone; raises InputError where some are gone that a project holds."""
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
-    from raybundle.io.cameras.library import library_folder  # noqa: PLC0415
-    from raybundle.workflows.unoriented_block import bare_block, of_film  # noqa: PLC0415
+    from raybundle.io.block.folder import read_block
+    from raybundle.io.block.toml import read_cameras
+    from raybundle.io.cameras.library import library_folder
+    from raybundle.workflows.unoriented_block import bare_block, of_film
 
     before = read_block(s.out / "block") if holds_block(s.out / "block") else None
     known = () if s.calibration is None else read_cameras(s.calibration)
@@ -152,9 +152,9 @@ def _block(s: BeginSettings, notify: Notify, progress: Progress) -> Block:
 
 def _scans(s: BeginSettings) -> Scans | None:
     """What is known of the film that the photographs are scans of: as it is given, or as the project knows."""
-    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.film.fiducials import read_calibrated  # noqa: PLC0415
-    from raybundle.measuring.film import Scans, read_scans  # noqa: PLC0415
+    from raybundle.io.block.toml import read_cameras
+    from raybundle.io.film.fiducials import read_calibrated
+    from raybundle.measuring.film import Scans, read_scans
 
     if s.film is None:
         return read_scans(s.out)
@@ -168,8 +168,8 @@ def _scans(s: BeginSettings) -> Scans | None:
 
 
 def _write(block: Block, project: Path) -> None:
-    from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block_files
+    from raybundle.io.folders import new_folder
 
     with new_folder(project / "block", replacing=True) as folder:
         write_block_files(block, folder)
@@ -177,8 +177,8 @@ def _write(block: Block, project: Path) -> None:
 
 def _keep_film(s: BeginSettings) -> None:
     """Keep what was given of the film in the project."""
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.measuring.film import FOLDER, write_scans  # noqa: PLC0415
+    from raybundle.io.folders import new_folder
+    from raybundle.measuring.film import FOLDER, write_scans
 
     scans = _scans(s)
     if s.film is None or scans is None:

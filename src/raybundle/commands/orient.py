@@ -99,14 +99,14 @@ class OrientSettings(OrientOptions):
 
     def given(self) -> Given:
         """What is known of object space, read from the files; raises InputError."""
-        from raybundle.io.geo.control_files import (  # noqa: PLC0415
+        from raybundle.io.geo.control_files import (
             DEFAULTS,
             ControlDefaults,
             named_apart,
             read_control,
         )
-        from raybundle.io.geo.control_systems import in_one_system  # noqa: PLC0415
-        from raybundle.placing.marks import Given, ScaleBar  # noqa: PLC0415
+        from raybundle.io.geo.control_systems import in_one_system
+        from raybundle.placing.marks import Given, ScaleBar
 
         plan, height = self.control_sigma or (DEFAULTS.plan, DEFAULTS.height)
         usual = ControlDefaults(plan=plan, height=height, unit="m")
@@ -141,16 +141,16 @@ def orient(
 
 def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orientation:
     """Orient what the settings ask for, and write the result."""
-    from raybundle.adjustment.blunders.accuracy_class import accuracy_class  # noqa: PLC0415
-    from raybundle.commands.drawn_masks import masks_of_run  # noqa: PLC0415
-    from raybundle.commands.earlier_run import earlier_run  # noqa: PLC0415
-    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
-    from raybundle.io.photos.photo import shown  # noqa: PLC0415
-    from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
-    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
-    from raybundle.results.folder import check_target  # noqa: PLC0415
-    from raybundle.workflows.orient import orient as oriented  # noqa: PLC0415
-    from raybundle.workflows.orienting.previous_result import less_fixed  # noqa: PLC0415
+    from raybundle.adjustment.blunders.accuracy_class import accuracy_class
+    from raybundle.commands.drawn_masks import masks_of_run
+    from raybundle.commands.earlier_run import earlier_run
+    from raybundle.io.block.toml import read_cameras
+    from raybundle.io.photos.photo import shown
+    from raybundle.io.trajectories import read_trajectory
+    from raybundle.pipeline.project import discard_empty
+    from raybundle.results.folder import check_target
+    from raybundle.workflows.orient import orient as oriented
+    from raybundle.workflows.orienting.previous_result import less_fixed
 
     out, result = settings.out, settings.out / "result"
     settings = replace(settings, store=store_of(settings.out, settings.store, settings.photos))
@@ -190,8 +190,8 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
 
 def accuracy_outcome(settings: OrientSettings, done: Orientation) -> Outcome | None:
     """What became of the accuracy that was asked for; None where none was."""
-    from raybundle.adjustment.blunders.accuracy_class import accuracy_class  # noqa: PLC0415
-    from raybundle.report.delivery import wanted_outcome  # noqa: PLC0415
+    from raybundle.adjustment.blunders.accuracy_class import accuracy_class
+    from raybundle.report.delivery import wanted_outcome
 
     return wanted_outcome(done.adjustment, accuracy_class(settings.accuracy_class), done.frame)
 
@@ -201,7 +201,7 @@ def settings_asked(project: Path) -> OrientSettings:
 
     raises  InputError where the file is missing, damaged or holds what no setting can be
     """
-    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.reading.trees import read_toml
 
     known = {s.name for s in settings_of(OrientSettings)} - {"redo_from", "cluster", "store"}
     kept = {
@@ -214,8 +214,8 @@ def settings_asked(project: Path) -> OrientSettings:
 
 def keep_settings(settings: OrientSettings) -> None:
     """Write the settings, as given or by default, into project.toml; its other tables, as [record], stay."""
-    from raybundle.pipeline.project import HERE, Project  # noqa: PLC0415
-    from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
+    from raybundle.pipeline.project import HERE, Project
+    from raybundle.pipeline.settings_file import with_table
 
     lines = ["# what the last run was asked for; `raybundle status` shows what it did", *toml_lines("orient", settings)]
     text = "\n".join(lines).encode("utf-8", "replace").decode()
@@ -229,7 +229,7 @@ def keep_settings(settings: OrientSettings) -> None:
 @contextmanager
 def report_stage(out: Path, before: Sequence[StageRecord]) -> Generator[None]:
     """Record the writing of the result as the last stage of a run."""
-    from raybundle.pipeline.project import Project  # noqa: PLC0415
+    from raybundle.pipeline.project import Project
 
     project = Project.open(out)
     try:
@@ -254,8 +254,8 @@ def write_orientation(
     record     title, client and operator
     additions  further keys of result.json
     """
-    from raybundle.report.write import write_result  # noqa: PLC0415
-    from raybundle.workflows.orient import component_folder  # noqa: PLC0415
+    from raybundle.report.write import write_result
+    from raybundle.workflows.orient import component_folder
 
     facts = replace(facts_of(done), settings=tuple((settings or {}).items()))
     write_result(
@@ -273,8 +273,8 @@ def write_orientation(
 
 def facts_of(done: Orientation) -> PhotographFacts:
     """What the report states of photographs and scenes; a scene is a photograph with a camera of its own."""
-    from raybundle.commands.photograph_facts import photograph_facts  # noqa: PLC0415
-    from raybundle.report.facts import PairFact, PhotoFact  # noqa: PLC0415
+    from raybundle.commands.photograph_facts import photograph_facts
+    from raybundle.report.facts import PairFact, PhotoFact
 
     facts = photograph_facts(done)
     names = [s.name for s in done.scenes]
@@ -297,10 +297,10 @@ def facts_of(done: Orientation) -> PhotographFacts:
 
 def _remove_older(project: Path, parts: int) -> None:
     """Remove results of parts that an earlier run had and this one has not."""
-    import shutil  # noqa: PLC0415
+    import shutil
 
-    from raybundle.results.folder import check_target  # noqa: PLC0415
-    from raybundle.workflows.orient import component_folder  # noqa: PLC0415
+    from raybundle.results.folder import check_target
+    from raybundle.workflows.orient import component_folder
 
     older = project / component_folder(parts)
     while older.is_dir():

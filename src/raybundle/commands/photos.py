@@ -64,9 +64,9 @@ def photos(photos: str | Path | Sequence[str | Path], *, progress: Progress = si
 
 def run_photos(settings: PhotosSettings, progress: Progress = silent) -> KnownPhotos:
     """Read what the photographs say, and group them into cameras."""
-    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.photos.cameras import camera_groups  # noqa: PLC0415
-    from raybundle.io.photos.photo import find_photos  # noqa: PLC0415
+    from raybundle.io.block.toml import read_cameras
+    from raybundle.io.photos.cameras import camera_groups
+    from raybundle.io.photos.photo import find_photos
 
     found = find_photos(settings.photos, progress=progress)
     stored = () if settings.calibration is None else read_cameras(settings.calibration)
@@ -90,7 +90,7 @@ def frames(video: str | Path, out: str | Path, *, progress: Progress = silent, *
 
 def run_frames(settings: FramesSettings, progress: Progress = silent) -> Frames:
     """Extract what the settings ask for."""
-    from raybundle.io.photos.video import FrameOptions, extract_frames  # noqa: PLC0415
+    from raybundle.io.photos.video import FrameOptions, extract_frames
 
     s = settings
     options = FrameOptions(count=s.count, every_s=s.every, motion=s.motion)

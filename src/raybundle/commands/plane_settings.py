@@ -51,7 +51,7 @@ class PlaneSettings:
 
 def plane_asked(settings: PlaneSettings) -> PlaneAsked:
     """The plane that settings ask for; raises InputError for what does not go together."""
-    from raybundle.workflows.object_plane import PlaneAsked  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.workflows.object_plane import PlaneAsked
 
     s = settings
     return PlaneAsked(
@@ -68,8 +68,8 @@ def plane_in(
     source  the result folder: what its result.json states of the vertical, and its adjustment for the errors of points
     adjusted  gives the adjustment; None: the result's block is adjusted once more where that is needed
     """
-    from raybundle.io.reading.trees import read_json  # noqa: PLC0415
-    from raybundle.workflows.object_plane import plane_of  # noqa: PLC0415
+    from raybundle.io.reading.trees import read_json
+    from raybundle.workflows.object_plane import plane_of
 
     reason = source / "result.json"
     about = read_json(reason).value if reason.is_file() else {}
@@ -86,9 +86,9 @@ def _covariance(source: Path, progress: Progress, adjusted: Callable[[], Adjustm
     """Joint covariances of points of a result: its block holds adjusted values, and is adjusted once more for them."""
 
     def covariance(names: Sequence[str]) -> Array | None:
-        from raybundle.measuring.joint import Joint  # noqa: PLC0415
-        from raybundle.measuring.query import positions  # noqa: PLC0415
-        from raybundle.measuring.session import adjusted_again  # noqa: PLC0415
+        from raybundle.measuring.joint import Joint
+        from raybundle.measuring.query import positions
+        from raybundle.measuring.session import adjusted_again
 
         try:
             adjustment = adjusted_again(source, progress) if adjusted is None else adjusted()
@@ -101,9 +101,9 @@ def _covariance(source: Path, progress: Progress, adjusted: Callable[[], Adjustm
 
 def _in_its_map(plane: Plane, export: Export, asked: PlaneAsked) -> tuple[Plane, tuple[str, ...]]:
     """A horizontal plane of a georeferenced block as level ground of its map, and remarks; any other as it is."""
-    from raybundle.io.geo.parsed_names import plan_system  # noqa: PLC0415
-    from raybundle.io.geo.parsed_systems import system_name  # noqa: PLC0415
-    from raybundle.workflows.object_plane import in_map  # noqa: PLC0415
+    from raybundle.io.geo.parsed_names import plan_system
+    from raybundle.io.geo.parsed_systems import system_name
+    from raybundle.workflows.object_plane import in_map
 
     frame = export.frame
     if frame is None or not asked.horizontal:

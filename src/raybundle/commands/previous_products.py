@@ -40,8 +40,8 @@ def settle_earlier(
     A file beside points that it was not made of would be taken for one of them.  What is written next is no longer
     noted as written (`note_written`): a run that is killed meanwhile has not written all that it was asked for.
     """
-    from raybundle.errors import phrase  # noqa: PLC0415
-    from raybundle.surfaces.products import PRODUCTS  # noqa: PLC0415
+    from raybundle.errors import phrase
+    from raybundle.surfaces.products import PRODUCTS
 
     before, key, now = _written(work), _key(surface), _thinned(thin)
     reported, others = list[str](), dict[str, float | None]()
@@ -85,16 +85,16 @@ def note_written(surface: Surface, work: Path, written: Collection[str], thin: f
 
 def measured_of(work: Path) -> str:
     """The fingerprint of the result that was measured; empty: it is not known."""
-    from raybundle.results.fingerprint import FINGERPRINT  # noqa: PLC0415
+    from raybundle.results.fingerprint import FINGERPRINT
 
     return _table(work, MEASURED).get(FINGERPRINT, "")
 
 
 def all_written(work: Path) -> bool:
     """Whether all that the last run was asked for stands beside its work, of the same points, as it noted last."""
-    from raybundle.errors import InputError  # noqa: PLC0415
-    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
-    from raybundle.surfaces.products import PRODUCTS  # noqa: PLC0415
+    from raybundle.errors import InputError
+    from raybundle.io.reading.trees import read_toml
+    from raybundle.surfaces.products import PRODUCTS
 
     try:
         asked = read_toml(work / "project.toml").tree().get("surface")
@@ -108,9 +108,9 @@ def all_written(work: Path) -> bool:
 
 def _note(work: Path, known: Mapping[str, str], fingerprint: str = "") -> None:
     """Write down the key of the points of each product, and of which result they are where that is given."""
-    from raybundle.pipeline.project import Project  # noqa: PLC0415
-    from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
-    from raybundle.results.fingerprint import FINGERPRINT  # noqa: PLC0415
+    from raybundle.pipeline.project import Project
+    from raybundle.pipeline.settings_file import with_table
+    from raybundle.results.fingerprint import FINGERPRINT
 
     project = Project.open(work)
     try:
@@ -128,7 +128,7 @@ def _thinned(thin: float | None) -> str:
 
 
 def _key(surface: Surface) -> str:
-    from raybundle.pipeline.keys import key_of  # noqa: PLC0415
+    from raybundle.pipeline.keys import key_of
 
     return key_of("points", surface.clouds)
 
@@ -140,8 +140,8 @@ def _written(work: Path) -> dict[str, str]:
 
 def _table(work: Path, name: str) -> dict[str, str]:
     """A table of project.toml; empty where it cannot be read."""
-    from raybundle.errors import InputError  # noqa: PLC0415
-    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
+    from raybundle.errors import InputError
+    from raybundle.io.reading.trees import read_toml
 
     path = work / "project.toml"
     try:

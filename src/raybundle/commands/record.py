@@ -77,7 +77,7 @@ def record(project: str | Path, **entries: Any) -> Recorded:
 
 def run_record(settings: RecordSettings) -> Recorded:
     """Write the entries that are given, and show all."""
-    from raybundle.results.recording_sheet import read_recorded, recorded_text  # noqa: PLC0415
+    from raybundle.results.recording_sheet import read_recorded, recorded_text
 
     folder = settings.project
     given = {n: checked(n, v) for n in NAMES if (v := getattr(settings, n)) is not None}
@@ -112,7 +112,7 @@ def _check_project(folder: Path, *, begins: bool) -> None:
 
 def _projects_like(folder: Path) -> list[Path]:
     """Projects beside a folder that is none, those of the most similar names first."""
-    from difflib import get_close_matches  # noqa: PLC0415
+    from difflib import get_close_matches
 
     parent = folder.absolute().parent
     names = [p.name for p in parent.iterdir() if (p / "project.db").is_file()] if parent.is_dir() else []
@@ -120,8 +120,8 @@ def _projects_like(folder: Path) -> list[Path]:
 
 
 def _write(folder: Path, reported: Record) -> Path:
-    from raybundle.pipeline.project import Project  # noqa: PLC0415
-    from raybundle.pipeline.settings_file import with_entries  # noqa: PLC0415
+    from raybundle.pipeline.project import Project
+    from raybundle.pipeline.settings_file import with_entries
 
     file = folder / "project.toml"
     project = Project.open(folder)
@@ -133,7 +133,7 @@ def _write(folder: Path, reported: Record) -> Path:
 
 
 def _replace(file: Path, text: str) -> None:
-    import uuid  # noqa: PLC0415
+    import uuid
 
     temporary = file.with_name(f".{file.name}.{uuid.uuid4().hex[:8]}")
     try:
@@ -145,7 +145,7 @@ def _replace(file: Path, text: str) -> None:
 
 def _of_run(folder: Path) -> Record:
     """What the last run was asked to print on its first page."""
-    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
+    from raybundle.io.reading.trees import read_toml
 
     file = folder / "project.toml"
     tree = read_toml(file).tree() if file.is_file() else None
@@ -161,7 +161,7 @@ def known_record(folder: Path) -> Record:
 
     folder  a result folder, of a project or alone
     """
-    from raybundle.results.recording_sheet import read_recorded  # noqa: PLC0415
+    from raybundle.results.recording_sheet import read_recorded
 
     own, known = read_recorded(folder)
     project = folder.parent
@@ -175,7 +175,7 @@ def known_record(folder: Path) -> Record:
 
 def rows(reported: Recorded) -> list[tuple[str, str, str]]:
     """Entry, what it states, and "from the photographs" where nobody wrote it."""
-    from raybundle.results.recording_sheet import rows_of  # noqa: PLC0415
+    from raybundle.results.recording_sheet import rows_of
 
     given = reported.record.as_mapping()
     found = [(f.name, given[f.name], "") for f in fields(RecordSettings) if f.name in given]

@@ -46,7 +46,7 @@ def record_of(settings: Recorded) -> Record:
 
 def record_in(project: Path) -> Record:
     """The table [record] of a project's project.toml; raises InputError for entries that are none."""
-    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415  (what reads is loaded after the help)
+    from raybundle.io.reading.trees import read_toml
 
     file = project / "project.toml"
     return record_from(read_toml(file).tree()) if file.is_file() else Record()

@@ -94,10 +94,10 @@ def rectify(source: str | Path, out: str | Path, *, progress: Progress = silent,
 
 def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Rectification:
     """Rectify what the settings ask for, and write the picture."""
-    from raybundle.commands.record import known_record  # noqa: PLC0415
-    from raybundle.io.pictures.rectified import check_picture  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
-    from raybundle.workflows.sources import result_within  # noqa: PLC0415
+    from raybundle.commands.record import known_record
+    from raybundle.io.pictures.rectified import check_picture
+    from raybundle.workflows.object_plane import MapLevel
+    from raybundle.workflows.sources import result_within
 
     s = settings
     check_picture(s.out)
@@ -132,20 +132,20 @@ def _check_without(s: RectifySettings, names: tuple[str, ...], *, of_result: boo
 
 def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, Mapping[str, Any]]:
     """The picture from all photographs of a result, and what NAME.toml states of its plane."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.block.frames import in_file_frames  # noqa: PLC0415
-    from raybundle.io.pictures.plane_file import stations_of  # noqa: PLC0415
-    from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
-    from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
-    from raybundle.workflows.rectify import (  # noqa: PLC0415
+    from raybundle.block.frames import in_file_frames
+    from raybundle.io.pictures.plane_file import stations_of
+    from raybundle.pipeline.project import photographs_of
+    from raybundle.workflows.object_plane import MapLevel
+    from raybundle.workflows.rectify import (
         check_area,
         grid_over,
         rectify_block,
         usual_pixel,
         whole_pixels,
     )  # fmt: skip
-    from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
+    from raybundle.workflows.sources import read_source, result_within
 
     result = result_within(s.source)
     export, _ = read_source(result)
@@ -193,10 +193,10 @@ def _about(plane: Plane, picture: Rectified) -> dict[str, Any]:
 
 def _of_photo(s: RectifySettings, control: Path) -> tuple[Rectification, Mapping[str, Any]]:
     """The picture from one photograph, and what NAME.toml states of its transformation."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
-    from raybundle.workflows.rectify import fit_photo, grid_over, rectify_photo  # noqa: PLC0415
+    from raybundle.io.photos.photo import read_photo
+    from raybundle.workflows.rectify import fit_photo, grid_over, rectify_photo
 
     photo = read_photo(s.source)
     camera = None if s.calibration is None else _camera_of(s.calibration, photo)
@@ -214,7 +214,7 @@ def _of_photo(s: RectifySettings, control: Path) -> tuple[Rectification, Mapping
 
 def _camera_of(calibration: Path, photo: Photo) -> Camera:
     """The one camera of a file that has the format of a photograph."""
-    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
+    from raybundle.io.block.toml import read_cameras
 
     size = (photo.width_px, photo.height_px)
     fitting = [c for c in read_cameras(calibration) if (c.width_px, c.height_px) == size]
@@ -231,9 +231,9 @@ def _camera_of(calibration: Path, photo: Photo) -> Camera:
 
 def _marks(control: Path, photo: Path) -> tuple[list[str], Array, Array]:
     """Names, coordinates (n, 3) and pixels (n, 2) of the control points marked in this photograph."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.geo.control_files import read_control  # noqa: PLC0415
+    from raybundle.io.geo.control_files import read_control
 
     file = read_control(control)
     m = file.measurements

@@ -95,10 +95,10 @@ def rpc_fit(scene: str | Path, out: str | Path, **settings: Any) -> RpcFit:
 
 def run_project(settings: RpcProjectSettings) -> Projected:
     """Project what the settings ask for, and write the table; every point keeps its row."""
-    from raybundle.io.digits import EVERY  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.folders import new_files  # noqa: PLC0415
-    from raybundle.io.scenes import check_agreement  # noqa: PLC0415
-    from raybundle.io.tables import write_table  # noqa: PLC0415
+    from raybundle.io.digits import EVERY
+    from raybundle.io.folders import new_files
+    from raybundle.io.scenes import check_agreement
+    from raybundle.io.tables import write_table
 
     s = settings
     check_new(s.out)
@@ -121,7 +121,7 @@ def _projected(
     scene: Scene, model: Rpc | LineScene, ids: tuple[str, ...], rows: Array, s: RpcProjectSettings
 ) -> Projected:
     """The points with their places, as far as the model has some."""
-    from raybundle.scenes.rpc import NO_PLACE  # noqa: PLC0415
+    from raybundle.scenes.rpc import NO_PLACE
 
     if scene.rpc is not None and not s.to_ground and not (scene.rpc.ranges_away(rows) < NO_PLACE).any():
         check_near(
@@ -143,10 +143,10 @@ def _projected(
 
 def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
     """Fit and write the RPC; also remarks."""
-    from raybundle.io.scenes import check_agreement, read_scene  # noqa: PLC0415
-    from raybundle.io.scenes.writing import check_rpc_name, write_rpc  # noqa: PLC0415
-    from raybundle.numerics.geodesy import WGS84  # noqa: PLC0415
-    from raybundle.scenes.rpc_fit import fit_rpc  # noqa: PLC0415
+    from raybundle.io.scenes import check_agreement, read_scene
+    from raybundle.io.scenes.writing import check_rpc_name, write_rpc
+    from raybundle.numerics.geodesy import WGS84
+    from raybundle.scenes.rpc_fit import fit_rpc
 
     s = settings
     check_new(s.out)
@@ -172,9 +172,9 @@ def _model(s: Scene, model: str) -> Rpc | LineScene:
 
 def _table(path: Path, columns: tuple[str, ...], optional: tuple[str, ...] = ()) -> tuple[tuple[str, ...], Array]:
     """Ids and numbers (n, k); the optional columns only if the table has all of them."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
+    from raybundle.io.tables import Column, read_table
 
     table = read_table(
         path,
@@ -189,7 +189,7 @@ def _table(path: Path, columns: tuple[str, ...], optional: tuple[str, ...] = ())
 
 
 def _placed(s: Scene, model: Rpc | LineScene, rows: Array, *, to_ground: bool) -> Array:
-    from raybundle.scenes.rpc import NO_PLACE  # noqa: PLC0415
+    from raybundle.scenes.rpc import NO_PLACE
 
     if to_ground:
         return model.localise(rows[:, :2], rows[:, 2])
@@ -205,7 +205,7 @@ def _each(
 
     Halves are tried again where a whole cannot be computed, so that few bad rows among many cost little.
     """
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     found: dict[int, Array] = {}
     why: list[RaybundleError | None] = [None] * len(rows)

@@ -70,9 +70,9 @@ def drawing_sheet(
 
 def run_drawing_sheet(settings: DrawingSheetSettings, progress: Progress = silent) -> DrawingSheet:
     """Draw what the settings ask for, and write the PDF."""
-    from raybundle.commands.drawing_sheet import drawn  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.folders import new_files  # noqa: PLC0415
-    from raybundle.report.drawing.sheet import planned, sheets_pdf  # noqa: PLC0415
+    from raybundle.commands.drawing_sheet import drawn
+    from raybundle.io.folders import new_files
+    from raybundle.report.drawing.sheet import planned, sheets_pdf
 
     s = settings
     _check(s)
@@ -97,7 +97,7 @@ def _answer(
     remarks: tuple[str, ...],
     state: str,
 ) -> DrawingSheet:
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     div, per_unit = sheets.division, millimetres / sheets.scale
     low = div.parts[(div.rows - 1) * div.columns].corner
@@ -118,7 +118,7 @@ def _shortened(sheets: Sheets) -> tuple[str, ...]:
 
 def _lacking(drawing: Drawing) -> tuple[str, ...]:
     """A remark about letters that are question marks on the sheet."""
-    from raybundle.report.drawing.fonts import lacking  # noqa: PLC0415
+    from raybundle.report.drawing.fonts import lacking
 
     texts = [drawing.title, *(f.text for f in drawing.fields), *drawing.notes, *(n.words for n in drawing.lines)]
     names = [name for group in drawing.points for name in group.names]

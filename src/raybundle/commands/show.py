@@ -76,7 +76,7 @@ def show(
     what = what or ("report" if isinstance(result, Adjustment) else "studio")
     if what != "studio":
         if not isinstance(result, Adjustment):
-            from raybundle.io.reading.words import quoted  # noqa: PLC0415  (NumPy is loaded with it)
+            from raybundle.io.reading.words import quoted
 
             raise InputError("studio.page_of_folder", page=quoted(what))
         return show_page(result, path, what=what)

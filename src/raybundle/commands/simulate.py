@@ -58,7 +58,7 @@ class SimulateSettings:
 
     def survey(self) -> Survey:
         """What is measured; a single photograph has ten control points where none are asked for."""
-        from raybundle.planning.simulate import Survey  # noqa: PLC0415
+        from raybundle.planning.simulate import Survey
 
         return Survey(
             seed=self.seed,
@@ -77,7 +77,7 @@ class SimulateSettings:
 
 def run_simulate(settings: SimulateSettings) -> Simulation:
     """Simulate what the settings ask for, and write it."""
-    from raybundle.planning.simulate import simulate  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.planning.simulate import simulate
 
     if settings.scene in get_args(SceneName):
         done = simulate(scene_of(cast("SceneName", settings.scene)), settings.survey())
@@ -89,9 +89,9 @@ def run_simulate(settings: SimulateSettings) -> Simulation:
 
 def _of_plan(settings: SimulateSettings) -> Simulation:
     """What the photographs of a plan, or of a result once more, will measure."""
-    from raybundle.commands.planning.network_files import VISIBLE  # noqa: PLC0415
-    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.planning.simulate_again import simulate_again  # noqa: PLC0415
+    from raybundle.commands.planning.network_files import VISIBLE
+    from raybundle.commands.planning.objects import block_in
+    from raybundle.planning.simulate_again import simulate_again
 
     folder = Path(settings.scene)
     if not folder.is_dir():
@@ -107,11 +107,11 @@ def _of_plan(settings: SimulateSettings) -> Simulation:
 
 def _found_again(plan: Path, block: Block, seed: int) -> Block:
     """The block of a plan with what is found drawn by this seed; raises InputError where its tables do not fit."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.commands.planning.network_files import VISIBLE  # noqa: PLC0415
-    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
-    from raybundle.planning.network.planned_block import redrawn  # noqa: PLC0415
+    from raybundle.commands.planning.network_files import VISIBLE
+    from raybundle.io.tables import Column, read_table
+    from raybundle.planning.network.planned_block import redrawn
 
     numbers = [*"XYZ", *(f"s{a}_mm" for a in "XYZ"), "rays", "often"]
     columns = [Column(name="point", kind="id"), *(Column(name=n, kind="number", empty=n not in "XYZ") for n in numbers)]
@@ -141,7 +141,7 @@ def _found_again(plan: Path, block: Block, seed: int) -> Block:
 
 def scene_of(name: SceneName) -> Scene:
     """The scene of a name on the command line, with its standard plan."""
-    from raybundle.planning import synthetic_networks as s  # noqa: PLC0415
+    from raybundle.planning import synthetic_networks as s
 
     scenes: dict[SceneName, Callable[[], Scene]] = {
         "testfield": lambda: s.field_scene(s.TargetField()),
@@ -155,10 +155,10 @@ def scene_of(name: SceneName) -> Scene:
 
 def write_simulation(simulation: Simulation, out: Path) -> None:
     """Write FOLDER/block, FOLDER/truth and FOLDER/gross.csv, whole or not at all."""
-    from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
-    from raybundle.io.block.tables import named  # noqa: PLC0415
-    from raybundle.io.folders import check_new_folder, new_folder  # noqa: PLC0415
-    from raybundle.io.tables import write_table  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block_files
+    from raybundle.io.block.tables import named
+    from raybundle.io.folders import check_new_folder, new_folder
+    from raybundle.io.tables import write_table
 
     check_new_folder(out)
     with new_folder(out) as folder:

@@ -55,8 +55,8 @@ def spreadsheet(source: str | Path, out: str | Path, *, tables: tuple[str, ...] 
 
 def run_spreadsheet(s: SpreadsheetSettings, progress: Progress = silent) -> Spreadsheet:
     """Write what the settings ask for."""
-    from raybundle.io.workbook import ROWS, has_rows, write_workbook  # noqa: PLC0415
-    from raybundle.measuring.selection import latest_result  # noqa: PLC0415
+    from raybundle.io.workbook import ROWS, has_rows, write_workbook
+    from raybundle.measuring.selection import latest_result
 
     check_free(s.out)
     if s.out.suffix.lower() != SUFFIX:

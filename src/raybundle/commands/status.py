@@ -55,13 +55,13 @@ def status_of(folder: Path) -> Status:
 
     raises  InputError for anything else
     """
-    from raybundle.commands.previous_products import all_written, measured_of  # noqa: PLC0415  (loaded after the help)
-    from raybundle.pipeline.project import HERE, Project, store_given  # noqa: PLC0415
-    from raybundle.pipeline.running import running, works  # noqa: PLC0415
-    from raybundle.pipeline.shards import tasks_listed  # noqa: PLC0415
-    from raybundle.results.fingerprint import adjusted_since  # noqa: PLC0415
-    from raybundle.results.folder import PROJECT  # noqa: PLC0415
-    from raybundle.workflows.unfinished_parts import OF_STAGES, bytes_in, left_beside  # noqa: PLC0415
+    from raybundle.commands.previous_products import all_written, measured_of
+    from raybundle.pipeline.project import HERE, Project, store_given
+    from raybundle.pipeline.running import running, works
+    from raybundle.pipeline.shards import tasks_listed
+    from raybundle.results.fingerprint import adjusted_since
+    from raybundle.results.folder import PROJECT
+    from raybundle.workflows.unfinished_parts import OF_STAGES, bytes_in, left_beside
 
     surface = _surface_in(folder)
     if surface is not None and not (folder / "project.db").is_file():
@@ -112,7 +112,7 @@ def _of_surface(project: Path) -> bool:
 
 def _asked(project: Path, table: str) -> Json | None:
     """What the last run of a command was asked for; None where none was, or it cannot be read."""
-    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
+    from raybundle.io.reading.trees import read_toml
 
     try:
         tree = read_toml(project / "project.toml").tree()
@@ -133,16 +133,16 @@ def _stages(project: Path, made: Container[str], *, of_calibration: bool) -> tup
     """What the stages are called, in order; of a surface those that were made, and those that are to come."""
     asked = _asked(project, "surface")
     if asked is not None:
-        from raybundle.surfaces.stages import SURFACE  # noqa: PLC0415
+        from raybundle.surfaces.stages import SURFACE
 
         gridded = any(asked.has(name) for name in ("dsm", "ortho", "mesh"))
         pictured = any(asked.has(name) for name in ("ortho", "mesh"))
         wanted = {"heights": gridded, "photographs on heights": pictured, "orthophoto": pictured}
         return tuple(t for t in SURFACE.titles() if t in made or wanted.get(t, True))
     if of_calibration:
-        from raybundle.workflows.calibrating.stages import CALIBRATE  # noqa: PLC0415
+        from raybundle.workflows.calibrating.stages import CALIBRATE
 
         return CALIBRATE.titles()
-    from raybundle.workflows.orient import stages  # noqa: PLC0415
+    from raybundle.workflows.orient import stages
 
     return stages()

@@ -169,12 +169,12 @@ class _Asked:
 
 def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> MeasuredSurface:
     """Measure what the settings ask for, and write the points."""
-    from raybundle.measuring.session import adjusted_again  # noqa: PLC0415
-    from raybundle.pipeline.choosing import check_cluster  # noqa: PLC0415
-    from raybundle.pipeline.place import ProductGone  # noqa: PLC0415
-    from raybundle.report.languages.language import language_of  # noqa: PLC0415
-    from raybundle.results.fingerprint import fingerprint  # noqa: PLC0415
-    from raybundle.surfaces.products import PRODUCTS  # noqa: PLC0415
+    from raybundle.measuring.session import adjusted_again
+    from raybundle.pipeline.choosing import check_cluster
+    from raybundle.pipeline.place import ProductGone
+    from raybundle.report.languages.language import language_of
+    from raybundle.results.fingerprint import fingerprint
+    from raybundle.surfaces.products import PRODUCTS
 
     s = settings
     result, export, folders = _source_of(s)
@@ -204,11 +204,11 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
 
 def _measured(a: _Asked) -> Surface:
     """The surface; a folder in which nothing was kept is removed where it cannot be measured."""
-    from raybundle.commands.drawn_masks import masks_of_result  # noqa: PLC0415
-    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
-    from raybundle.surfaces.run import surface as measured  # noqa: PLC0415
-    from raybundle.surfaces.state import SurfaceOptions  # noqa: PLC0415
-    from raybundle.surfaces.tasks import PART  # noqa: PLC0415
+    from raybundle.commands.drawn_masks import masks_of_result
+    from raybundle.pipeline.project import discard_empty
+    from raybundle.surfaces.run import surface as measured
+    from raybundle.surfaces.state import SurfaceOptions
+    from raybundle.surfaces.tasks import PART
 
     s, work = a.settings, a.out / WORK
     options = SurfaceOptions(
@@ -230,13 +230,13 @@ def _measured(a: _Asked) -> Surface:
 
 def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
     """Write what is asked for; `mended` gets the keys of kept products that were found damaged."""
-    from raybundle.commands.previous_products import note_written, settle_earlier  # noqa: PLC0415
-    from raybundle.commands.surface_pages import PDF, heights_files, outside_words, write_pages  # noqa: PLC0415
-    from raybundle.io.folders import clear_left  # noqa: PLC0415
-    from raybundle.surfaces.product import Context  # noqa: PLC0415
-    from raybundle.surfaces.products import PRODUCTS  # noqa: PLC0415
-    from raybundle.surfaces.run import mended_words  # noqa: PLC0415
-    from raybundle.surfaces.thinning import thinned  # noqa: PLC0415
+    from raybundle.commands.previous_products import note_written, settle_earlier
+    from raybundle.commands.surface_pages import PDF, heights_files, outside_words, write_pages
+    from raybundle.io.folders import clear_left
+    from raybundle.surfaces.product import Context
+    from raybundle.surfaces.products import PRODUCTS
+    from raybundle.surfaces.run import mended_words
+    from raybundle.surfaces.thinning import thinned
 
     s, out, wanted = a.settings, a.out, a.wanted
     # of what was adjusted, not of what a folder states
@@ -267,9 +267,9 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
 
 def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
     """The result folder, its block, and the folders of its photographs."""
-    from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
-    from raybundle.surfaces.product import in_its_map  # noqa: PLC0415
-    from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
+    from raybundle.pipeline.project import photographs_of
+    from raybundle.surfaces.product import in_its_map
+    from raybundle.workflows.sources import read_source, result_within
 
     if not s.source.is_dir():
         raise InputError("result.no_folder", file=s.source)
@@ -290,11 +290,11 @@ def _grid_of(
     s: SurfaceSettings, result: Path, export: Export, adjusted: Callable[[], Adjustment], progress: Progress
 ) -> tuple[Grids, SurfaceRegion | None]:  # fmt: skip
     """The plane, its cells and the pixels of an orthophoto that are asked for, and the part that is measured."""
-    from raybundle.commands.plane_settings import plane_in  # noqa: PLC0415
-    from raybundle.io.geo.parsed_names import plan_system  # noqa: PLC0415
-    from raybundle.surfaces.product_grids import Grids, grids_over  # noqa: PLC0415
-    from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
-    from raybundle.workflows.rectify import check_area  # noqa: PLC0415
+    from raybundle.commands.plane_settings import plane_in
+    from raybundle.io.geo.parsed_names import plan_system
+    from raybundle.surfaces.product_grids import Grids, grids_over
+    from raybundle.workflows.object_plane import MapLevel
+    from raybundle.workflows.rectify import check_area
 
     given = [name for name in OF_PLANE if name in other_than_usual(s)]
     if s.region and s.extent is not None:
@@ -322,10 +322,10 @@ def _grid_of(
 
 def _region_in(s: SurfaceSettings, block: Block, plane: Plane) -> SurfaceRegion:
     """The part of a plane that is asked for."""
-    from raybundle.surfaces.grid import HeightPlane  # noqa: PLC0415
-    from raybundle.surfaces.region_input import region_asked  # noqa: PLC0415
-    from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
-    from raybundle.workflows.rectify import usual_pixel  # noqa: PLC0415
+    from raybundle.surfaces.grid import HeightPlane
+    from raybundle.surfaces.region_input import region_asked
+    from raybundle.workflows.object_plane import MapLevel
+    from raybundle.workflows.rectify import usual_pixel
 
     wkt = plane.system.to_wkt() if isinstance(plane, MapLevel) else ""
     apart = int(s.density) * usual_pixel(block, plane)
@@ -334,8 +334,8 @@ def _region_in(s: SurfaceSettings, block: Block, plane: Plane) -> SurfaceRegion:
 
 def _keep_settings(settings: SurfaceSettings, work: Path) -> None:
     """Write the settings into project.toml, as `orient` does: there the next run finds where products lie."""
-    from raybundle.pipeline.project import HERE, Project  # noqa: PLC0415
-    from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
+    from raybundle.pipeline.project import HERE, Project
+    from raybundle.pipeline.settings_file import with_table
 
     lines = ["# what the last run was asked for", *toml_lines("surface", settings)]
     text = "\n".join(lines).encode("utf-8", "replace").decode()
@@ -348,9 +348,9 @@ def _keep_settings(settings: SurfaceSettings, work: Path) -> None:
 
 def _check_out(out: Path) -> None:
     """Raise InputError for a folder that holds anything but an earlier surface."""
-    from raybundle.commands.surface_pages import PAGES  # noqa: PLC0415
-    from raybundle.io.folders import names_in  # noqa: PLC0415
-    from raybundle.surfaces.product import files_of_all  # noqa: PLC0415
+    from raybundle.commands.surface_pages import PAGES
+    from raybundle.io.folders import names_in
+    from raybundle.surfaces.product import files_of_all
 
     if out.exists() and not out.is_dir():
         raise InputError("folder.is_a_file", file=out)
@@ -361,8 +361,8 @@ def _check_out(out: Path) -> None:
 
 def _check_needed(wanted: frozenset[str], *, pdf: bool) -> None:
     """Raise InputError for all packages at once that are missing for what is asked for."""
-    from raybundle.report.paper.needed import check_typesetter  # noqa: PLC0415
-    from raybundle.surfaces.products import PRODUCTS  # noqa: PLC0415
+    from raybundle.report.paper.needed import check_typesetter
+    from raybundle.surfaces.products import PRODUCTS
 
     lacking = dict[str, InputError]()
     for check in (*(PRODUCTS[name].check for name in sorted(wanted)), *([check_typesetter] if pdf else [])):

@@ -57,15 +57,15 @@ def write_pages(
     remarks  what was stated while the surface was measured
     others   files of earlier runs with more points, or fewer, by which length they are thinned; None: not at all
     """
-    from raybundle.adjustment.records.notice import sorted_notices  # noqa: PLC0415
-    from raybundle.adjustment.records.severity import Severity  # noqa: PLC0415
-    from raybundle.io.folders import names_in  # noqa: PLC0415
-    from raybundle.report.languages.language import language_of  # noqa: PLC0415
-    from raybundle.report.network.page import write_network_page  # noqa: PLC0415
-    from raybundle.report.text.front_words import verdict_sentence  # noqa: PLC0415
-    from raybundle.surfaces.files.heights import HeightFile  # noqa: PLC0415
-    from raybundle.surfaces.page import write_surface_page  # noqa: PLC0415
-    from raybundle.surfaces.summary import sample_of, summary_of  # noqa: PLC0415
+    from raybundle.adjustment.records.notice import sorted_notices
+    from raybundle.adjustment.records.severity import Severity
+    from raybundle.io.folders import names_in
+    from raybundle.report.languages.language import language_of
+    from raybundle.report.network.page import write_network_page
+    from raybundle.report.text.front_words import verdict_sentence
+    from raybundle.surfaces.files.heights import HeightFile
+    from raybundle.surfaces.page import write_surface_page
+    from raybundle.surfaces.summary import sample_of, summary_of
 
     file = None
     if done.heights is not None and context.plane is not None:
@@ -94,16 +94,16 @@ def write_pages(
 
 def _occasion(done: Surface, result: Path, context: Context, settings: RecordedPages) -> Occasion:
     """The adjustment as its report has it: its verdict, who it is for, in which system it stands."""
-    from raybundle.commands.record_settings import record_of  # noqa: PLC0415
-    from raybundle.report.chapters import Occasion  # noqa: PLC0415
-    from raybundle.report.delivery import delivery_of  # noqa: PLC0415
-    from raybundle.report.languages.language import language_of  # noqa: PLC0415
-    from raybundle.report.languages.names import names_of  # noqa: PLC0415
-    from raybundle.report.outcome import Outcome  # noqa: PLC0415
-    from raybundle.report.text.words import verdict  # noqa: PLC0415
-    from raybundle.report.view import view_of  # noqa: PLC0415
-    from raybundle.results.notices import as_its_result, lost_accuracy  # noqa: PLC0415
-    from raybundle.results.record import Record  # noqa: PLC0415
+    from raybundle.commands.record_settings import record_of
+    from raybundle.report.chapters import Occasion
+    from raybundle.report.delivery import delivery_of
+    from raybundle.report.languages.language import language_of
+    from raybundle.report.languages.names import names_of
+    from raybundle.report.outcome import Outcome
+    from raybundle.report.text.words import verdict
+    from raybundle.report.view import view_of
+    from raybundle.results.notices import as_its_result, lost_accuracy
+    from raybundle.results.record import Record
 
     adjustment = as_its_result(done.adjustment, result)
     names = {f.name for f in fields(Record)}
@@ -118,9 +118,9 @@ def _occasion(done: Surface, result: Path, context: Context, settings: RecordedP
 
 def heights_files(faults: tuple[str, ...], export: Export) -> tuple[str, ...]:
     """What is reported of a plane, without what heights count from where they count from nothing that was measured."""
-    from raybundle.io.geo.parsed_systems import system_name  # noqa: PLC0415
-    from raybundle.results.record import STATE  # noqa: PLC0415
-    from raybundle.results.state import relative_heights  # noqa: PLC0415
+    from raybundle.io.geo.parsed_systems import system_name
+    from raybundle.results.record import STATE
+    from raybundle.results.state import relative_heights
 
     if export.frame is None or not relative_heights(export.record.get(STATE, "")):
         return faults
@@ -130,7 +130,7 @@ def heights_files(faults: tuple[str, ...], export: Export) -> tuple[str, ...]:
 
 def outside_words(done: Surface, grids: Grids) -> tuple[str, ...]:
     """How many points lie beside the area of heights, orthophoto and mesh, and how to have them."""
-    from raybundle.surfaces.product_grids import area_of_points  # noqa: PLC0415
+    from raybundle.surfaces.product_grids import area_of_points
 
     if grids.heights is None or done.options.region is not None:
         return ()

@@ -36,8 +36,8 @@ class FamilySettings:
 
     def rings(self) -> RingFamily:
         """The ring family that is named; raises InputError."""
-        from raybundle.targets.codes import read_table  # noqa: PLC0415  (what computes is loaded after the help)
-        from raybundle.targets.families import families, family_named  # noqa: PLC0415
+        from raybundle.targets.codes import read_table
+        from raybundle.targets.families import families, family_named
 
         if self.table is not None:
             if self.target is not None or self.bits is None:
@@ -49,8 +49,8 @@ class FamilySettings:
 
     def wanted(self, *, dots: bool = False) -> Target:
         """The target that is named, with dots beside its rings where that is asked for; raises InputError."""
-        from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
-        from raybundle.targets.marks import forms, target  # noqa: PLC0415
+        from raybundle.targets.kinds.rings import Rings
+        from raybundle.targets.marks import forms, target
 
         if self.target is None and self.table is None:
             raise _unnamed([name for form in forms() for name in re.sub(r" \(.*?\)| and others", "", form).split(", ")])
@@ -87,7 +87,7 @@ class SheetSettings(FamilySettings):
 
     def options(self) -> SheetOptions:
         """What the sheet is drawn with."""
-        from raybundle.targets.layout import SheetOptions  # noqa: PLC0415
+        from raybundle.targets.layout import SheetOptions
 
         return SheetOptions(
             dot_radius_mm=self.dot_radius, paper=self.paper, orientation="lying" if self.lying else "upright",
@@ -141,7 +141,7 @@ def choose_targets(target: str | None = None, *, count: int, **settings: Any) ->
 
 def run_choose(settings: ChooseSettings) -> tuple[Choice, RingFamily]:
     """The chosen targets, and the family that they are of."""
-    from raybundle.targets.subsets import choose_codes  # noqa: PLC0415
+    from raybundle.targets.subsets import choose_codes
 
     family = settings.rings()
     return choose_codes(family, settings.count), family
@@ -149,7 +149,7 @@ def run_choose(settings: ChooseSettings) -> tuple[Choice, RingFamily]:
 
 def run_sheet(settings: SheetSettings) -> tuple[Sheet, Sequence[Path]]:
     """Design and write a sheet; also the files."""
-    from raybundle.targets.sheets import write_sheet  # noqa: PLC0415
+    from raybundle.targets.sheets import write_sheet
 
     s = settings
     sheet = designed_sheet(s.wanted(), s.count, s.codes, s.spacing, s.options())
@@ -160,17 +160,17 @@ def designed_sheet(
     target: Target, count: int | None, codes: str | None, spacing: float | None, options: SheetOptions
 ) -> Sheet:
     """The sheet of a family; raises InputError where options do not go with it."""
-    from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
-    from raybundle.targets.layout import design  # noqa: PLC0415
-    from raybundle.targets.subsets import choose_codes  # noqa: PLC0415
+    from raybundle.targets.kinds.rings import Rings
+    from raybundle.targets.layout import design
+    from raybundle.targets.subsets import choose_codes
 
     if isinstance(target, Rings) and target.rings is not None:
         if (count is None) == (codes is None):
             raise InputError("option.one_of", first="codes", second="count")
         ids = choose_codes(target.rings, count).ids if count is not None else read_ids(codes or "")
         return design(target.rings, ids, options)
-    from raybundle.targets.kinds.tags import Tags  # noqa: PLC0415  (loads OpenCV)
-    from raybundle.targets.layout_boards import design_board, design_dots, design_tags  # noqa: PLC0415
+    from raybundle.targets.kinds.tags import Tags
+    from raybundle.targets.layout_boards import design_board, design_dots, design_tags
 
     if spacing is None:
         raise InputError("sheet.spacing_missing", family=target.family)
@@ -190,9 +190,9 @@ def designed_sheet(
 
 def read_ids(text: str) -> Index:
     """Numbers and ranges, as 1,4,7-12; raises InputError."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.reading.words import quoted, whole_of  # noqa: PLC0415  (NumPy is loaded with it)
+    from raybundle.io.reading.words import quoted, whole_of
 
     ids: list[int] = []
     for word in text.split(","):

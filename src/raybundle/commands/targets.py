@@ -109,7 +109,7 @@ def detect_all(
             return Text.of(error.message) if error.message is not None else error.text()
         found = detect(image, target, options)
         if pictures is not None:
-            from raybundle.targets.overlay import as_png, overlay  # noqa: PLC0415
+            from raybundle.targets.overlay import as_png, overlay
 
             with new_files(pictures / f"{photo.path.stem}.png") as (file,):
                 file.write_bytes(as_png(overlay(image, found)))

@@ -52,18 +52,18 @@ def run_worker(
     if bool(settings.cluster) == bool(settings.shard):
         raise InputError("worker.cluster_or_shard")
     if settings.cluster:
-        from raybundle.pipeline.choosing import on_dask  # noqa: PLC0415  (what computes is loaded after the help)
+        from raybundle.pipeline.choosing import on_dask
 
         if project is not None:
             raise InputError("worker.project_of_cluster", project=project)
         on_dask("dask_machines").work(settings.cluster, settings.jobs, notify)
         return None
-    from raybundle.pipeline.shards import do_shard  # noqa: PLC0415
+    from raybundle.pipeline.shards import do_shard
 
     if project is None:
         raise InputError("worker.project_missing")
     if "://" in project:
-        from raybundle.pipeline.confirmed_stores import confirm_store  # noqa: PLC0415
+        from raybundle.pipeline.confirmed_stores import confirm_store
 
         confirm_store(project)
     number, of = _share(settings.shard)
@@ -76,15 +76,15 @@ def store_of(project: Path, given: str, apart: Sequence[Path]) -> str:
     apart   what the run reads
     raises  InputError where they cannot lie there
     """
-    from raybundle.pipeline.project import HERE, store_given  # noqa: PLC0415
-    from raybundle.pipeline.store import whole_url  # noqa: PLC0415
+    from raybundle.pipeline.project import HERE, store_given
+    from raybundle.pipeline.store import whole_url
 
     remembered = "" if given else store_given(project)
     url = given or remembered
     if url not in {"", HERE}:
-        from raybundle.pipeline.confirmed_stores import check_confirmed  # noqa: PLC0415
-        from raybundle.pipeline.objects import refused_url  # noqa: PLC0415
-        from raybundle.pipeline.stores import check_store  # noqa: PLC0415
+        from raybundle.pipeline.confirmed_stores import check_confirmed
+        from raybundle.pipeline.objects import refused_url
+        from raybundle.pipeline.stores import check_store
 
         if remembered and "://" in url and not refused_url(url):  # what is no store is refused below
             check_confirmed(url, project / "project.toml")
@@ -105,7 +105,7 @@ def _share(text: str) -> tuple[int, int]:
     if first.isdecimal() and last.isdecimal() and len(first) <= len(last) < DIGITS and int(first) < int(last):
         return int(first), int(last)
     if last.isdecimal() and len(last) >= DIGITS:
-        from raybundle.io.reading.words import quoted  # noqa: PLC0415  (loads NumPy, which the help does without)
+        from raybundle.io.reading.words import quoted
 
         raise InputError("worker.too_many_shards", share=quoted(text), most=10 ** (DIGITS - 1) - 1)
     raise InputError("worker.shard_form", share=text)
@@ -113,6 +113,6 @@ def _share(text: str) -> tuple[int, int]:
 
 def run_scheduler(settings: SchedulerSettings, folder: Path, notify: Callable[[str], None]) -> None:
     """Be the scheduler of a cluster until interrupted; its folder gets certificates where it has none."""
-    from raybundle.pipeline.choosing import on_dask  # noqa: PLC0415
+    from raybundle.pipeline.choosing import on_dask
 
     on_dask("dask_machines").schedule(folder, settings.host, settings.port, notify)

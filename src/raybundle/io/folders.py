@@ -256,7 +256,7 @@ def clear_left(folder: Path) -> None:
 def lock_of(folder: Path) -> int | None:
     """A file descriptor that locks a folder; None where another process holds it, or the system has no such lock."""
     try:
-        import fcntl  # noqa: PLC0415  (not on Windows)
+        import fcntl
     except ImportError:
         return None
     try:

@@ -24,7 +24,7 @@ def read_mesh(path: Path, unit: float = 1.0) -> Surface:
     raises  InputError where the file is no mesh, is damaged, or holds no triangles
     """
     logging.getLogger("trimesh").setLevel(logging.CRITICAL)
-    import trimesh  # noqa: PLC0415  (0.2 s, for who reads meshes)
+    import trimesh
 
     check_regular(path)
     try:

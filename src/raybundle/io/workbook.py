@@ -31,7 +31,7 @@ def write_workbook(path: Path, tables: Iterable[tuple[str, Path]], title: str = 
     like a formula.
     raises  InputError for a table that is longer than a sheet, or no table at all
     """
-    from openpyxl import Workbook  # noqa: PLC0415  (a fifth of a second to load)
+    from openpyxl import Workbook
 
     book = Workbook(write_only=True)
     if title:
@@ -64,9 +64,9 @@ def has_rows(file: Path) -> bool:
 
 
 def _sheet(book: Workbook, name: str, file: Path) -> None:
-    from openpyxl.cell import WriteOnlyCell  # noqa: PLC0415
-    from openpyxl.styles import Font  # noqa: PLC0415
-    from openpyxl.utils import get_column_letter  # noqa: PLC0415
+    from openpyxl.cell import WriteOnlyCell
+    from openpyxl.styles import Font
+    from openpyxl.utils import get_column_letter
 
     sheet: Any = book.create_sheet(name)
     rows = rows_of(file)
@@ -95,8 +95,8 @@ def _sheet(book: Workbook, name: str, file: Path) -> None:
 
 
 def _cell(sheet: Any, text: str, named: bool) -> Any:  # noqa: FBT001  (a column's property)
-    from openpyxl.cell import WriteOnlyCell  # noqa: PLC0415
-    from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE  # noqa: PLC0415
+    from openpyxl.cell import WriteOnlyCell
+    from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
 
     if not text:
         return None

@@ -59,7 +59,7 @@ class Disk(FeatureMethod):
 
 @cache
 def _network() -> Any:
-    from kornia.feature import DISK  # noqa: PLC0415  # pyright: ignore[reportMissingImports]
+    from kornia.feature import DISK  # pyright: ignore[reportMissingImports]
 
     network = DISK()
     network.load_state_dict(_weights("disk-depth-save.pth")["extractor"])

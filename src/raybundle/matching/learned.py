@@ -20,7 +20,7 @@ RADIUS = 4.0
 
 def load_torch() -> Any:
     """Torch, one thread for each of ours: they work on different images, and sums do not depend on their number."""
-    import torch  # noqa: PLC0415  # pyright: ignore[reportMissingImports]
+    import torch  # pyright: ignore[reportMissingImports]
 
     torch.set_num_threads(1)
     return torch
@@ -32,7 +32,7 @@ def reduced(grey: Array, longest_px: int, multiple: int) -> tuple[Array, Array]:
     Networks have seen photographs of this size, and recognise the surroundings of a point of some ten pixels: reduced
     images show more of them, and the precision comes from least-squares matching afterwards.
     """
-    import cv2  # noqa: PLC0415
+    import cv2
 
     h, w = grey.shape
     factor = min(1.0, longest_px / max(h, w))
@@ -72,7 +72,7 @@ def from_bytes(descriptors: Array) -> Array:
 
 def light_glue(settings: Mapping[str, object], weights: Mapping[str, Any]) -> Any:
     """LightGlue (Lindenberger et al. 2023) with given weights, ready to match."""
-    from kornia.feature.lightglue import LightGlue  # noqa: PLC0415  # pyright: ignore[reportMissingImports]
+    from kornia.feature.lightglue import LightGlue  # pyright: ignore[reportMissingImports]
 
     net = LightGlue(None, **settings)
     state = dict(weights)

@@ -90,7 +90,7 @@ def sequence_pairs(place: Index) -> Index:
 
 def nearby_pairs(positions: Array, count: int) -> Index:
     """(m, 2) each image and its nearest in plan; positions (n, 3) in metres, NaN where not known."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     known = np.flatnonzero(np.isfinite(positions[:, :2]).all(axis=1))
     if len(known) < 2:
@@ -138,7 +138,7 @@ def common_pairs(links: Index, matched: Index, count: int) -> tuple[Index, Index
     matched  (m, 2) pairs
     The neighbours of a neighbour see the same surroundings; memory and time grow with the sum of squared degrees.
     """
-    from scipy.sparse import coo_array, triu  # noqa: PLC0415
+    from scipy.sparse import coo_array, triu
 
     i, j = links.T
     a = coo_array((np.ones(2 * len(links), np.int32), (np.r_[i, j], np.r_[j, i])), shape=(count, count)).tocsr()
@@ -150,8 +150,8 @@ def common_pairs(links: Index, matched: Index, count: int) -> tuple[Index, Index
 
 def parts_of(links: Index, count: int) -> Index:
     """(n,) number of the part that each image belongs to; links (m, 2) join two images."""
-    from scipy.sparse import coo_array  # noqa: PLC0415
-    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
 
     graph = coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(count, count))
     return connected_components(graph, directed=False)[1].astype(np.int64)

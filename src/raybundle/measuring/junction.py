@@ -99,7 +99,7 @@ def fit_junction(grey: Array, start: Array, half: int, model: Model) -> Junction
 
 def _profile(angle: float, p: Array, x: Array, y: Array, model: Model) -> Array:
     """What an edge (a bar) makes of places: -1 .. 1 (0 .. 1)."""
-    from scipy.special import erf  # noqa: PLC0415
+    from scipy.special import erf
 
     d, s = (x - p[0]) * np.cos(angle) + (y - p[1]) * np.sin(angle), p[4] * np.sqrt(2)
     return erf(d / s) if model == "corner" else (erf((d + p[5]) / s) - erf((d - p[5]) / s)) / 2
@@ -128,7 +128,7 @@ def _distances(p: Array, x: Array, y: Array) -> tuple[Array, Array]:
 
 def _signs(p: Array, x: Array, y: Array) -> Array:
     """The blurred product of the signs of two edges."""
-    from scipy.special import owens_t  # noqa: PLC0415
+    from scipy.special import owens_t
 
     a, b = (np.where(np.abs(d) < TINY, TINY, d) for d in _distances(p, x, y))
     r = np.cos(p[3] - p[2])
@@ -139,7 +139,7 @@ def _signs(p: Array, x: Array, y: Array) -> Array:
 
 def _signs_by(p: Array, x: Array, y: Array) -> tuple[Array, Array, Array]:
     """Its derivatives: by the first edge's erf, by the second's, and by the direction of the second less the first."""
-    from scipy.special import erf  # noqa: PLC0415
+    from scipy.special import erf
 
     a, b = _distances(p, x, y)
     r, turn = np.cos(p[3] - p[2]), np.sin(p[3] - p[2])

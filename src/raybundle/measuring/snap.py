@@ -203,7 +203,7 @@ def _dot(part: Array, at: Array, reach: float) -> Point | None:
     if k is not None:
         return dots.xy_px[k], dots.covariance[k], 1 - float(dots.residual[k]) / RESIDUAL_DOT
     # small ones within rings, which blur brings close: their ground is free of anything else for half a radius at most
-    from raybundle.targets.blobs import find_blobs  # noqa: PLC0415  (loads OpenCV)
+    from raybundle.targets.blobs import find_blobs
 
     eight, _ = eight_bits(part)
     blobs = find_blobs(eight, max(CONTRAST, 0.1 * float(np.subtract(*np.percentile(eight, [99.5, 0.5])))))
@@ -281,7 +281,7 @@ def _nearest_meeting(grey: Array, click: Array, reach: float) -> Array | None:
 
 def _patch(grey: Array, click: Array, reference: Reference, reach: float) -> Point | Text:
     """The place that looks like that of another picture: by correlation first, then by least-squares matching."""
-    import cv2  # noqa: PLC0415
+    import cv2
 
     _check(reference.grey, reference.x_px, reference.y_px, "patch", reach)
     own = np.array([reference.x_px, reference.y_px])

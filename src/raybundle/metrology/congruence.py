@@ -171,13 +171,13 @@ def probability_to_find(shift: float, count: int, significance: float = SIGNIFIC
 
     Limits: the part of a shift that the datum of few points takes up.
     """
-    from scipy.special import chndtr  # noqa: PLC0415
+    from scipy.special import chndtr
 
     return 1 - float(chndtr(_chi_square(significance / count, dof), dof, shift**2))
 
 
 def _chi_square(tail: float, dof: int) -> float:
-    from scipy.special import chdtri  # noqa: PLC0415
+    from scipy.special import chdtri
 
     return float(chdtri(dof, tail))
 
@@ -310,7 +310,7 @@ class _Model:
 
     def detectable(self, moved: Mask, alpha: float) -> Array:
         """(n,) smallest displacement of the last epoch that is found [m], in the direction known worst."""
-        from scipy.special import chdtri, chndtrinc  # noqa: PLC0415
+        from scipy.special import chdtri, chndtrinc
 
         dof = 3 * self.later
         shift2 = float(chndtrinc(float(chdtri(dof, alpha)), dof, 1 - POWER))

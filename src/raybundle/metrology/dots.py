@@ -84,7 +84,7 @@ class Dots:
 
 def _pairs(here: Array, there: Array) -> list[tuple[int, int]]:
     """Dots that are each other's nearest, nearer than half of the way to the next dot of either measurement."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     if not len(here) or not len(there):
         return []
@@ -98,7 +98,7 @@ def _pairs(here: Array, there: Array) -> list[tuple[int, int]]:
 
 def _spacing(xyz: Array) -> Array:
     """(n,) distance of each point to the nearest other; infinite for a single one."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     return KDTree(xyz).query(xyz, k=2)[0][:, 1] if len(xyz) > 1 else np.full(len(xyz), np.inf)
 

@@ -225,6 +225,6 @@ def _scale(error: Array, length: Array, D: Array, U: Array) -> tuple[float, floa
 
 
 def _tail(ratio: float, freedom: float) -> float:
-    from scipy.special import ndtr, stdtr  # noqa: PLC0415
+    from scipy.special import ndtr, stdtr
 
     return float(2 * (ndtr(-abs(ratio)) if np.isinf(freedom) else stdtr(freedom, -abs(ratio))))

@@ -147,7 +147,7 @@ def _other_scale(source: Array, target: Array, fits: Mask, scale_sigma: float, f
 
 
 def _normal(tail: float) -> float:
-    from scipy.special import ndtri  # noqa: PLC0415
+    from scipy.special import ndtri
 
     return float(ndtri(1 - tail / 2))
 
@@ -267,21 +267,21 @@ def _tests(source: Array, target: Array, fits: Mask, scale: float | None, floor:
 
 
 def _directions(xyz: Array, about: Mask, scale: float | None) -> Array:
-    from raybundle.metrology.point_set import datum_directions  # noqa: PLC0415
+    from raybundle.metrology.point_set import datum_directions
 
     return datum_directions(xyz, scale=scale is None, about=about)
 
 
 def _of_trimming(share: float) -> float:
     """By how much the mean square of the smallest share of residuals of three coordinates is too small."""
-    from scipy.special import chdtr, chdtri  # noqa: PLC0415
+    from scipy.special import chdtr, chdtri
 
     return share / float(chdtr(5, chdtri(3, 1 - share)))
 
 
 def _critical(dof: float, n: int) -> float:
     """Square of a distance, in variances of a coordinate, that none of n right points exceeds."""
-    from scipy.special import chdtri, fdtri  # noqa: PLC0415
+    from scipy.special import chdtri, fdtri
 
     tail = LEVEL / n
     return float(chdtri(3, tail) if np.isinf(dof) or dof <= 0 else 3 * fdtri(3, dof, 1 - tail))

@@ -148,7 +148,7 @@ def check_flight(mission: Mission, flown: Flown, ground: Ground, limits: Limits 
 
 def _matched(mission: Mission, planned: Exposures, flown: Flown) -> Array:
     """Rows of planned photographs (n,): pairs taken nearest first, each at most once."""
-    from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
+    from scipy.spatial import KDTree
 
     match = np.full(len(flown.names), -1)
     rows = np.flatnonzero(np.isfinite(flown.xyz[:, :2]).all(axis=1))
@@ -273,9 +273,9 @@ def _gaps(mission: Mission, where: Places, seen: Array, wanted: Array) -> tuple[
     An area that a single photograph adds to the plan, base by spacing, is no reason to fly again while `LEAST`
     photographs show all of it.
     """
-    from scipy.sparse import coo_array  # noqa: PLC0415
-    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import KDTree
 
     rows = np.flatnonzero(seen < wanted)
     if not len(rows):

@@ -143,7 +143,7 @@ def beside(mission: Mission, e: Exposures, ground: Ground) -> tuple[Array, Array
     Lines of one group run the same way at one tilt, to and fro.  Those at the ends of lines, to which the next line
     has nobody beside, are left out: nearer than half a base along.
     """
-    from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
+    from scipy.spatial import KDTree
 
     first: list[int] = []
     second: list[int] = []

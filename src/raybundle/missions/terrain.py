@@ -126,7 +126,7 @@ def _corners(s: Array, z: Array, fixed: Array, tolerance: float) -> Array:
 
 def below_photographs(xyz: Array, above: float) -> Ground:
     """Ground as planned photographs (n, 3) let expect it: so far below each; the nearest one counts."""
-    from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
+    from scipy.spatial import KDTree
 
     tree = KDTree(xyz[:, :2])
     return lambda xy: xyz[tree.query(np.nan_to_num(xy))[1], 2] - above

@@ -44,7 +44,7 @@ def coverage(camera: MissionCamera, photographs: Exposures, where: Places, norma
 
     normals  (n, 3) directions in which places face; one counts only from within `FACING` of it.  None: from anywhere
     """
-    from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy is loaded only where it is used)
+    from scipy.spatial import KDTree
 
     xyz = where.xyz
     count, gsd = np.zeros(len(xyz), int), np.full(len(xyz), np.inf)

@@ -11,7 +11,7 @@ CGROUP = Path("/sys/fs/cgroup")
 
 def available_memory() -> float:
     """Bytes that a process can take without others being paged out, and within what its container may take."""
-    import psutil  # noqa: PLC0415  (loaded where it is asked for)
+    import psutil
 
     found = float(psutil.virtual_memory().available)
     with suppress(OSError, ValueError):  # no Linux, no limit ("max"), or an older kind of container

@@ -21,7 +21,7 @@ def _symbolic(value: Scalar) -> bool:
 def sin(x: Scalar) -> Scalar:
     """Sine."""
     if _symbolic(x):
-        import sympy  # noqa: PLC0415
+        import sympy
 
         return sympy.sin(x)
     return np.sin(x)
@@ -30,7 +30,7 @@ def sin(x: Scalar) -> Scalar:
 def cos(x: Scalar) -> Scalar:
     """Cosine."""
     if _symbolic(x):
-        import sympy  # noqa: PLC0415
+        import sympy
 
         return sympy.cos(x)
     return np.cos(x)
@@ -39,7 +39,7 @@ def cos(x: Scalar) -> Scalar:
 def sqrt(x: Scalar) -> Scalar:
     """Square root."""
     if _symbolic(x):
-        import sympy  # noqa: PLC0415
+        import sympy
 
         return sympy.sqrt(x)
     return np.sqrt(x)
@@ -48,7 +48,7 @@ def sqrt(x: Scalar) -> Scalar:
 def angle_ratio(r2: Scalar, w: Scalar) -> Scalar:
     """atan2(r, w) / r as a function of r**2 and w: smooth at r = 0 for w > 0."""
     if _symbolic(r2):
-        from raybundle.numerics.angle_ratio import AngleRatio  # noqa: PLC0415
+        from raybundle.numerics.angle_ratio import AngleRatio
 
         return AngleRatio(r2, w)
     return AngleRatio_numpy(r2, w)

@@ -18,7 +18,7 @@ def module() -> ModuleType | None:
     RAYBUNDLE_NATIVE=avx2 or =baseline leaves wider instruction sets unused; raises InputError for a value of it that is
     none of CHOICES.
     """
-    import os  # noqa: PLC0415
+    import os
 
     chosen = os.environ.get("RAYBUNDLE_NATIVE", "")
     if chosen not in CHOICES:
@@ -26,7 +26,7 @@ def module() -> ModuleType | None:
     if chosen == "0":
         return None
     try:
-        from raybundle import _native  # noqa: PLC0415  # pyright: ignore[reportAttributeAccessIssue]
+        from raybundle import _native  # pyright: ignore[reportAttributeAccessIssue]
     except ImportError:
         return None
     return _native

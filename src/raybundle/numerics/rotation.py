@@ -68,7 +68,7 @@ def rotation_from_vector(vector: Array) -> Array:
 
 def vector_from_rotation(rotation: Array) -> Array:
     """Rotation vectors (..., 3) [rad] of rotation matrices (..., 3, 3), length in [0, pi]."""
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  (SciPy is loaded only where it is used)
+    from scipy.spatial.transform import Rotation
 
     R = np.asarray(rotation, dtype=float)
     return Rotation.from_matrix(R.reshape(-1, 3, 3)).as_rotvec().reshape(R.shape[:-1])

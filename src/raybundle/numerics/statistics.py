@@ -27,7 +27,7 @@ def noncentrality(alpha: float, power: float) -> tuple[float, float]:
 
     The chance to exceed the limit on the far side is neglected, as in Baarda's tables.
     """
-    from scipy.special import ndtri  # noqa: PLC0415
+    from scipy.special import ndtri
 
     k = -float(ndtri(alpha / 2))
     return k, k + float(ndtri(power))
@@ -35,14 +35,14 @@ def noncentrality(alpha: float, power: float) -> tuple[float, float]:
 
 def family_wise_normal(significance: float, count: int) -> float:
     """Critical |w| such that among `count` tests one false alarm has at most this probability (Bonferroni)."""
-    from scipy.special import ndtri  # noqa: PLC0415
+    from scipy.special import ndtri
 
     return -float(ndtri(significance / (2 * max(count, 1))))
 
 
 def family_wise_t(significance: float, count: int, redundancy: float) -> float:
     """The same for |value| / std, sigma0 from an adjustment of that redundancy (Student); below 1: infinite."""
-    from scipy.special import stdtrit  # noqa: PLC0415
+    from scipy.special import stdtrit
 
     if redundancy < 1:
         return float("inf")
@@ -51,7 +51,7 @@ def family_wise_t(significance: float, count: int, redundancy: float) -> float:
 
 def family_wise_tau(significance: float, count: int, redundancy: int) -> float:
     """The same for tau = v / (sigma0 s sqrt r), sigma0 from the same adjustment (Pope 1976)."""
-    from scipy.special import stdtrit  # noqa: PLC0415
+    from scipy.special import stdtrit
 
     if redundancy < 2:
         return float("nan")
@@ -61,7 +61,7 @@ def family_wise_tau(significance: float, count: int, redundancy: int) -> float:
 
 def global_test(square_sum: float, redundancy: int, significance: float = 0.05) -> tuple[float, float, float]:
     """Lower limit, weighted square sum, upper limit of the two-sided chi-square test of sigma0 = 1."""
-    from scipy.special import gammainccinv, gammaincinv  # noqa: PLC0415
+    from scipy.special import gammainccinv, gammaincinv
 
     if redundancy < 1:
         return float("nan"), square_sum, float("nan")
@@ -71,14 +71,14 @@ def global_test(square_sum: float, redundancy: int, significance: float = 0.05) 
 
 def chi_square_tails(value: float, freedom: float) -> tuple[float, float]:
     """Probabilities of a smaller and of a larger chi-square value."""
-    from scipy.special import gammainc, gammaincc  # noqa: PLC0415
+    from scipy.special import gammainc, gammaincc
 
     return float(gammainc(freedom / 2, value / 2)), float(gammaincc(freedom / 2, value / 2))
 
 
 def fisher_tail(value: float, first: int, second: float) -> float:
     """Probability of a larger F value with so many degrees of freedom; the second infinite: chi-square / first."""
-    from scipy.special import chdtrc, fdtrc  # noqa: PLC0415
+    from scipy.special import chdtrc, fdtrc
 
     return float(chdtrc(first, value * first) if np.isinf(second) else fdtrc(first, second, value))
 

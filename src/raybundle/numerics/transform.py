@@ -155,8 +155,8 @@ def robust_similarity(
     All triples where there are few points, else 500 drawn by a fixed seed (RANSAC, Fischler and Bolles 1981).
     """
     n = len(source)
-    from itertools import combinations  # noqa: PLC0415
-    from math import comb  # noqa: PLC0415
+    from itertools import combinations
+    from math import comb
 
     if comb(n, 3) <= 500:
         triples = [np.array(t) for t in combinations(range(n), 3)]

@@ -112,7 +112,7 @@ class HeightGrid:
 
         wanted  (rows, columns) the cells that matter, as those of an area; None: all
         """
-        from scipy.ndimage import label  # noqa: PLC0415  (SciPy is loaded only where it is used)
+        from scipy.ndimage import label
 
         missing = ~np.isfinite(self.heights) & (True if wanted is None else wanted)
         found_labels: Any = label(missing, np.ones((3, 3)))

@@ -29,7 +29,7 @@ def ring_of(line: Array, what: str) -> Array:
 
 def ring_triangles(ring: Array) -> Index:
     """(m, 3) triangles of what a sound outline (k, 2) encloses, counterclockwise (Held 2001: ear clipping)."""
-    from mapbox_earcut import triangulate_float64  # noqa: PLC0415
+    from mapbox_earcut import triangulate_float64
 
     rows = triangulate_float64(np.ascontiguousarray(ring), np.array([len(ring)], np.uint32)).reshape(-1, 3)
     triangles = rows.astype(np.int64)

@@ -27,8 +27,8 @@ class Sight:
     def __init__(self, surface: Surface, *, embree: bool | None = None) -> None:
         """Build the tree; embree states by what rays are cast, None: by Embree where it is installed."""
         logging.getLogger("trimesh").setLevel(logging.ERROR)
-        import trimesh  # noqa: PLC0415  (0.2 s, for who casts rays)
-        from trimesh import ray  # noqa: PLC0415
+        import trimesh
+        from trimesh import ray
 
         self.middle = (surface.bounds[0] + surface.bounds[1]) / 2
         self.off = max(OFF * float((surface.bounds[1] - surface.bounds[0]).max()), surface.thickness)

@@ -36,7 +36,7 @@ def resect_bearings(direction: Array, xyz: Array, limit: float) -> tuple[Array, 
     limit  largest angle of an inlier [rad]
     P3P (Persson and Nordberg 2018) within LO-RANSAC (Chum, Matas and Kittler 2003).
     """
-    import poselib  # noqa: PLC0415
+    import poselib
 
     counted = _counted(len(xyz))
     d, X = direction[counted], xyz[counted]
@@ -67,7 +67,7 @@ def relative_bearings(first: Array, second: Array, limit: float, *, keep: int = 
     first, second  (n, 3) rays of common points; limit  largest angle of an inlier [rad]
     Five points (Nistér 2004) within LO-RANSAC; up to `keep` different solutions stay, since a plane leaves two.
     """
-    import poselib  # noqa: PLC0415
+    import poselib
 
     n = len(first)
     counted = _counted(n)

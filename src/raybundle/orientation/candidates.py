@@ -50,7 +50,7 @@ def resect_all(direction: Array, xyz: Array, *, keep: float = 4.0) -> list[Pose]
     P3P (Persson and Nordberg 2018) over triples, each solution refined over all points; four coplanar points
     leave two, which in unlucky views differ little.  Poses with up to `keep` times the smallest rms stay.
     """
-    import poselib  # noqa: PLC0415
+    import poselib
 
     n = len(xyz)
     rng = np.random.default_rng(0)
@@ -119,7 +119,7 @@ def _pose_angles(R: Array, C: Array, xyz: Array, direction: Array) -> Array:
 
 
 def _resect_plane(direction: Array, xyz: Array, limit: float) -> tuple[Array, Array] | None:
-    import poselib  # noqa: PLC0415
+    import poselib
 
     options = {"max_reproj_error": limit, "min_iterations": 50, "max_iterations": 2000, "seed": 1}
     result, info = poselib.estimate_absolute_pose(
@@ -158,7 +158,7 @@ def relative_all(first: Array, second: Array, limit: float) -> list[Pose]:
 
 
 def _relative_plane(first: Array, second: Array, limit: float) -> list[tuple[Array, Array]]:
-    import poselib  # noqa: PLC0415
+    import poselib
 
     a, b = (np.ascontiguousarray(plane_points(d)) for d in (first, second))
     options = {
@@ -195,7 +195,7 @@ def evaluate_pair(R: Array, C: Array, first: Array, second: Array, limit: float)
 
 def _from_homography(H: Array) -> list[tuple[Array, Array]]:
     """Rotations and centres of the second image from x2 ~ H x1 on normalised planes."""
-    import poselib  # noqa: PLC0415
+    import poselib
 
     found: list[tuple[Array, Array]] = []
     solutions = poselib.motion_from_homography(H)

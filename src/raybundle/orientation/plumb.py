@@ -95,7 +95,7 @@ def plumb_vertical(normals: Array, sigma: Array, image: Array, prior: Array, pri
 
 def _largest_bundle(across: Array, offset: Array, cone: float, views: int) -> tuple[Array | None, float]:
     """Where most lines (n, 2), (n,) of a plane meet, and the number of false alarms of that bundle."""
-    from scipy.special import bdtrc  # noqa: PLC0415
+    from scipy.special import bdtrc
 
     n = len(offset)
     rng = np.random.default_rng(1)

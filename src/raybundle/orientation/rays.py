@@ -59,7 +59,7 @@ def _rays(camera: Camera, xy_px: Array) -> Array:
 
 def _nearest_direction(model: SensorModel, image: Array, values: Array, count: int = 4000) -> Array:
     """Of directions spread evenly over the sphere those (3, n) whose image by `model.start` is nearest."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     k = np.arange(count) + 0.5
     z, turn = 1 - 2 * k / count, np.pi * (1 + np.sqrt(5)) * k
@@ -138,7 +138,7 @@ def refine_pose(
     Residual: the direction to the point in the tangent plane of the measured ray, equal weights; with `scale` > 0
     residuals beyond it [rad] are weighted down (Huber).
     """
-    from raybundle.numerics.rotation import rotation_from_vector  # noqa: PLC0415
+    from raybundle.numerics.rotation import rotation_from_vector
 
     R, C = rotation.copy(), centre.copy()
     helper = np.where(np.abs(direction[:, :1]) < 0.9, [[1.0, 0, 0]], [[0, 1.0, 0]])
@@ -171,7 +171,7 @@ def refine_pose(
 
 def common_counts(image: Index, point: Index, chosen: Mask, points: int) -> Index:
     """(k, 3) pairs a < b of the chosen images (n,) and their common points, most first, by observations (m,)."""
-    from scipy.sparse import coo_matrix  # noqa: PLC0415
+    from scipy.sparse import coo_matrix
 
     rows = chosen[image]
     ones = np.ones(int(rows.sum()), np.int32)

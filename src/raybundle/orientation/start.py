@@ -192,7 +192,7 @@ def _median_angle(growth: Growth, ra: Array, rb: Array, pose: Pose) -> float:
 
 def _third_image(growth: Growth, option: tuple[float, int, int, Pose]) -> float:
     """Points that the best third image confirms under this start."""
-    from raybundle.orientation.candidates import resect_robust  # noqa: PLC0415
+    from raybundle.orientation.candidates import resect_robust
 
     waiting = np.flatnonzero(growth.waiting())
     if not len(waiting):

@@ -33,7 +33,7 @@ def link_unnamed(
     Limits: rows of equal dots on a plane that all cameras look along can be confused; the adjustment's
     tests have the last word.
     """
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     n = len(dots)
     oriented = block.images.oriented

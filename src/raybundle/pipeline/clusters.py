@@ -131,7 +131,7 @@ def write_scheduler(folder: Path, address: str) -> None:
 
 def check_certificates(folder: Path) -> None:
     """Raise InputError for certificates that are none, or whose time is over."""
-    from cryptography.x509 import load_pem_x509_certificate  # noqa: PLC0415  (an extra)
+    from cryptography.x509 import load_pem_x509_certificate
 
     for name in CERTIFICATES[:2]:
         try:

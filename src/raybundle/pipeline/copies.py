@@ -196,7 +196,7 @@ def _entries(folder: Path | str) -> list[os.DirEntry[str]]:
 def _alone(file: Path) -> Generator[None]:
     """One process at a time, where the system has such locks."""
     try:
-        import fcntl  # noqa: PLC0415  (not on Windows)
+        import fcntl
     except ImportError:
         yield
         return

@@ -350,7 +350,7 @@ def _check_length(fs: Any, path: str, size: int) -> None:
 def _opened(url: str) -> tuple[Any, str]:
     """File system and path of a URL; raises InputError."""
     try:
-        import fsspec.core  # noqa: PLC0415  (an extra)
+        import fsspec.core
     except ImportError:
         raise InputError("store.package_missing", package="fsspec") from None
     if urlsplit(url).password:

@@ -413,7 +413,7 @@ def _sweep(folder: Path, *, locked: bool) -> None:
 def _locked(folder: Path) -> int | None:
     """A file descriptor that locks the folder; None where the system has no such lock."""
     try:
-        import fcntl  # noqa: PLC0415  (not on Windows)
+        import fcntl
     except ImportError:
         return None
     number = os.open(folder, os.O_RDONLY)
@@ -440,7 +440,7 @@ def _cpu_seconds() -> float:
 
 def _peak_memory_mb() -> float:
     try:
-        import resource  # noqa: PLC0415  (not on Windows)
+        import resource
     except ImportError:
         return 0.0
     unit = 1024**2 if sys.platform == "darwin" else 1024  # macOS counts bytes, Linux kilobytes
@@ -490,7 +490,7 @@ def products_of(folder: Path, store: str = "") -> Folder:
     """
     url = store or store_given(folder)
     if not store and url not in {"", HERE}:
-        from raybundle.pipeline.confirmed_stores import check_confirmed  # noqa: PLC0415  (few projects have one)
+        from raybundle.pipeline.confirmed_stores import check_confirmed
 
         check_confirmed(url, folder / "project.toml")
     return Folder(folder / "cache", "" if url == HERE else url)

@@ -181,7 +181,7 @@ def place_at(path: Path, url: str, cut: set[str] | None = None) -> Place:
     """Where products lie: at a URL, or in a folder where that is empty; `cut` as of `Files`."""
     if not url:
         return Files(path, set() if cut is None else cut)
-    from raybundle.pipeline.objects import objects_at  # noqa: PLC0415  (an extra)
+    from raybundle.pipeline.objects import objects_at
 
     return objects_at(url)
 

@@ -476,7 +476,7 @@ def _robust_plan(source: Array, target: Array) -> tuple[float, Array, Array]:
 
 def _subsets(n: int, least: int) -> list[tuple[int, ...]]:
     """All subsets of a small set, some by chance (fixed seed) of a large one."""
-    from math import comb  # noqa: PLC0415
+    from math import comb
 
     if comb(n, least) <= TRIALS:
         return list(combinations(range(n), least))

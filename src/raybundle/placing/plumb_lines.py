@@ -66,7 +66,7 @@ def vertical_by_edges(block: Block, photos: Sequence[Photo], prior: Array, prior
 
 def _edges(photo: Photo) -> Array:
     """Ends (n, 2, 2) of straight edges [px of the photograph as stored]; none where it cannot be read."""
-    import cv2  # noqa: PLC0415
+    import cv2
 
     try:
         grey = read_grey(photo)

@@ -122,7 +122,7 @@ def size_of_copies(block: Block, points: Index, mark_px: float) -> Size | None:
 
 def _least(cost: Callable[[float], float], ends: tuple[float, float]) -> float:
     """Where a function is least between two ends."""
-    from scipy.optimize import minimize_scalar  # noqa: PLC0415
+    from scipy.optimize import minimize_scalar
 
     found: Any = minimize_scalar(cost, bounds=ends, method="bounded", options={"xatol": 0.1})
     return float(found.x)

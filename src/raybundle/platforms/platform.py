@@ -80,7 +80,7 @@ class Platform:
                 return import_module(f"raybundle.platforms.generated.{self.name}").point_and_jacobian
             except ModuleNotFoundError:
                 pass
-        from raybundle.numerics.derive import derive_point  # noqa: PLC0415  (SymPy only for a user's own)
+        from raybundle.numerics.derive import derive_point
 
         return derive_point(type(self).point, self.symbols)
 

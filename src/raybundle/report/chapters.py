@@ -87,7 +87,7 @@ def section(name: str, *, after: str, part: PartName = "specialist") -> Callable
 
 def chapters() -> tuple[Chapter, ...]:
     """All chapters as they are read: each behind the one that it follows, of several there the shortest train first."""
-    from raybundle.report import sections  # noqa: PLC0415  (its files register themselves here)
+    from raybundle.report import sections
 
     for module in iter_modules(sections.__path__):
         import_module(f"{sections.__name__}.{module.name}")

@@ -96,7 +96,7 @@ def delivery_of(
     """
     axes: Axes = ObjectAxes()
     if frame is not None:
-        from raybundle.report.map_axes import MapAxes  # noqa: PLC0415  (pyproj only where it is used)
+        from raybundle.report.map_axes import MapAxes
 
         axes = MapAxes(frame=frame)
     flight = None

@@ -76,7 +76,7 @@ def write_moved_report(
     with new_files(*paths) as files:
         for path, file in zip(paths, files, strict=True):
             if path.suffix.lower() == PDF:
-                from raybundle.report.paper.press import pdf_of  # noqa: PLC0415  (typst only where it is used)
+                from raybundle.report.paper.press import pdf_of
 
                 file.write_bytes(pdf_of(document))
             else:

@@ -58,7 +58,7 @@ class PhotographList:
 def list_pdf(listed: PhotographList) -> bytes:
     """The PDF; the same list gives the same bytes."""
     try:
-        from reportlab.pdfgen.canvas import Canvas  # noqa: PLC0415  (only for printing)
+        from reportlab.pdfgen.canvas import Canvas
     except ImportError as error:
         raise InputError("package.reportlab_missing") from error
     buffer = io.BytesIO()
@@ -141,7 +141,7 @@ class _Paper:
             self.canvas.drawString(left, self.y, line)
 
     def _lines(self, text: str, size: float, width: float, font: str = "Helvetica") -> list[str]:
-        from reportlab.lib.utils import simpleSplit  # noqa: PLC0415
+        from reportlab.lib.utils import simpleSplit
 
         return list(simpleSplit(text, font, size, width))
 
@@ -210,7 +210,7 @@ VIEWS = ((0, 1, "above"), (0, 2, "front"))
 
 def sketches(listed: PhotographList, top: float) -> tuple[Sketch, ...]:
     """From above and from the front, side by side below `top`."""
-    from reportlab.pdfbase.pdfmetrics import stringWidth  # noqa: PLC0415
+    from reportlab.pdfbase.pdfmetrics import stringWidth
 
     centre, at = (np.array([getattr(p, n) for p in listed.photographs], float) for n in ("centre", "at"))
     every = np.concatenate([listed.edges.reshape(-1, 3), centre])

@@ -29,7 +29,7 @@ def plot_network(result: Adjustment, *, figure: Figure | SubFigure | None = None
     be seen.
     """
     _check()
-    from raybundle.report.plots.network import draw  # noqa: PLC0415
+    from raybundle.report.plots.network import draw
 
     return draw(with_near_viewpoints(_view(result)), figure)
 
@@ -49,7 +49,7 @@ def plot_residuals(
     curve does not prove independent residuals: their means over the format show common errors.
     """
     _check()
-    from raybundle.report.plots.residuals import draw  # noqa: PLC0415
+    from raybundle.report.plots.residuals import draw
 
     return draw(_view(result), camera, figure)
 
@@ -74,7 +74,7 @@ def plot_interior(
     (shaded) curves and bands are extrapolated, with unknown accuracy.
     """
     _check()
-    from raybundle.report.plots.interior import draw  # noqa: PLC0415
+    from raybundle.report.plots.interior import draw
 
     return draw(_view(result), camera, image, figure)
 
@@ -94,7 +94,7 @@ def plot_reliability(
     number below 0.01 have none, since practically no blunder is detected there.
     """
     _check()
-    from raybundle.report.plots.reliability import draw  # noqa: PLC0415
+    from raybundle.report.plots.reliability import draw
 
     return draw(_view(result), camera, figure)
 
@@ -111,7 +111,7 @@ def plot_control(result: Adjustment, *, figure: Figure | SubFigure | None = None
     coordinate, of control that of the residual.  Control took part: its differences are no measure of accuracy.
     """
     _check()
-    from raybundle.report.plots.control import draw  # noqa: PLC0415
+    from raybundle.report.plots.control import draw
 
     return draw(_view(result), figure)
 

@@ -66,7 +66,7 @@ def write_result(
     tables       "csv" or "parquet" (with pyarrow); "auto": CSV, Parquet for tables that no spreadsheet holds
     raises       InputError where something else stands at `path`, or reports are not written in the language
     """
-    from raybundle.report.delivery import delivery_of  # noqa: PLC0415  (what computes is loaded where it is used)
+    from raybundle.report.delivery import delivery_of
 
     checked_language(language)
     if pdf:
@@ -75,7 +75,7 @@ def write_result(
     added = {**(additions or {}), **delivery.as_mapping()}
     with written_folder(adjustment, path, added, progress, tables) as folder:
         if frame is not None:
-            from raybundle.results.map_table import (  # noqa: PLC0415  (pyproj only where it is used)
+            from raybundle.results.map_table import (
                 map_control_table,
                 map_table,
             )
@@ -85,7 +85,7 @@ def write_result(
             if any(len(c.rows) for _, c in compared):
                 write_table(folder / MAP_CONTROL, *map_control_table(adjustment, frame, compared))
         if qualities:
-            from raybundle.results.calibrated import calibration_text  # noqa: PLC0415
+            from raybundle.results.calibrated import calibration_text
 
             text = calibration_text(adjustment, qualities)
             (folder / "calibration.toml").write_text(text, encoding="utf-8", newline="\n")
@@ -95,7 +95,7 @@ def write_result(
             more(folder)
         pages = [folder / name for name, wanted in (("report.html", report == "html"), ("report.pdf", pdf)) if wanted]
         if pages:
-            from raybundle.report.writing import write_reports  # noqa: PLC0415  (Jinja2 only where it is used)
+            from raybundle.report.writing import write_reports
 
             names = [*(entry.name for entry in folder.iterdir() if not _empty(entry)), *(p.name for p in pages)]
             names += ["network.html"] * (report == "html")
@@ -106,7 +106,7 @@ def write_result(
                 language=language,
             )  # fmt: skip
         if report == "html":
-            from raybundle.report.network.page import write_network_page  # noqa: PLC0415
+            from raybundle.report.network.page import write_network_page
 
             write_network_page(adjustment, folder / "network.html", title=delivery.record.title, language=language)
 

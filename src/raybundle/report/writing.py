@@ -79,7 +79,7 @@ def set_document(document: Document, target: Path, progress: Progress = silent) 
     """A document as its file holds it: PDF where the name ends in .pdf, else HTML."""
     if target.suffix.lower() != PDF:
         return html(document).encode("utf-8")
-    from raybundle.report.paper.press import pdf_of  # noqa: PLC0415  (the typesetter only where it is used)
+    from raybundle.report.paper.press import pdf_of
 
     progress("report: printed pages", 1.0)
     return pdf_of(document)

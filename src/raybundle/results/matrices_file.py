@@ -35,7 +35,7 @@ def write_matrices(matrices: Matrices, path: str | Path) -> None:
                 unknowns=np.array(matrices.unknowns), **parts,
             )  # fmt: skip
         return
-    from scipy.io import mmwrite  # noqa: PLC0415  (needed only here)
+    from scipy.io import mmwrite
 
     if not path.parent.is_dir():
         raise InputError("folder.missing", file=path)

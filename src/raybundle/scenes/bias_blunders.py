@@ -38,7 +38,7 @@ def solve_bias(kind: BiasKind, uv: Array, difference: Array, covariance: Array) 
 
 def misfit(square_sum: float, redundancy: int) -> float:
     """Factor by which the residuals exceed the stated sigma; 1 where the global test at 1 % finds no excess."""
-    from scipy.special import gammainccinv  # noqa: PLC0415  (SciPy only where it is asked for)
+    from scipy.special import gammainccinv
 
     if redundancy < 1 or square_sum <= 2 * float(gammainccinv(redundancy / 2, SIGNIFICANCE)):
         return 1.0
@@ -135,7 +135,7 @@ def _contradiction(kind: BiasKind, k: int, kept: Mask, uv: Array, difference: Ar
 
 def _limit(n: int, factor: float, redundancy: int | None) -> float:
     """Largest squared misfit of two coordinates that chance allows among n points."""
-    from scipy.special import fdtri, gammainccinv  # noqa: PLC0415
+    from scipy.special import fdtri, gammainccinv
 
     if factor == 1 or redundancy is None:
         return 2 * float(gammainccinv(1.0, SIGNIFICANCE / n))

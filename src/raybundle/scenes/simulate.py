@@ -89,6 +89,6 @@ def _axes(sight: Array, velocity: Array) -> Array:
 
 def _quaternions(rotation: Array) -> Array:
     """(n, 4), the scalar last."""
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  (SciPy only where it is used)
+    from scipy.spatial.transform import Rotation
 
     return Rotation.from_matrix(rotation).as_quat()

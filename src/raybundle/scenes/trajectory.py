@@ -108,7 +108,7 @@ def lagrange(times: Array, values: Array, *, beyond: int = 2) -> Any:
     In local time they are small differences from the interval's first entry, so that the entries come back exactly.
     beyond  degree (1 or 2) with which the table is continued at its ends, where a high one would magnify noise
     """
-    from scipy.interpolate import PPoly  # noqa: PLC0415  (SciPy only where a line sensor is used)
+    from scipy.interpolate import PPoly
 
     n = len(times)
     m = min(NEAREST, n)

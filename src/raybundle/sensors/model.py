@@ -163,7 +163,7 @@ class SensorModel:
                 pass
             else:
                 return generated.condition_and_jacobian
-        from raybundle.numerics.derive import derive  # noqa: PLC0415  (SymPy only for a user's own model)
+        from raybundle.numerics.derive import derive
 
         return derive(type(self).condition, self.symbols)
 
@@ -175,7 +175,7 @@ class SensorModel:
     @property
     def native(self) -> bool:
         """Whether the model is compiled into the native kernel."""
-        from raybundle.numerics import native  # noqa: PLC0415
+        from raybundle.numerics import native
 
         return self.shipped and self.name in native.sensor_models()
 

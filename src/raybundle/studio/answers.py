@@ -129,7 +129,7 @@ def observations(desk: Desk, image: str) -> dict[str, Any]:
 
 def predictions(desk: Desk, point: str, images: Sequence[str]) -> dict[str, Any]:
     """Where a point is, where it should be seen in some images, and where else it may be measured."""
-    from raybundle.measuring.position import locate  # noqa: PLC0415
+    from raybundle.measuring.position import locate
 
     session, state = desk.session, desk.journal.state
     located = locate(session, state, point)
@@ -190,7 +190,7 @@ def _rms(desk: Desk) -> Array:
 
 def _turn(desk: Desk, image: int) -> int:
     """Quarter turns clockwise that show a photograph the right way up; a mirrored one is shown as stored."""
-    from PIL import Image  # noqa: PLC0415
+    from PIL import Image
 
     path = desk.tiles.paths.get(image)
     if path is None:

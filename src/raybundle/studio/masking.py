@@ -28,7 +28,7 @@ def drawn(desk: Desk, image: str) -> dict[str, Any]:
 
 def picture(desk: Desk, image: str) -> bytes:
     """PNG of the mask that was read from a folder, coloured where it hides; b"": there is none that can be used."""
-    from PIL import Image  # noqa: PLC0415
+    from PIL import Image
 
     k, folder = named(desk, image), masks_given(desk.source)
     path = desk.tiles.paths.get(k)

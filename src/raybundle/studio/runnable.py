@@ -50,8 +50,8 @@ class Runnable:
     @property
     def titles(self) -> tuple[str, ...]:
         """Its stages, in order."""
-        from raybundle.workflows.calibrating.stages import CALIBRATE  # noqa: PLC0415  (what computes is loaded when asked)
-        from raybundle.workflows.orient import stages  # noqa: PLC0415
+        from raybundle.workflows.calibrating.stages import CALIBRATE
+        from raybundle.workflows.orient import stages
 
         return stages() if self.name == "orient" else (*CALIBRATE.titles(), "report")
 

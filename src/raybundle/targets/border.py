@@ -198,7 +198,7 @@ def _strip(
 
 
 def _evaluate(p: Array, x: Array, y: Array, grey: Array, weight: Array) -> tuple[Array, Array, Array]:
-    from scipy.special import erf  # noqa: PLC0415
+    from scipy.special import erf
 
     s, half = p[:, S, None], p[:, HALF, None]
     c, q = np.cos(p[:, ANGLE])[:, None], np.sin(p[:, ANGLE])[:, None]

@@ -329,7 +329,7 @@ def blurred_ellipse(v: Array, x: Array, y: Array) -> tuple[Array, Array]:
 
 
 def _normal(t: Array) -> Array:
-    from scipy.special import ndtr  # noqa: PLC0415  (only where nothing was compiled)
+    from scipy.special import ndtr
 
     return ndtr(t)
 

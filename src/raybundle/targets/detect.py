@@ -166,7 +166,7 @@ def eight_bits(image: Array) -> tuple[Array, float]:
 
 def find_targets(image: Array, family: RingFamily | None, options: DetectionOptions) -> Found:
     """Dots and their numbers, to about a tenth of a pixel; image (h, w) uint8."""
-    from raybundle.targets.blobs import find_blobs  # noqa: PLC0415  (loads OpenCV)
+    from raybundle.targets.blobs import find_blobs
 
     o = options
     small = image[:: max(1, image.shape[0] // 400), :: max(1, image.shape[1] // 400)]

@@ -90,7 +90,7 @@ def covered_pixels(v: Array, cov: Array, box: Box, free: Mask, e: Array, J: Arra
     in units of the rms residual, where these are more than 1 (unless strict).  Far from the free arc a residual may be
     what the ellipse is wrong by there, which its covariance shows.
     """
-    from scipy.ndimage import binary_dilation, uniform_filter  # noqa: PLC0415
+    from scipy.ndimage import binary_dilation, uniform_filter
 
     h = J[..., A : D + 1] @ v[A : D + 1]
     noise = _noise(e, free, radius_of(v, *box), h)

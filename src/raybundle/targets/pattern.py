@@ -138,7 +138,7 @@ def _window(image: Array, values: Array, L: Array, family: RingFamily, *, covere
     w, h = np.maximum((high - low) // step, 1)
     grey = image[low[1] : low[1] + h * step, low[0] : low[0] + w * step]
     grey = grey.reshape(h, step, w, step).mean(axis=(1, 3))
-    from scipy.ndimage import binary_dilation  # noqa: PLC0415
+    from scipy.ndimage import binary_dilation
 
     x, y = (first + (np.arange(n) + 0.5) * step - v for first, n, v in zip(low, (w, h), values[[X0, Y0]], strict=True))
     s = math.sqrt(values[S] ** 2 + (step**2 - 1) / 12)
@@ -189,7 +189,7 @@ def _design(w: _Window, ring: Array) -> Array:
 
 def blurred_region(edge: tuple[Array, Array], x: Array, y: Array, s: float) -> Array:
     """Share (h, w) of a region in pixels with centres x (w,), y (h,): edge points (n, 2) and pieces (n, 2)."""
-    from scipy.special import ndtr  # noqa: PLC0415  (loaded when a target is drawn)
+    from scipy.special import ndtr
 
     at, piece = edge
     # beyond six standard deviations nothing is felt

@@ -191,7 +191,7 @@ def _across(x: Array, y: Array, angle: Array) -> Array:
 
 def _evaluate(p: Array, grey: Array, dx: Array, dy: Array, weight: Array) -> tuple[Array, Array, Array]:
     """Normal equations (n, 9, 9), (n, 9) and sums of squares (n,)."""
-    from scipy.special import erf  # noqa: PLC0415
+    from scipy.special import erf
 
     x, y = dx - p[:, :1], dy - p[:, 1:2]
     s = p[:, S, None]

@@ -47,10 +47,10 @@ def write_sheet(sheet: Sheet, path: Path) -> tuple[Path, ...]:
 def pdf(sheet: Sheet) -> bytes:
     """The printed pages as one PDF, without a date: the same sheet gives the same bytes."""
     try:
-        from reportlab.pdfgen.canvas import Canvas  # noqa: PLC0415  (only for printing)
+        from reportlab.pdfgen.canvas import Canvas
     except ImportError as error:
         raise InputError("package.reportlab_missing") from error
-    import io  # noqa: PLC0415
+    import io
 
     buffer = io.BytesIO()
     canvas = Canvas(buffer, invariant=1)

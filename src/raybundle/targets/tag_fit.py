@@ -194,7 +194,7 @@ def _mapped(H: Array, points: Array) -> tuple[Array, Array]:
 
 def _steps(u: Array, sigma: Array, n: int) -> tuple[Array, Array, Array]:
     """F (m, n) of n modules, its derivatives by u and by sigma."""
-    from scipy.special import erf  # noqa: PLC0415  (SciPy only where small tags are seen)
+    from scipy.special import erf
 
     z = (u[:, None] - np.arange(n + 1)) / sigma[:, None]
     whole = 0.5 * erf(z / np.sqrt(2))

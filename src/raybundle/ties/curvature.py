@@ -89,7 +89,7 @@ def of_neighbours(xyz: Array, direction: Array, variance: Array) -> Array:
     variance  (k,) of the points along their directions
     All of it counts where neighbours fit a quadratic surface, nothing where they do not.
     """
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     found = np.zeros(len(xyz))
     if len(xyz) <= NEIGHBOURS:

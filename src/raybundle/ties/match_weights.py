@@ -117,7 +117,7 @@ def _levels(
 
 def _line(classes: Sequence[tuple[Array, Array, Array]]) -> tuple[float, float]:
     """Factor and floor through classes of squared residuals, redundancy and variances from grey values."""
-    from scipy.optimize import nnls  # noqa: PLC0415
+    from scipy.optimize import nnls
 
     grey = np.array([g.mean() for _, _, g in classes])
     variance = np.array([v.sum() / max(r.sum(), 1e-9) for v, r, _ in classes])

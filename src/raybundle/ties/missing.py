@@ -118,7 +118,7 @@ def _counted(of: Index, number: Index, log_depth: Array) -> tuple[int, int]:
 
 def candidate_pairs(block: Block) -> Iterator[tuple[int, int]]:
     """Pairs of oriented images with enough points in common, those with most first."""
-    from scipy.sparse import coo_matrix, triu  # noqa: PLC0415
+    from scipy.sparse import coo_matrix, triu
 
     o = block.observations
     keep = block.images.oriented[o.image]

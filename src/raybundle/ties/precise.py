@@ -432,7 +432,7 @@ def _with_common_points(points: TrackPoints, images: int, count: int) -> list[li
 
 def _near(xy: Array, common: Array, camera: Camera) -> Mask:
     """Whether the third nearest of the common points is near enough to believe that this point is seen as well."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     distance = KDTree(common).query(xy, k=3)[0][:, 2]
     return distance < SURROUNDINGS * float(np.hypot(camera.width_px, camera.height_px))

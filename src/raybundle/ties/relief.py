@@ -95,7 +95,7 @@ def _powers(residual: Array, along: Array) -> tuple[Array, Array]:
 
 def _together(xyz: Array, sums: Array) -> Array:
     """(k,) ratio of two sums (k, 2) over each point and its nearest neighbours."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     near = KDTree(xyz).query(xyz, k=min(TOGETHER, len(xyz)))[1].reshape(len(xyz), -1)
     along, across = sums[near].sum(axis=1).T

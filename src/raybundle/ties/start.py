@@ -226,8 +226,8 @@ def rigid_part(block: Block, failed: dict[str, str]) -> Mask:
     Two images and their common points have a scale of their own.  It is carried on to a third image only by points
     that all three see.
     """
-    from scipy.sparse import csr_array  # noqa: PLC0415
-    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+    from scipy.sparse import csr_array
+    from scipy.sparse.csgraph import connected_components
 
     o, n = block.observations, len(block.images)
     used = np.unique(o.image)
@@ -273,8 +273,8 @@ def _with_estimate(values: Sequence[Camera], wishes: Sequence[Camera]) -> tuple[
 
 def _connected(block: Block, failed: dict[str, str]) -> Mask:
     """Rows of images that belong to the largest connected part and have enough points; names the others."""
-    from scipy.sparse import coo_matrix  # noqa: PLC0415
-    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
 
     o, n = block.observations, len(block.images)
     out = np.array([name in failed for name in block.images.ids])

@@ -138,7 +138,7 @@ def _covered(first: Array, second: Array, still: Array, size: tuple[int, int]) -
 
 def _beyond_chance(still: int, ring: int) -> bool:
     """Whether so many stand still beside those in the ring, by the binomial distribution of a smooth spread."""
-    from scipy.special import bdtrc  # noqa: PLC0415
+    from scipy.special import bdtrc
 
     share = STILL_PX**2 / RING_PX**2
     return bool(bdtrc(still - 1, still + ring, share) < CHANCE)

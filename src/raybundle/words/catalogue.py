@@ -99,6 +99,6 @@ def _codes(*, texts: bool) -> tuple[str, ...]:
 
 def examples(code: str) -> dict[str, Any]:
     """Values of a code by name, as an example."""
-    import msgspec  # noqa: PLC0415  (few readers need an example)
+    import msgspec
 
     return {name: msgspec.json.decode(text) for name, text in entries(ENGLISH)[entry_of(code)].examples.items()}

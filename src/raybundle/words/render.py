@@ -93,7 +93,7 @@ def _formatted(code: str, part: Part, values: Mapping[str, Any], reader: Reader)
 
 @cache
 def _bundle(language: str, *, flags: bool) -> Bundle:
-    from raybundle.words.values import Bundle  # noqa: PLC0415  (Fluent is loaded with it, 60 ms)
+    from raybundle.words.values import Bundle
 
     return Bundle(language, flags=flags)
 
@@ -101,7 +101,7 @@ def _bundle(language: str, *, flags: bool) -> Bundle:
 @cache
 @cache
 def _parsed(text: str) -> Any:
-    from fluent.runtime import FluentResource  # noqa: PLC0415
+    from fluent.runtime import FluentResource
 
     return FluentResource(text)
 

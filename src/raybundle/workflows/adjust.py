@@ -335,7 +335,7 @@ def _from_given(block: Block, observed: Mask, options: AdjustmentOptions, progre
         )
     seen = np.bincount(block.observations.point, minlength=len(block.points)) > 0
     if (observed & ~block.images.oriented).any() or (seen & ~np.isfinite(block.points.xyz).all(axis=1)).any():
-        from raybundle.orientation.approximate import approximate_values  # noqa: PLC0415
+        from raybundle.orientation.approximate import approximate_values
 
         refuse_unoriented(block)
         approximate = approximate_values(_with_known(start), progress)
@@ -407,7 +407,7 @@ def _afresh(block: Block, options: AdjustmentOptions, progress: Progress) -> Adj
 
     Rough approximate values can lead into a minimum that is not the lowest one, or nowhere.
     """
-    from raybundle.orientation.approximate import approximate_values  # noqa: PLC0415
+    from raybundle.orientation.approximate import approximate_values
 
     images = block.images
     blank = replace(

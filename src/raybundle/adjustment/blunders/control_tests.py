@@ -314,7 +314,7 @@ class _Seen:
 
 def _seen(work: Work) -> list[_Seen]:
     """The control points of a block, forces and information without what distances say."""
-    from raybundle.adjustment.system.images_numpy import image_residuals  # noqa: PLC0415  (reads this layer's normals)
+    from raybundle.adjustment.system.images_numpy import image_residuals
 
     system, state = work.system, work.state
     assert work.found is not None

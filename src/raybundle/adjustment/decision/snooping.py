@@ -102,7 +102,7 @@ def is_blunder(reason: Rejection | None) -> bool:
 
 def innocent(result: Adjustment) -> list[int]:
     """Rejected blunders whose residual against the present result is below the critical value."""
-    from raybundle.adjustment.system.predict import residuals_px  # noqa: PLC0415
+    from raybundle.adjustment.system.predict import residuals_px
 
     block = result.adjusted
     rows = np.array([i for i, r in enumerate(result.image_observations.rejected) if is_blunder(r)], int)

@@ -71,7 +71,7 @@ def by_groups(block: Block, options: AdjustmentOptions, adjusted: Adjust) -> Adj
 
 def chance_to_see(factor: float, redundancy: float) -> float:
     """Probability that errors so many times as large as stated give their group a factor, by its redundancy."""
-    from scipy.special import gammaincc, gammainccinv  # noqa: PLC0415
+    from scipy.special import gammaincc, gammainccinv
 
     return float(gammaincc(redundancy / 2, gammainccinv(redundancy / 2, LEVEL / 2) / factor**2))
 

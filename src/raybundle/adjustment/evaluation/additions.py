@@ -194,7 +194,7 @@ class Gain:
 
 def gain(joint: JointCofactors, rows: Rows, columns: Columns) -> Gain | None:
     """What photographs that are taken together do to these cofactors; None where they leave their stations open."""
-    from scipy.linalg import blas, lapack  # noqa: PLC0415
+    from scipy.linalg import blas, lapack
 
     kernels: Any = (blas, lapack)
     solve, factor = kernels[0].dtrsm, kernels[1].dpotrf

@@ -138,7 +138,7 @@ def joint_cofactors(factored: Factored, points: Index) -> JointCofactors:
 
 
 def _with_selected(F: Any, unknowns: Index, N: int) -> Any:
-    from scipy.sparse import csr_matrix, vstack  # noqa: PLC0415
+    from scipy.sparse import csr_matrix, vstack
 
     k = len(unknowns)
     chosen = csr_matrix((np.ones(k), (np.arange(k), unknowns)), shape=(k, N))
@@ -163,7 +163,7 @@ def conditionals(factored: Factored, points: Index) -> tuple[Array, Any]:
 
     Of a point that has a node of its own V^-1 is zero and F chooses its unknowns; so are held coordinates.
     """
-    from scipy.sparse import coo_matrix  # noqa: PLC0415
+    from scipy.sparse import coo_matrix
 
     system, state = factored.system, factored.state
     place = np.full(len(system.points_used), -1)

@@ -217,7 +217,7 @@ def _angles(system: System, state: State) -> list[tuple[Array, Array]]:
 
 def _joined(parts: list[_Rows], names: list[str], angles: list[tuple[Array, Array]]) -> Matrices:
     """All rows one after another; rotations by omega, phi, kappa."""
-    from scipy.sparse import csr_matrix  # noqa: PLC0415
+    from scipy.sparse import csr_matrix
 
     start = np.cumsum([0, *(len(p.residuals) for p in parts)])
     m, u = int(start[-1]), len(names)

@@ -146,7 +146,7 @@ def doubled(precision: Precision | None) -> tuple[int, int]:
 
 def witnesses(result: Adjustment, known: Mask, direction: Array) -> Witnesses:
     """Of the points of a mask (p,) of which window, misfit and relief are known, with unit mean rays (k, 3)."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     points, precision = result.adjusted.points, result.precision
     assert precision is not None

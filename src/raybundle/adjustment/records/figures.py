@@ -37,7 +37,7 @@ class ObservationStatistics:
     @property
     def used(self) -> Mask:
         """(m,) rows that took part."""
-        import numpy as np  # noqa: PLC0415
+        import numpy as np
 
         return np.array([r is None for r in self.rejected], dtype=bool)
 
@@ -73,7 +73,7 @@ class ObservationGroup:
 
     def rows(self, keep: Mask | Index) -> ObservationGroup:
         """These of its observations: a mask (k,) or positions."""
-        import numpy as np  # noqa: PLC0415
+        import numpy as np
 
         chosen = np.flatnonzero(keep) if np.asarray(keep).dtype == bool else keep
         return ObservationGroup(
@@ -107,7 +107,7 @@ class Precision:
     @property
     def object_point_std(self) -> Array:
         """(p, 3) standard deviations of the object coordinates; NaN where rounding leaves no variance."""
-        import numpy as np  # noqa: PLC0415
+        import numpy as np
 
         variance = np.diagonal(self.object_points, axis1=1, axis2=2)
         return np.sqrt(np.where(variance >= 0, variance, np.nan))
@@ -115,7 +115,7 @@ class Precision:
     @property
     def image_std(self) -> Array:
         """(n, 6) standard deviations of X, Y, Z, omega, phi, kappa."""
-        import numpy as np  # noqa: PLC0415
+        import numpy as np
 
         return np.sqrt(np.diagonal(self.images, axis1=1, axis2=2))
 

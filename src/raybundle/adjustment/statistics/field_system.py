@@ -251,7 +251,7 @@ def _pieces(normals: Normals) -> Iterator[tuple[Index, Index, Index]]:
 
 def sparse_normals(normals: Normals, columns: Index | None = None) -> Any:
     """The normal matrix of the last `reduce`, sparse and symmetric; some of its columns alone, without the others."""
-    from scipy.sparse import coo_matrix  # noqa: PLC0415
+    from scipy.sparse import coo_matrix
 
     N = int(normals.system.offsets[-1])
     place = np.arange(N) if columns is None else np.full(N, -1)

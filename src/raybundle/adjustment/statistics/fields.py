@@ -213,7 +213,7 @@ def independent_scores(M: Array, scores: Array, variance: float, across: Array |
     across    (k, 10 f) where the scores are those of some images: F' W R G, G the columns of all f
     Directions that orientations and points absorb (NEGLIGIBLE) are left out.
     """
-    from scipy.linalg import eigh  # noqa: PLC0415
+    from scipy.linalg import eigh
 
     with as_many_threads_as_help(len(M)):
         values, vectors = eigh((M + M.T) / 2)
@@ -263,7 +263,7 @@ def variance_components(samples: Sequence[Scores]) -> Components:
 
 def _cost(samples: Sequence[Scores], phi: float, tau_square: float, focus_square: float) -> float:
     """Minus twice the log-likelihood, but for a constant."""
-    from scipy.linalg import get_blas_funcs, get_lapack_funcs  # noqa: PLC0415
+    from scipy.linalg import get_blas_funcs, get_lapack_funcs
 
     blas: Any = get_blas_funcs
     lapack: Any = get_lapack_funcs
@@ -299,7 +299,7 @@ def _falls(samples: Sequence[Scores], phi: float, tau_square: float) -> bool:
 
 def _descended(samples: Sequence[Scores], start: tuple[float, float, float]) -> tuple[float, float, float, float]:
     """Least cost near a start, and where: cost, phi, tau^2, focus^2."""
-    from scipy.optimize import minimize  # noqa: PLC0415
+    from scipy.optimize import minimize
 
     first = np.log(np.maximum(start, 1e-300))
     middle = first.copy()

@@ -181,7 +181,7 @@ def _angles(state: State, rays: Index, image: Index, direction: Array, distance:
 
 def _pairs(system: System, state: State, image: Index, point: Index) -> tuple[Index, Index, Array]:
     """Image pairs with common points, their number, and base over mean depth."""
-    from scipy.sparse import coo_matrix, triu  # noqa: PLC0415
+    from scipy.sparse import coo_matrix, triu
 
     n, p = len(system.block.images), len(system.block.points)
     A = coo_matrix((np.ones(len(image), np.int32), (image, point)), shape=(n, p)).tocsr()

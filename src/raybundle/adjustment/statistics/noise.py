@@ -243,7 +243,7 @@ def _samples(fields: FieldSystem) -> list[Array]:
     n = len(fields.images)
     joint = fields.own.multiply(fields.own)
     at = np.repeat(np.arange(n), COLUMNS)
-    from scipy.sparse import coo_matrix  # noqa: PLC0415
+    from scipy.sparse import coo_matrix
 
     entries_ = joint.tocoo()
     shared = coo_matrix((entries_.data, (at[entries_.row], at[entries_.col])), shape=(n, n)).tocsr()
@@ -305,7 +305,7 @@ def _outside(fields: FieldSystem) -> Outside | None:
     Of more than EXACT images their part would take longer than all else: the floor then counts for them as well, and
     standard deviations come out rather too large.
     """
-    from scipy.sparse import coo_matrix  # noqa: PLC0415
+    from scipy.sparse import coo_matrix
 
     system = fields.base.system
     extra = fields.base.extra(fields.state)
@@ -355,7 +355,7 @@ def _from_outside(spread: Spread, outside: Outside, row: Array, column: Array) -
 
 def _basis(fields: FieldSystem, root: Array) -> Any:
     """(10 f, r) sparse, a square root of the covariance of all coefficients; no column where there are no fields."""
-    from scipy.sparse import csr_matrix, identity, kron  # noqa: PLC0415
+    from scipy.sparse import csr_matrix, identity, kron
 
     n = len(fields.images)
     if not root.any():
@@ -451,7 +451,7 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
     Nothing is held but control, so that it is the same in every datum that cameras carry; what control, distances and
     other observations outside the images bring to the points is not theirs.
     """
-    from scipy.sparse import csr_matrix  # noqa: PLC0415
+    from scipy.sparse import csr_matrix
 
     normals, state, system = fields.base, fields.state, fields.base.system
     N = int(system.offsets[-1])
@@ -485,7 +485,7 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
 
 def _of_extra(fields: FieldSystem, at: Array) -> Array:
     """The part of the normal matrix at these unknowns that observations outside the images make."""
-    from scipy.sparse import coo_matrix  # noqa: PLC0415
+    from scipy.sparse import coo_matrix
 
     extra = fields.base.extra(fields.state)
     shape = (len(extra.residual), int(fields.base.system.offsets[-1]))

@@ -279,7 +279,7 @@ def rounding(normals: Normals, state: State, found: Cofactors) -> float:
 
 def _information_shares(normals: Normals, state: State, found: Cofactors) -> float:
     """Sum of N_ii Q_ii over all unknowns: of the nodes, and of the object points that are eliminated."""
-    from raybundle.adjustment.system.images_numpy import image_residuals  # noqa: PLC0415  (reads this layer's normals)
+    from raybundle.adjustment.system.images_numpy import image_residuals
 
     system = normals.system
     nodes = 0.0

@@ -421,7 +421,7 @@ def well_spread(xyz: Array, rays: Index, given: Mask, datum: Datum) -> tuple[Ind
     rays   (k,) image observations of each
     given  (k, 3) coordinates that may not: they are known
     """
-    from scipy.linalg import qr  # noqa: PLC0415
+    from scipy.linalg import qr
 
     d, candidates = datum.defect, np.arange(len(xyz))
     # far points are poorly determined: stay within three times the median distance

@@ -136,8 +136,8 @@ def components(block: Block, rejected: Mask) -> list[Array]:
     a, b = np.concatenate([_of_stations(block, used), *pairs]).T
     if not joins.any() and not len(a):
         return [used[[k]] for k in range(len(used))]
-    from scipy.sparse import coo_matrix  # noqa: PLC0415
-    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
 
     graph = coo_matrix((np.ones(joins.sum(), np.int8), (image[joins], n + point[joins])), shape=(n + p, n + p))
     if len(a):

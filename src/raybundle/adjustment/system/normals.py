@@ -65,7 +65,7 @@ class Normals:
         count = threads or (len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
         module = native.module()
         if module is None:
-            from raybundle.adjustment.system.normals_numpy import Solver  # noqa: PLC0415
+            from raybundle.adjustment.system.normals_numpy import Solver
 
             solver: Any = Solver(system.block, system)
         else:
@@ -174,7 +174,7 @@ class Normals:
         """Evaluate models that are not compiled at a state and hand them to the native solver."""
         if not self.external.any() or self.evaluated is state:
             return
-        from raybundle.adjustment.system.external import external_rows  # noqa: PLC0415
+        from raybundle.adjustment.system.external import external_rows
 
         rows, touched = external_rows(self.system, state, self.external)
         self.solver.set_external(rows, touched, touched.shape[1])

@@ -106,7 +106,7 @@ class Solver:
 
     def _meeting(self, extra: list[tuple[int, int]]) -> tuple[Array, Array]:
         """Nodes that meet in an object point, or beside, each pair once, in the order of the compiled solver."""
-        from scipy.sparse import csr_matrix  # noqa: PLC0415
+        from scipy.sparse import csr_matrix
 
         p, n = len(self.first) - 1, len(self.sizes)
         nodes = np.stack([self.own[self.image], self.shared[self.image], self.node[self.point]], axis=1)
@@ -164,7 +164,7 @@ class Solver:
         return S + np.triu(S, 1).T
 
     def _linearise(self, R: Array, C: Array, I: Array, X: Array, huber: float) -> _Linear:
-        from scipy.sparse import csr_matrix  # noqa: PLC0415
+        from scipy.sparse import csr_matrix
 
         m = len(self.image)
         state = State(R, C, I, X)
@@ -217,7 +217,7 @@ class Solver:
 
     def _couplings(self, linear: _Linear) -> Any:
         """W (N, 3 p) sparse: couplings of the nodes with the eliminated points."""
-        from scipy.sparse import csr_matrix  # noqa: PLC0415
+        from scipy.sparse import csr_matrix
 
         m, p = len(self.image), len(self.node)
         x = linear.x * self.eliminated[self.point, None, None]
@@ -282,7 +282,7 @@ class Solver:
         Unknowns stand in the system's order here and are reordered in the compiled factor, so the two may stop at
         different unknowns and their smallest pivots differ.
         """
-        from scipy.linalg import get_lapack_funcs  # noqa: PLC0415
+        from scipy.linalg import get_lapack_funcs
 
         self.factorised = False
         S = self._dense(values)
@@ -316,7 +316,7 @@ class Solver:
 
     def solve(self, x: Array, columns: int) -> None:
         """Solve in place for right sides (N, columns)."""
-        from scipy.linalg import cho_solve  # noqa: PLC0415
+        from scipy.linalg import cho_solve
 
         self._check_factor()
         if not self.unknowns:  # SciPy before 1.14 refuses matrices without rows
@@ -432,7 +432,7 @@ def roots_of_points(V: Array) -> tuple[Array, Mask]:
 
 def _block_diagonal(blocks: Array) -> Any:
     """Sparse block diagonal matrix (3 p, 3 p) of blocks (p, 3, 3)."""
-    from scipy.sparse import bsr_matrix  # noqa: PLC0415
+    from scipy.sparse import bsr_matrix
 
     p = len(blocks)
     return bsr_matrix((blocks, np.arange(p), np.arange(p + 1)), shape=(3 * p, 3 * p)).tocsr()

@@ -45,7 +45,7 @@ def fit_to_given(system: System, state: State, given: State, datum: Datum) -> St
     """
     if datum.defect == 0 or datum.kind != "inner":
         return state
-    from scipy.linalg import expm  # noqa: PLC0415
+    from scipy.linalg import expm
 
     new = state
     carriers = np.flatnonzero(datum.carriers & system.points_used)

@@ -33,7 +33,7 @@ def compare(first: Path, second: Path, *, as_json: bool, **given: Any) -> None:
     Example:
       raybundle calibration compare may.toml october.toml
       raybundle calibration compare may.toml october.toml --object-distance 5
-    """  # noqa: D301
+    """
     asked = {"first": first, "second": second, **values_of(CalibrationCompareSettings, given)}
     settings = made(CalibrationCompareSettings, asked)
     found = run_compare(settings)
@@ -45,7 +45,7 @@ def compare(first: Path, second: Path, *, as_json: bool, **given: Any) -> None:
 
 def _as_table(found: ComparedCalibrations) -> dict[str, object]:
     """Everything, for JSON; 0 where there is no shift."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     d = found.difference
     return {
@@ -58,7 +58,7 @@ def _as_table(found: ComparedCalibrations) -> dict[str, object]:
 
 def _summary(found: ComparedCalibrations, distance: float | None) -> Summary:
     """What the command reports."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     d, expected_px = found.difference, found.expected_px
     turn = float(np.degrees(np.linalg.norm(d.rotation)))

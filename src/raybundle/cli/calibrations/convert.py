@@ -34,7 +34,7 @@ def convert(source: Path, **given: Any) -> None:
     Example:
       raybundle calibration convert camera.yaml --to metashape --out camera.xml
       raybundle calibration convert result --to opencv --model 8 --out camera.yaml
-    """  # noqa: D301
+    """
     settings = made(CalibrationConvertSettings, {"source": source, **values_of(CalibrationConvertSettings, given)})
     found = converted(settings)
     files = write_converted(settings, found).files

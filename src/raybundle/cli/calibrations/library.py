@@ -36,7 +36,7 @@ def add(source: Path, **given: Any) -> None:
     \b
     Example:
       raybundle calibration add result --photo images/DSC_0001.JPG
-    """  # noqa: D301
+    """
     asked = {"source": source, **values_of(CalibrationAddSettings, given)}
     kept = run_add(made(CalibrationAddSettings, asked))
     facts(key=str(kept.key), kept=kept.place)
@@ -64,8 +64,8 @@ def list_(*, as_json: bool, **given: Any) -> None:
     \b
     Example:
       raybundle calibration list
-    """  # noqa: D301
-    from raybundle.io.cameras.library import as_table  # noqa: PLC0415
+    """
+    from raybundle.io.cameras.library import as_table
 
     found = run_list(made(CalibrationListSettings, values_of(CalibrationListSettings, given)))
     if as_json:
@@ -92,8 +92,8 @@ def find(photo: Path, **given: Any) -> int:
     \b
     Example:
       raybundle calibration find images/DSC_0001.JPG
-    """  # noqa: D301
-    from raybundle.io.cameras.library import key_of  # noqa: PLC0415
+    """
+    from raybundle.io.cameras.library import key_of
 
     settings = made(CalibrationFindSettings, {"photo": photo, **values_of(CalibrationFindSettings, given)})
     found = run_find(settings)

@@ -27,8 +27,8 @@ def zoom(results: tuple[Path, ...], **given: Any) -> None:
     Example:
       raybundle calibrate 24mm/ --target aicon14 --parameters c,x0,y0,K1,K2,P1,P2 --out z24
       raybundle calibration zoom z24 z35 z50 z70 --out lens --keep
-    """  # noqa: D301
-    from raybundle.calibration.zoom import zoom_residuals  # noqa: PLC0415
+    """
+    from raybundle.calibration.zoom import zoom_residuals
 
     settings = made(ZoomSettings, {"results": results, **values_of(ZoomSettings, given)})
     done = run_zoom(settings)

@@ -26,7 +26,7 @@ def command() -> None:
     Example:
       raybundle heights volume facade-project/surface --extent 1 0 2 1 --above 0
       raybundle heights difference may/surface october/surface --out moved
-    """  # noqa: D301
+    """
 
 
 command.home, command.summaries = __name__, SUBCOMMANDS

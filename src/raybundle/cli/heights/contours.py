@@ -29,7 +29,7 @@ def command(source: Path, **given: Any) -> None:
     Example:
       raybundle heights contours pit/surface --interval 0.5 --out contours.gpkg
       raybundle heights contours facade-project/surface --interval 0.01 --out relief.svg --out relief.dxf
-    """  # noqa: D301
+    """
     found = run_contours(made(HeightsContoursSettings, {"source": source, **values_of(HeightsContoursSettings, given)}))
     lines = sum(len(c.lines) for c in found.contours)
     facts(levels=[c.height for c in found.contours], lines=lines, unit=found.unit, files=[str(f) for f in found.files])

@@ -41,7 +41,7 @@ def command(before: Path, after: Path, **given: Any) -> None:
     \b
     Example:
       raybundle heights difference may/surface october/surface --out moved
-    """  # noqa: D301
+    """
     asked = {"before": before, "after": after, **values_of(HeightsDifferenceSettings, given)}
     found = run_difference(made(HeightsDifferenceSettings, asked))
     m, w = found.movements, found.movements.whole

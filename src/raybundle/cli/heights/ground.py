@@ -34,7 +34,7 @@ def command(source: Path, **given: Any) -> None:
     Example:
       raybundle heights ground pit/surface --largest 12 --slope 30
       raybundle heights contours pit/surface/ground --interval 0.5 --out terrain.gpkg
-    """  # noqa: D301
+    """
     found = run_ground(made(HeightsGroundSettings, {"source": source, **values_of(HeightsGroundSettings, given)}))
     facts(
         folder=str(found.folder), unit=found.unit, standing=found.standing, filled=found.filled, sigma=found.sigma,

@@ -36,7 +36,7 @@ def command(source: Path, **given: Any) -> None:
     Example:
       raybundle heights section facade-project/surface --line "-1 0, 1 0" --out cut.svg --out cut.csv
       raybundle heights section facade-project/surface --line "-1 0, 1 0" --between 0.2 1.8
-    """  # noqa: D301
+    """
     found = run_section(made(HeightsSectionSettings, {"source": source, **values_of(HeightsSectionSettings, given)}))
     facts(unit=found.unit, files=[str(f) for f in found.files], sections=[
         {
@@ -53,7 +53,7 @@ def command(source: Path, **given: Any) -> None:
 
 def _summary(found: MeasuredSections) -> Summary:
     """What the command reports."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     done, more, wrong = list[Message](), list[Message](), list[Message]()
     for m in found.sections:

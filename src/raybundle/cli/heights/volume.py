@@ -33,7 +33,7 @@ def command(source: Path, **given: Any) -> None:
       raybundle heights volume pit/surface --outline heap.geojson
       raybundle heights volume facade-project/surface --outline "0 0, 1 0, 1 1, 0 1" --above 0.02
       raybundle heights volume october/surface --outline heap.geojson --above may/surface
-    """  # noqa: D301
+    """
     found = run_volume(made(HeightsVolumeSettings, {"source": source, **values_of(HeightsVolumeSettings, given)}))
     v = found.volume
     facts(

@@ -23,7 +23,7 @@ def command() -> None:
     \b
     Example:
       raybundle plan flight --lines 4 --photographs-per-line 8 --height 80 --alternate --cross 30
-    """  # noqa: D301
+    """
 
 
 command.home, command.summaries = __name__, SUBCOMMANDS

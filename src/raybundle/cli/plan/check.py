@@ -45,8 +45,8 @@ def command(plan: Path, photos: tuple[Path, ...], progress: str, **given: Any) -
       raybundle plan check plan/ flight/
       raybundle plan check plan/ flight/ --seen 4 --out check
       raybundle plan check house/ photos/ --out house-ticked
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     values = values_of(PlanCheckSettings, given)
     settings = made(PlanCheckSettings, {"plan": plan, "photos": photos, **values})
@@ -127,7 +127,7 @@ def _missing(done: CheckedFlight) -> list[Message]:
 
 
 def _places(c: FlightCheck) -> list[Message]:
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     found = [note("flight_check.off_plan", median_m=np.nanmedian(c.off_plan_m), largest_m=np.nanmax(c.off_plan_m))]
     if np.isfinite(c.off_height_m).any():
@@ -147,7 +147,7 @@ def _places(c: FlightCheck) -> list[Message]:
 
 def _not_counted(c: FlightCheck) -> list[Message]:
     """Photographs that are blurred, or tilted too far."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     found: list[Message] = []
     if len(rows := np.flatnonzero(c.flown.blurred & ~c.counted)):

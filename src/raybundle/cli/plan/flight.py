@@ -39,8 +39,8 @@ def command(progress: str, **given: Any) -> None:
       raybundle plan flight --lines 4 --photographs-per-line 8 --height 80 --rtk 0.02 0.02 0.03
       raybundle plan flight --alternate --cross 30 --overlap 0.8 0.7
       raybundle plan flight --alternate --relief 10 --free-lever-arm --control-table
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(FlightSettings, values_of(FlightSettings, given))
     with reporting(progress) as notify:
@@ -71,7 +71,7 @@ def _fact(f: Forecast) -> dict[str, Any]:
 
 def _head(plan: Flight) -> tuple[list[Message], list[Message]]:
     """Lines, photographs and overlaps; what else there is of them."""
-    from raybundle.planning.flights.aerial import is_rtk  # noqa: PLC0415
+    from raybundle.planning.flights.aerial import is_rtk
 
     along, across = plan.overlap
     return [

@@ -35,8 +35,8 @@ def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noq
       raybundle plan list cipa box:12,8,6 --c 24 --around 15 --clearance 8 --out house-from-8
       raybundle plan list calibration sheet:0.42,0.297 --c 24 --out calibration-list
       raybundle plan list targets box:4,3,2.5 --stations plan/stations.csv --count 50 --out targets-list
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(ListSettings, {"kind": kind, "object": object, **values_of(ListSettings, given)})
     with reporting(progress) as notify:

@@ -36,7 +36,7 @@ def command(area: str, **given: Any) -> None:
       raybundle plan mission field.geojson --vehicle mavic-3e --predict --free-lever-arm --out plan
       raybundle plan mission hill.kml --camera IMG_1.JPG --dem dsm.tif --pattern double-grid --tilt 20 --out plan
       raybundle plan mission wall.geojson --vehicle mavic-3e --pattern facade --heights 0 18 --gsd 0.003 --out plan
-    """  # noqa: D301
+    """
     done = run_plan_mission(made(MissionSettings, {"area": area, **values_of(MissionSettings, given)}))
     facts(figures=done.facts, files=done.files, forecast=done.forecast)
     report(_summary(done))

@@ -40,8 +40,8 @@ def command(object: str, progress: str, **given: Any) -> None:  # noqa: A002  (t
       raybundle plan network box:4,3,2.5 --sigma 0.15 --c 24 --pixel-mm 0.006 --out plan
       raybundle plan network facade:12,8 --photographs 10 --measured natural --heights 1.2 4 --out facade-plan
       raybundle plan network box:4,3,2.5 --stations plan/stations.csv --scale-bars 2 --scale-bar-sigma 2e-5 --out known
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(NetworkSettings, {"object": object, **values_of(NetworkSettings, given)})
     with reporting(progress) as notify:

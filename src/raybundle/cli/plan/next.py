@@ -39,8 +39,8 @@ def command(result: Path, progress: str, **given: Any) -> None:
     Example:
       raybundle plan next result --photographs 3 --out next
       raybundle plan next calibration --photographs 4 --aim calibration --out next
-    """  # noqa: D301
-    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    """
+    from raybundle.cli.progress import reporting
 
     settings = made(NextSettings, {"result": result, **values_of(NextSettings, given)})
     with reporting(progress) as notify:
@@ -50,9 +50,9 @@ def command(result: Path, progress: str, **given: Any) -> None:
 
 def summary(plan: NextPlan, settings: NextSettings) -> Summary:
     """What the command reports."""
-    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
+    import numpy as np
 
-    from raybundle.planning.next.words import figure_words, goal_words, instruction  # noqa: PLC0415
+    from raybundle.planning.next.words import figure_words, goal_words, instruction
 
     first, last = plan.proposals[0].before, plan.proposals[-1].after
     n = len(plan.proposals)

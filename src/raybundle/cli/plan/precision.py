@@ -51,7 +51,7 @@ def _where(row: ControlRow) -> str:
 
 def forecast_lines(f: MissionForecast) -> list[Message]:
     """What a mission will determine without control."""
-    from raybundle.planning.flights.aerial import NO_RTK, is_rtk  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.planning.flights.aerial import NO_RTK, is_rtk
 
     own = f.asked.station_sigma
     lines = [_predicted(own, f.rtk, f.pixel_mm, rtk=is_rtk(own))]
@@ -64,7 +64,7 @@ def forecast_lines(f: MissionForecast) -> list[Message]:
 
 def left_open(f: MissionForecast) -> list[Message]:
     """What is not determinable of a mission flown exactly as planned, and what determines it."""
-    from raybundle.planning.flights.aerial import UNSOLVED  # noqa: PLC0415
+    from raybundle.planning.flights.aerial import UNSOLVED
 
     if not f.lost_even:
         return []

@@ -43,7 +43,7 @@ def make_set(name: str, out: str | Path, progress: Progress = silent) -> tuple[s
 
     raises  InputError for a name that there is not, and where `out` holds something already
     """
-    from raybundle.io.folders import check_new_folder, new_folder  # noqa: PLC0415  (what computes is loaded after)
+    from raybundle.io.folders import check_new_folder, new_folder
 
     made = set_named(name)
     check_new_folder(Path(out))

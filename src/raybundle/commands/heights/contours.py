@@ -46,12 +46,12 @@ class DrawnContours:
 
 def run_contours(settings: HeightsContoursSettings) -> DrawnContours:
     """The contour lines that the settings ask for, written."""
-    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
+    import numpy as np
 
-    from raybundle.io.folders import new_files  # noqa: PLC0415
-    from raybundle.surfaces.files.contours import write_contours  # noqa: PLC0415
-    from raybundle.surfaces.files.input import opened  # noqa: PLC0415
-    from raybundle.surfaces.heights.contours import contours, smoothed  # noqa: PLC0415
+    from raybundle.io.folders import new_files
+    from raybundle.surfaces.files.contours import write_contours
+    from raybundle.surfaces.files.input import opened
+    from raybundle.surfaces.heights.contours import contours, smoothed
 
     s = replace(settings, out=tuple(dict.fromkeys(settings.out)))
     if s.interval is None:

@@ -46,11 +46,11 @@ class MeasuredDifference:
 
 def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     """The movements between two surfaces, written where that is asked for."""
-    from raybundle.io.folders import check_new_folder  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.surfaces.files.displacements import write_movements  # noqa: PLC0415
-    from raybundle.surfaces.files.input import on_same_grid, opened  # noqa: PLC0415
-    from raybundle.surfaces.heights.displacement import movements  # noqa: PLC0415
-    from raybundle.surfaces.heights.resampling import difference  # noqa: PLC0415
+    from raybundle.io.folders import check_new_folder
+    from raybundle.surfaces.files.displacements import write_movements
+    from raybundle.surfaces.files.input import on_same_grid, opened
+    from raybundle.surfaces.heights.displacement import movements
+    from raybundle.surfaces.heights.resampling import difference
 
     s = settings
     if s.out is not None:

@@ -45,13 +45,13 @@ class MadeGround:
 
 def run_ground(settings: HeightsGroundSettings) -> MadeGround:
     """The terrain model that the settings ask for, written."""
-    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
+    import numpy as np
 
-    from raybundle.io.folders import check_new_folder  # noqa: PLC0415
-    from raybundle.surfaces.files.heights import write_model  # noqa: PLC0415
-    from raybundle.surfaces.files.input import opened  # noqa: PLC0415
-    from raybundle.surfaces.heights.hole_filling import filled  # noqa: PLC0415
-    from raybundle.surfaces.heights.terrain_filter import ground  # noqa: PLC0415
+    from raybundle.io.folders import check_new_folder
+    from raybundle.surfaces.files.heights import write_model
+    from raybundle.surfaces.files.input import opened
+    from raybundle.surfaces.heights.hole_filling import filled
+    from raybundle.surfaces.heights.terrain_filter import ground
 
     s = settings
     o = opened(s.source, 0.0)

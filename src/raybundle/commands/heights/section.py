@@ -65,8 +65,8 @@ class MeasuredSections:
 
 def run_section(settings: HeightsSectionSettings) -> MeasuredSections:
     """The sections that the settings ask for, written."""
-    from raybundle.surfaces.files.input import lines_of, opened  # noqa: PLC0415
-    from raybundle.surfaces.heights.sections import section  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.surfaces.files.input import lines_of, opened
+    from raybundle.surfaces.heights.sections import section
 
     s = replace(settings, out=tuple(dict.fromkeys(settings.out)))
     if not s.line:
@@ -87,7 +87,7 @@ def run_section(settings: HeightsSectionSettings) -> MeasuredSections:
 
 def _checked(o: Opened, xy: object, step: float, number: int):  # noqa: ANN202
     """The corners in cells; raises InputError where the line misses the heights, or has too many places."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     cells = o.cells(np.asarray(xy, float))
     low, high = cells.min(axis=0), cells.max(axis=0)
@@ -108,7 +108,7 @@ def _checked(o: Opened, xy: object, step: float, number: int):  # noqa: ANN202
 
 
 def _one(s: HeightsSectionSettings, o: Opened, found: Section, name: str) -> MeasuredSection:
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     difference = None
     if s.between is not None:
@@ -137,9 +137,9 @@ def _no_height(o: Opened, found: Section, both: Section, k: int, name: str) -> M
 
 
 def _write(s: HeightsSectionSettings, o: Opened, made: list[MeasuredSection]) -> None:
-    from raybundle.io.folders import new_files  # noqa: PLC0415
-    from raybundle.surfaces.files.drawings import sections_svg  # noqa: PLC0415
-    from raybundle.surfaces.files.sections import sections_csv, write_sections_dxf  # noqa: PLC0415
+    from raybundle.io.folders import new_files
+    from raybundle.surfaces.files.drawings import sections_svg
+    from raybundle.surfaces.files.sections import sections_csv, write_sections_dxf
 
     sections, names = [m.section for m in made], [m.name for m in made]
     for path in s.out:

@@ -56,11 +56,11 @@ class MeasuredVolume:
 
 def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     """The volume that the settings ask for."""
-    from raybundle.io.reading.words import number_of  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.surfaces.files.input import covered_by, on_same_grid, opened, outlined  # noqa: PLC0415
-    from raybundle.surfaces.heights.hole_filling import filled  # noqa: PLC0415
-    from raybundle.surfaces.heights.resampling import difference  # noqa: PLC0415
-    from raybundle.surfaces.heights.volumes import volume  # noqa: PLC0415
+    from raybundle.io.reading.words import number_of
+    from raybundle.surfaces.files.input import covered_by, on_same_grid, opened, outlined
+    from raybundle.surfaces.heights.hole_filling import filled
+    from raybundle.surfaces.heights.resampling import difference
+    from raybundle.surfaces.heights.volumes import volume
 
     s = settings
     if s.outline and s.extent is not None:
@@ -105,9 +105,9 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
 
 def _no_height(o: Opened, before: HeightModel, model: HeightModel, covered: Array) -> Message:
     """That cells within an outline have no height, where the widest hole is, and what to do."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.surfaces.heights.hole_filling import depths  # noqa: PLC0415
+    from raybundle.surfaces.heights.hole_filling import depths
 
     lost = (covered > 0) & ~model.known
     depth = np.where(lost, depths(before), 0.0)

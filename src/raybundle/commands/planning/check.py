@@ -76,12 +76,12 @@ def check_flight(
 
 def run_plan_check(settings: PlanCheckSettings, progress: Progress = silent) -> CheckedFlight:
     """Check what the settings name, and write what they ask for."""
-    from raybundle.io.folders import check_new_folder  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.missions.flown import flown_of  # noqa: PLC0415
-    from raybundle.io.missions.mission_file import read_mission  # noqa: PLC0415
-    from raybundle.io.photos.photo import find_photos  # noqa: PLC0415
-    from raybundle.missions.check import Limits  # noqa: PLC0415
-    from raybundle.missions.check import check_flight as check  # noqa: PLC0415
+    from raybundle.io.folders import check_new_folder
+    from raybundle.io.missions.flown import flown_of
+    from raybundle.io.missions.mission_file import read_mission
+    from raybundle.io.photos.photo import find_photos
+    from raybundle.missions.check import Limits
+    from raybundle.missions.check import check_flight as check
 
     s = settings
     if s.out is not None:
@@ -107,19 +107,19 @@ def run_plan_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
 def _placed(s: PlanCheckSettings, photos: Sequence[Photo]) -> tuple[Sequence[Photo], tuple[str, ...]]:
     if s.positions is None:
         return photos, ()
-    from raybundle.io.trajectories.base import read_trajectory  # noqa: PLC0415
-    from raybundle.io.trajectories.photographs import with_positions  # noqa: PLC0415
+    from raybundle.io.trajectories.base import read_trajectory
+    from raybundle.io.trajectories.photographs import with_positions
 
     return with_positions(photos, read_trajectory(s.positions), s.crs or None)
 
 
 def _ground(s: PlanCheckSettings, mission: Mission) -> tuple[Ground, tuple[str, ...]]:
     """Heights of the ground where they are known; without a raster those below a plan that followed none."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.geo.rasters import read_heights  # noqa: PLC0415
-    from raybundle.missions.mission import exposures  # noqa: PLC0415
-    from raybundle.missions.terrain import below_photographs, level_ground  # noqa: PLC0415
+    from raybundle.io.geo.rasters import read_heights
+    from raybundle.missions.mission import exposures
+    from raybundle.missions.terrain import below_photographs, level_ground
 
     if s.dem is not None:
         xy = np.concatenate([mission.way_points.xyz[:, :2], mission.outline])
@@ -136,9 +136,9 @@ def _ground(s: PlanCheckSettings, mission: Mission) -> tuple[Ground, tuple[str, 
 
 def _write(out: Path, mission: Mission, result: FlightCheck) -> tuple[Path, ...]:
     """photographs.csv, gaps and a picture."""
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.io.missions.gap_files import write_flown, write_gaps  # noqa: PLC0415
-    from raybundle.report.figures.mission import plan_view  # noqa: PLC0415
+    from raybundle.io.folders import new_folder
+    from raybundle.io.missions.gap_files import write_flown, write_gaps
+    from raybundle.report.figures.mission import plan_view
 
     with new_folder(out) as folder:
         table, picture = folder / "photographs.csv", folder / "check.svg"

@@ -47,10 +47,10 @@ def run_list_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
 
     Photographs are oriented first, by targets for a calibration, else by what they show; a result is taken as it is.
     """
-    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.folders import check_new_folder  # noqa: PLC0415
-    from raybundle.planning.network.of_result import stations_of_result  # noqa: PLC0415
-    from raybundle.planning.network.taken_stations import ticked  # noqa: PLC0415
+    from raybundle.commands.planning.objects import block_in
+    from raybundle.io.folders import check_new_folder
+    from raybundle.planning.network.of_result import stations_of_result
+    from raybundle.planning.network.taken_stations import ticked
 
     if settings.out is not None:
         check_new_folder(settings.out)
@@ -75,11 +75,11 @@ def run_list_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
 
 def _taken(settings: PlanCheckSettings, progress: Progress) -> tuple[Block, tuple[str, ...]]:
     """The block of the photographs, without those that were not oriented, and their names."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.block.select import select_block  # noqa: PLC0415
-    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
-    from raybundle.measuring.session import holds_block  # noqa: PLC0415
+    from raybundle.block.select import select_block
+    from raybundle.commands.planning.objects import block_in
+    from raybundle.measuring.session import holds_block
 
     folder = settings.photos[0]
     if len(settings.photos) == 1 and holds_block(folder):
@@ -95,15 +95,15 @@ def _taken(settings: PlanCheckSettings, progress: Progress) -> tuple[Block, tupl
 
 def _oriented(settings: PlanCheckSettings, out: Path, progress: Progress) -> Path:
     """The result of the photographs, by targets or by what they show."""
-    from raybundle.io.reading.trees import read_json  # noqa: PLC0415
+    from raybundle.io.reading.trees import read_json
 
     plan = read_json(settings.plan / "plan.json")
     if plan.has("list") and plan.get("list").text() == "calibration":
-        from raybundle.commands.calibrate import calibrate  # noqa: PLC0415
+        from raybundle.commands.calibrate import calibrate
 
         calibrate(settings.photos, out, progress=progress)
     else:
-        from raybundle.commands.orient import orient  # noqa: PLC0415
+        from raybundle.commands.orient import orient
 
         orient(settings.photos, out, progress=progress, precise=False, report=False)
     return out
@@ -111,7 +111,7 @@ def _oriented(settings: PlanCheckSettings, out: Path, progress: Progress) -> Pat
 
 def _view(block: Block) -> float:
     """Half of what the camera sees along the longer side [deg]."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     camera = block.cameras[0]
     c = camera.sensor.camera_constant(camera.parameters)
@@ -120,7 +120,7 @@ def _view(block: Block) -> float:
 
 def _rows(path: Path) -> list[dict[str, str]]:
     """The lines of a list."""
-    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
+    from raybundle.io.tables import Column, read_table
 
     names = ("group", "see", "how")
     columns = [Column(name="image", kind="id"), *(Column(name=n, kind="text") for n in names)]
@@ -135,11 +135,11 @@ def _written(
     out: Path, done: CheckedList, rows: Sequence[dict[str, str]], planned: PhotographList, stations: Stations
 ) -> CheckedList:
     """list.pdf and list.csv with the names of the photographs that were taken."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.commands.planning.photograph_list import write_list  # noqa: PLC0415
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.report.photograph_list import ListedPhotograph  # noqa: PLC0415
+    from raybundle.commands.planning.photograph_list import write_list
+    from raybundle.io.folders import new_folder
+    from raybundle.report.photograph_list import ListedPhotograph
 
     s, of = stations, done.ticked.of
     listed = tuple(
@@ -162,10 +162,10 @@ def _written(
 
 def _printed(plan: Path) -> PhotographList:
     """What the list has beside its photographs."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.reading.trees import read_json  # noqa: PLC0415
-    from raybundle.report.photograph_list import PhotographList  # noqa: PLC0415
+    from raybundle.io.reading.trees import read_json
+    from raybundle.report.photograph_list import PhotographList
 
     path = plan / PRINTED
     if not path.is_file():

@@ -101,10 +101,10 @@ class FlightSettings:
 
         raises  InputError for settings that contradict each other, and for more photographs than are forecast
         """
-        from raybundle.io.missions.cameras import mission_camera  # noqa: PLC0415  (what computes is loaded later)
-        from raybundle.planning.flights.aerial import NO_RTK  # noqa: PLC0415
-        from raybundle.planning.flights.flight import points_of  # noqa: PLC0415
-        from raybundle.planning.flights.uav_networks import FREE, Flight, uav_camera  # noqa: PLC0415
+        from raybundle.io.missions.cameras import mission_camera
+        from raybundle.planning.flights.aerial import NO_RTK
+        from raybundle.planning.flights.flight import points_of
+        from raybundle.planning.flights.uav_networks import FREE, Flight, uav_camera
 
         self._checked()
         given = mission_camera(self.camera)
@@ -141,7 +141,7 @@ class FlightSettings:
 
     def _numbers(self, base: float, spacing: float) -> tuple[int, int]:
         """Lines, and photographs of each: over an area as `plan mission` lays them, half a spacing beyond its edges."""
-        from raybundle.planning.flights.uav_networks import covering  # noqa: PLC0415
+        from raybundle.planning.flights.uav_networks import covering
 
         if self.area is None:
             lines, photos = self.lines or LINES, self.photographs_per_line or PHOTOS
@@ -160,10 +160,10 @@ def run_plan_flight(
     settings: FlightSettings, progress: Progress = silent
 ) -> tuple[Flight, FlightPlan, ControlTable | None]:
     """The flight, its forecast, what control brings, and the simulated block as a folder, where they are asked for."""
-    from raybundle.io.block.folder import write_block  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.folders import check_new_folder  # noqa: PLC0415
-    from raybundle.planning.flights.flight import flight_control, plan_flight  # noqa: PLC0415
-    from raybundle.planning.flights.uav_networks import flight_block  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block
+    from raybundle.io.folders import check_new_folder
+    from raybundle.planning.flights.flight import flight_control, plan_flight
+    from raybundle.planning.flights.uav_networks import flight_block
 
     out = settings.out
     if out is not None:

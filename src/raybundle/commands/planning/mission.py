@@ -160,17 +160,17 @@ def plan_mission(area: str | Path, out: str | Path, **settings: Any) -> PlannedM
 
 def run_plan_mission(settings: MissionSettings) -> PlannedMission:
     """Plan the mission that the settings ask for, and write it."""
-    from raybundle.io.folders import check_new_folder  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.missions import mission_formats, routes_of  # noqa: PLC0415
-    from raybundle.missions.build import plan_mission as build  # noqa: PLC0415
-    from raybundle.missions.report import mission_facts, warnings  # noqa: PLC0415
+    from raybundle.io.folders import check_new_folder
+    from raybundle.io.missions import mission_formats, routes_of
+    from raybundle.missions.build import plan_mission as build
+    from raybundle.missions.report import mission_facts, warnings
 
     s = settings
     unknown = [f for f in s.to if f not in mission_formats]
     if unknown:
         raise InputError("format.unknown", format=unknown[0], known=list(mission_formats))
     if not re.fullmatch(r"[\w][\w .-]{0,60}", s.name):
-        from raybundle.io.reading.words import quoted  # noqa: PLC0415  (NumPy is loaded with it)
+        from raybundle.io.reading.words import quoted
 
         raise InputError("mission.name", name=quoted(s.name[:60]))
     check_new_folder(s.out)
@@ -188,7 +188,7 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
 
 
 def _forecast(s: MissionSettings, mission: Mission, ground: Ground) -> MissionForecast:
-    from raybundle.planning.flights.mission import Asked, mission_forecast  # noqa: PLC0415
+    from raybundle.planning.flights.mission import Asked, mission_forecast
 
     asked = Asked(station_sigma=s.rtk, lever_arm=s.free_lever_arm, image_sigma_px=s.image_sigma)
     return mission_forecast(mission, ground, asked)
@@ -216,12 +216,12 @@ def _figures(f: MissionForecast) -> dict[str, object]:
 
 def _task(s: MissionSettings) -> tuple[Any, Ground, tuple[str, ...]]:
     """What is to be flown, the ground as far as it is known, and remarks on how it was read."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.missions.areas import in_crs, plane_crs, read_shapes  # noqa: PLC0415
-    from raybundle.missions.build import Task  # noqa: PLC0415
-    from raybundle.missions.patterns import patterns  # noqa: PLC0415
-    from raybundle.missions.terrain import ground_of, level_ground  # noqa: PLC0415
+    from raybundle.io.missions.areas import in_crs, plane_crs, read_shapes
+    from raybundle.missions.build import Task
+    from raybundle.missions.patterns import patterns
+    from raybundle.missions.terrain import ground_of, level_ground
 
     vehicle, camera = _vehicle(s), _camera(s)
     shape = _shape(read_shapes(s.area, s.crs), patterns[s.pattern].shape, s)
@@ -267,7 +267,7 @@ def _settings(s: MissionSettings) -> Mapping[str, object]:
 
 
 def _camera(s: MissionSettings) -> MissionCamera:
-    from raybundle.io.missions.cameras import mission_camera  # noqa: PLC0415
+    from raybundle.io.missions.cameras import mission_camera
 
     camera = mission_camera(s.camera, s.vehicle)
     given = {k: v for k, v in (("exposure_s", s.exposure), ("interval_s", s.interval)) if v is not None}
@@ -275,7 +275,7 @@ def _camera(s: MissionSettings) -> MissionCamera:
 
 
 def _vehicle(s: MissionSettings) -> Vehicle:
-    from raybundle.io.missions.cameras import vehicle_of  # noqa: PLC0415
+    from raybundle.io.missions.cameras import vehicle_of
 
     vehicle = vehicle_of(s.vehicle)
     given = {k: v for k, v in (("climb", s.climb), ("minutes", s.battery)) if v is not None}
@@ -284,7 +284,7 @@ def _vehicle(s: MissionSettings) -> Vehicle:
 
 
 def _wish(s: MissionSettings, camera: MissionCamera) -> Wish:
-    from raybundle.missions.patterns import Wish, patterns  # noqa: PLC0415
+    from raybundle.missions.patterns import Wish, patterns
 
     if s.gsd is not None and s.height is not None:
         raise InputError("option.exclusive", first="gsd", second="height")
@@ -322,11 +322,11 @@ def _shape(shapes: tuple[Shape, ...], wanted: str, s: MissionSettings) -> Shape:
 
 def _heights(s: MissionSettings, crs: str, outline: Array, home: Array | None, wish: Wish) -> HeightGrid:
     """Heights below everything that is flown over and seen."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.geo.rasters import read_heights  # noqa: PLC0415
-    from raybundle.missions.build import checked_outline  # noqa: PLC0415
-    from raybundle.missions.patterns import patterns  # noqa: PLC0415
+    from raybundle.io.geo.rasters import read_heights
+    from raybundle.missions.build import checked_outline
+    from raybundle.missions.patterns import patterns
 
     assert s.dem is not None
     pattern = patterns[s.pattern]
@@ -340,7 +340,7 @@ def _heights(s: MissionSettings, crs: str, outline: Array, home: Array | None, w
 
 def _holes(grid: HeightGrid, outline: Array, kind: str) -> tuple[str, ...]:
     """Which holes of the heights lie within an area."""
-    from raybundle.missions.polygons import inside  # noqa: PLC0415
+    from raybundle.missions.polygons import inside
 
     if kind != "area":
         return ()
@@ -363,10 +363,10 @@ def _write(
     s: MissionSettings, mission: Mission, facts: MissionFacts, routes: Any, forecast: MissionForecast | None
 ) -> tuple[tuple[Path, ...], tuple[str, ...]]:
     """The folder of the plan, whole or not at all; its files, and what formats do not take."""
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.io.missions import mission_formats  # noqa: PLC0415
-    from raybundle.io.missions.mission_file import NAME, write_mission  # noqa: PLC0415
-    from raybundle.report.figures.mission import plan_view  # noqa: PLC0415
+    from raybundle.io.folders import new_folder
+    from raybundle.io.missions import mission_formats
+    from raybundle.io.missions.mission_file import NAME, write_mission
+    from raybundle.report.figures.mission import plan_view
 
     line: list[str] = []
     names = [NAME, "mission.svg"]

@@ -129,10 +129,10 @@ def plan_network(object: str, out: str | Path, *, progress: Progress = silent, *
 
 def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> NetworkPlan:
     """Plan what the settings ask for, and write it."""
-    from raybundle.commands.planning.network_files import write_network_plan  # noqa: PLC0415  (loaded after the help)
-    from raybundle.io.folders import check_new_folder  # noqa: PLC0415
-    from raybundle.planning.network import network_plan  # noqa: PLC0415
-    from raybundle.planning.network.datum_of_plan import Wanted  # noqa: PLC0415
+    from raybundle.commands.planning.network_files import write_network_plan
+    from raybundle.io.folders import check_new_folder
+    from raybundle.planning.network import network_plan
+    from raybundle.planning.network.datum_of_plan import Wanted
 
     if settings.sigma is None and settings.photographs is None and settings.stations is None:
         raise InputError("plan.no_goal")
@@ -165,11 +165,11 @@ def site_of(settings: NetworkSettings, *, taken: bool = False) -> Site:
 
     taken  stations are given: without a focus that is reported their photographs are sharp everywhere
     """
-    from raybundle.commands.planning.objects import surface_of  # noqa: PLC0415
-    from raybundle.objects.surface import spread  # noqa: PLC0415
-    from raybundle.planning.measured import measured_kinds  # noqa: PLC0415
-    from raybundle.planning.network.optics import Optics  # noqa: PLC0415
-    from raybundle.planning.network.site import Site  # noqa: PLC0415
+    from raybundle.commands.planning.objects import surface_of
+    from raybundle.objects.surface import spread
+    from raybundle.planning.measured import measured_kinds
+    from raybundle.planning.network.optics import Optics
+    from raybundle.planning.network.site import Site
 
     surface, side = surface_of(settings.object, settings.unit, settings.crs)
     camera = camera_of(settings)
@@ -191,12 +191,12 @@ def site_of(settings: NetworkSettings, *, taken: bool = False) -> Site:
 
 def stations_of(path: Path) -> Stations:
     """The stations of a plan's table, of a block or of a result."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
-    from raybundle.io.tables import Column, read_table  # noqa: PLC0415
-    from raybundle.planning.network.candidates import Stations  # noqa: PLC0415
-    from raybundle.planning.network.of_result import stations_of_result  # noqa: PLC0415
+    from raybundle.commands.planning.objects import block_in
+    from raybundle.io.tables import Column, read_table
+    from raybundle.planning.network.candidates import Stations
+    from raybundle.planning.network.of_result import stations_of_result
 
     if path.is_dir():
         return stations_of_result(block_in(path))
@@ -213,7 +213,7 @@ def stations_of(path: Path) -> Stations:
 
 def camera_of(settings: NetworkSettings) -> Camera:
     """The camera: as calibrated, as a photograph states it, or by its numbers."""
-    from raybundle.planning.synthetic_networks import brown_camera  # noqa: PLC0415
+    from raybundle.planning.synthetic_networks import brown_camera
 
     free = () if settings.hold_camera else ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2")
     if settings.camera is None and Path(settings.object).is_dir():
@@ -226,9 +226,9 @@ def camera_of(settings: NetworkSettings) -> Camera:
         camera = _calibrated(settings.camera)
         known = tuple(s for s in free if s in camera.sensor.symbols)
         return replace(camera, estimate=known, sigma={}, relations=())
-    from raybundle.io.cameras.library import with_library  # noqa: PLC0415
-    from raybundle.io.photos.cameras import camera_groups  # noqa: PLC0415
-    from raybundle.io.photos.photo import read_photo  # noqa: PLC0415
+    from raybundle.io.cameras.library import with_library
+    from raybundle.io.photos.cameras import camera_groups
+    from raybundle.io.photos.photo import read_photo
 
     photo = read_photo(settings.camera)
     (group,) = with_library([photo], camera_groups([photo]))
@@ -239,11 +239,11 @@ def camera_of(settings: NetworkSettings) -> Camera:
 
 def _calibrated(path: Path) -> Camera:
     """The camera of a calibration, or that of most photographs of a block; raises InputError for others than frames."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.commands.planning.objects import block_in  # noqa: PLC0415
-    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
-    from raybundle.platforms import Carried  # noqa: PLC0415
+    from raybundle.commands.planning.objects import block_in
+    from raybundle.io.block.toml import read_cameras
+    from raybundle.platforms import Carried
 
     if path.is_dir():
         block = block_in(path)
@@ -266,9 +266,9 @@ def _access(
     settings: NetworkSettings, surface: Surface, side: str, depth: tuple[float, float], fitting: float
 ) -> Access:
     """Where one may stand: a box about the object, without what is forbidden."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.planning.network.site import Access  # noqa: PLC0415
+    from raybundle.planning.network.site import Access
 
     low, high = (b.astype(float) for b in surface.wanted_bounds)
     extent, tall = surface.extent, float(high[2] - low[2])

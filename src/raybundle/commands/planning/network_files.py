@@ -29,20 +29,20 @@ def write_network_plan(
     more  writes further files into the folder
     kind  of a list of photographs
     """
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.adjustment.engine import adjust_block  # noqa: PLC0415
-    from raybundle.adjustment.records.options import AdjustmentOptions  # noqa: PLC0415
-    from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
-    from raybundle.io.block.tables import named  # noqa: PLC0415
-    from raybundle.io.digits import COUNT, EVERY, SETTING, SHORT, STD, by_sigma, of_places  # noqa: PLC0415
-    from raybundle.io.digits import reported as in_digits  # noqa: PLC0415
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.io.tables import write_table  # noqa: PLC0415
-    from raybundle.planning.network.planned_block import planned_block  # noqa: PLC0415
-    from raybundle.report.network.page import Planned, write_network_page  # noqa: PLC0415
-    from raybundle.results.contents import clean  # noqa: PLC0415
-    from raybundle.words import reader  # noqa: PLC0415
+    from raybundle.adjustment.engine import adjust_block
+    from raybundle.adjustment.records.options import AdjustmentOptions
+    from raybundle.io.block.folder import write_block_files
+    from raybundle.io.block.tables import named
+    from raybundle.io.digits import COUNT, EVERY, SETTING, SHORT, STD, by_sigma, of_places
+    from raybundle.io.digits import reported as in_digits
+    from raybundle.io.folders import new_folder
+    from raybundle.io.tables import write_table
+    from raybundle.planning.network.planned_block import planned_block
+    from raybundle.report.network.page import Planned, write_network_page
+    from raybundle.results.contents import clean
+    from raybundle.words import reader
 
     s, e = plan.design.stations, plan.expected
     h = plan.held
@@ -128,7 +128,7 @@ def write_network_plan(
 
 def reported(plan: NetworkPlan) -> dict[str, Any]:
     """The figures of a plan, metres and degrees."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     e, seen = plan.expected, np.isfinite(plan.map_sigma)
     free, h = plan.site.free, plan.held
@@ -206,7 +206,7 @@ def known_words(h: Held, points: int) -> list[str]:
 
 def free_camera(plan: NetworkPlan) -> list[Message]:
     """What a plan of natural points does not know where the camera is calibrated with the object; [] for others."""
-    from raybundle.planning.measured import FREE_CAMERA  # noqa: PLC0415
+    from raybundle.planning.measured import FREE_CAMERA
 
     if plan.site.found is None or not plan.site.free:
         return []

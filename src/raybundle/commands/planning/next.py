@@ -102,8 +102,8 @@ def run_plan_next(settings: NextSettings, progress: Progress = silent) -> NextPl
 
 
 def _run(s: NextSettings, given: Adjustment | None, *, write: bool, progress: Progress) -> NextPlan:
-    from raybundle.io.folders import check_new_folder  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.planning.next import plan as next_plan  # noqa: PLC0415
+    from raybundle.io.folders import check_new_folder
+    from raybundle.planning.next import plan as next_plan
 
     if write:
         check_new_folder(s.out)
@@ -121,11 +121,11 @@ def _run(s: NextSettings, given: Adjustment | None, *, write: bool, progress: Pr
 
 def _adjusted(folder: Path, progress: Progress) -> Adjustment:
     """The adjustment of a folder; raises InputError for one that is no block, or not adjusted yet."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415
-    from raybundle.measuring.session import block_folder, readjusted  # noqa: PLC0415
-    from raybundle.results.stored_options import made_as  # noqa: PLC0415
+    from raybundle.io.block.folder import read_block
+    from raybundle.measuring.session import block_folder, readjusted
+    from raybundle.results.stored_options import made_as
 
     inner = block_folder(folder)
     block, options = made_as(inner, read_block(inner))
@@ -139,12 +139,12 @@ def _adjusted(folder: Path, progress: Progress) -> Adjustment:
 
 def conditions_of(s: NextSettings, result: Adjustment) -> Conditions:
     """Where one may stand, and what a photograph shows."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.commands.planning.objects import surface_of  # noqa: PLC0415
-    from raybundle.planning.network.optics import Optics  # noqa: PLC0415
-    from raybundle.planning.next.plan import Conditions, camera_of  # noqa: PLC0415
-    from raybundle.planning.next.stations import Reach  # noqa: PLC0415
+    from raybundle.commands.planning.objects import surface_of
+    from raybundle.planning.network.optics import Optics
+    from raybundle.planning.next.plan import Conditions, camera_of
+    from raybundle.planning.next.stations import Reach
 
     if s.heights is not None and s.heights[1] < s.heights[0]:
         low, high = s.heights
@@ -180,15 +180,15 @@ METRES_OF = {"m": 1.0, "mm": 0.001}
 
 def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
     """Write FOLDER/next.csv, next.json, block and network.html, whole or not at all."""
-    from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
-    from raybundle.io.digits import SHORT  # noqa: PLC0415
-    from raybundle.io.digits import reported as in_digits  # noqa: PLC0415
-    from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.io.tables import write_table  # noqa: PLC0415
-    from raybundle.planning.next.words import instruction  # noqa: PLC0415
-    from raybundle.report.network.page import Planned, write_network_page  # noqa: PLC0415
-    from raybundle.results.contents import clean  # noqa: PLC0415
-    from raybundle.words import reader  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block_files
+    from raybundle.io.digits import SHORT
+    from raybundle.io.digits import reported as in_digits
+    from raybundle.io.folders import new_folder
+    from raybundle.io.tables import write_table
+    from raybundle.planning.next.words import instruction
+    from raybundle.report.network.page import Planned, write_network_page
+    from raybundle.results.contents import clean
+    from raybundle.words import reader
 
     words = [instruction(plan, k) for k in range(len(plan.proposals))]
     after = plan.adjusted()
@@ -221,9 +221,9 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
 
 def next_table(plan: NextPlan) -> dict[str, Any]:
     """The proposals as columns."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.planning.next.words import instruction, nearest_photograph, shown_points  # noqa: PLC0415
+    from raybundle.planning.next.words import instruction, nearest_photograph, shown_points
 
     chosen, block = plan.proposals, plan.block
     centre = np.array([c.photograph.centre[0] for c in chosen])
@@ -249,9 +249,9 @@ def next_table(plan: NextPlan) -> dict[str, Any]:
 
 def next_digits(columns: Mapping[str, Any]) -> dict[str, Digits]:
     """The digits of `next_table`: a place to a millionth of its distance, an angle as a level shows it."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.digits import COUNT, PROBABILITY, SETTING, STD, of_places  # noqa: PLC0415
+    from raybundle.io.digits import COUNT, PROBABILITY, SETTING, STD, of_places
 
     centre, at = (np.stack([columns[f"{n}{a}"] for a in "XYZ"], axis=1) for n in ("", "at_"))
     place = of_places(centre, at)
@@ -264,7 +264,7 @@ def next_digits(columns: Mapping[str, Any]) -> dict[str, Digits]:
 
 def _finite(values: Array) -> Array:
     """An empty cell for what is not determined."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     return np.where(np.isfinite(values), values, np.nan)
 
@@ -275,9 +275,9 @@ def _name(plan: NextPlan, point: int) -> str:
 
 def next_figures(plan: NextPlan) -> dict[str, Any]:
     """The figures of the proposals, as next.json has them."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.planning.next.words import instruction, parameter_ratios, shown_points  # noqa: PLC0415
+    from raybundle.planning.next.words import instruction, parameter_ratios, shown_points
 
     def figure(value: float) -> float | None:
         return value if np.isfinite(value) else None

@@ -25,8 +25,8 @@ def surface_of(text: str, unit: float = 1.0, crs: str = "") -> tuple[Surface, st
     unit  metres of one unit of a mesh
     crs   coordinate system in which a raster or an outline is wanted, where it is not its own
     """
-    from raybundle.io.meshes import SUFFIXES, read_mesh  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.objects.kinds import object_kinds  # noqa: PLC0415
+    from raybundle.io.meshes import SUFFIXES, read_mesh
+    from raybundle.objects.kinds import object_kinds
 
     name, colon, rest = text.partition(":")
     if colon and name in object_kinds:
@@ -41,12 +41,12 @@ def surface_of(text: str, unit: float = 1.0, crs: str = "") -> tuple[Surface, st
             )  # fmt: skip
         return surface, "round"
     if suffix in RASTERS:
-        from raybundle.io.geo.rasters import read_all_heights  # noqa: PLC0415
-        from raybundle.objects.heights import surface_of_heights  # noqa: PLC0415
+        from raybundle.io.geo.rasters import read_all_heights
+        from raybundle.objects.heights import surface_of_heights
 
         return surface_of_heights(read_all_heights(path, crs), path.stem), "above"
     if path.is_dir():
-        from raybundle.planning.network.of_result import surface_of_result  # noqa: PLC0415
+        from raybundle.planning.network.of_result import surface_of_result
 
         return surface_of_result(block_in(path)), "round"
     raise InputError(
@@ -60,8 +60,8 @@ def surface_of(text: str, unit: float = 1.0, crs: str = "") -> tuple[Surface, st
 
 def block_in(folder: Path) -> Block:
     """The block of a result, of a project's result, of a plan, or that folder itself."""
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415
-    from raybundle.measuring.session import block_folder  # noqa: PLC0415
+    from raybundle.io.block.folder import read_block
+    from raybundle.measuring.session import block_folder
 
     return read_block(block_folder(folder))
 
@@ -71,22 +71,22 @@ def adjusted_block_in(folder: Path, threads: int = 0) -> tuple[Block, bool]:
 
     They stand in the frame of what was given, control and positions first; what was given stays as it was given.
     """
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     block = block_in(folder)
     seen = np.unique(block.observations.point)
     if np.isfinite(block.points.xyz[seen]).all():
         return block, False
-    from raybundle.adjustment.readjust import block_again  # noqa: PLC0415
-    from raybundle.adjustment.records.options import AdjustmentOptions  # noqa: PLC0415
-    from raybundle.workflows.adjust import adjust  # noqa: PLC0415
+    from raybundle.adjustment.readjust import block_again
+    from raybundle.adjustment.records.options import AdjustmentOptions
+    from raybundle.workflows.adjust import adjust
 
     return block_again(adjust(block, AdjustmentOptions(statistics=False, jobs=threads))), True
 
 
 def example(name: str) -> str:
     """A kind of object as one may type it."""
-    from raybundle.objects.kinds import object_kinds  # noqa: PLC0415
+    from raybundle.objects.kinds import object_kinds
 
     return f"{name}:" + ",".join(f"{v:g}" for v in object_kinds[name].example)
 
@@ -95,7 +95,7 @@ def _of_kind(kind: ObjectKind, text: str, rest: str, crs: str) -> Surface:
     first, _, others = rest.partition(",")
     line: Array | None = None
     if Path(first).suffix and not _number(first):
-        from raybundle.io.outlines import read_outline  # noqa: PLC0415
+        from raybundle.io.outlines import read_outline
 
         line, rest = read_outline(Path(first), crs), others
     words = [w for w in rest.replace("x", ",").split(",") if w.strip()]

@@ -93,11 +93,11 @@ def plan_list(
 
 def run_plan_list(settings: ListSettings, progress: Progress = silent) -> NetworkPlan:
     """List what the settings ask for, and write it."""
-    from raybundle.commands.planning.network_files import write_network_plan  # noqa: PLC0415  (loaded after the help)
-    from raybundle.io.folders import check_new_folder  # noqa: PLC0415
-    from raybundle.planning.network.assistants import assistants  # noqa: PLC0415
-    from raybundle.planning.network.datum_of_plan import Wanted  # noqa: PLC0415
-    from raybundle.planning.network.network_plan import plan_network  # noqa: PLC0415
+    from raybundle.commands.planning.network_files import write_network_plan
+    from raybundle.io.folders import check_new_folder
+    from raybundle.planning.network.assistants import assistants
+    from raybundle.planning.network.datum_of_plan import Wanted
+    from raybundle.planning.network.network_plan import plan_network
 
     if settings.kind not in assistants:
         raise InputError("plan.unknown_list", kind=settings.kind, known=sorted(assistants))
@@ -117,7 +117,7 @@ def run_plan_list(settings: ListSettings, progress: Progress = silent) -> Networ
 
 def task_of(settings: ListSettings) -> Task:
     """What the assistant is given."""
-    from raybundle.planning.network.assistants import Task  # noqa: PLC0415
+    from raybundle.planning.network.assistants import Task
 
     s = settings
     usual: dict[str, MeasuredName] = {"cipa": "natural", "calibration": "dots"}
@@ -139,10 +139,10 @@ def task_of(settings: ListSettings) -> Task:
 
 def _focused(site: Site, f_number: float) -> tuple[float, float]:
     """Depth of field of the lens, focused to where the object fills the shorter side of the format."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.planning.network.assistants.base import FULL  # noqa: PLC0415
-    from raybundle.planning.network.optics import Optics  # noqa: PLC0415
+    from raybundle.planning.network.assistants.base import FULL
+    from raybundle.planning.network.optics import Optics
 
     low, high = site.surface.wanted_bounds
     c = site.camera.sensor.camera_constant(site.camera.parameters)
@@ -162,7 +162,7 @@ def printed_list(
     settings: ListSettings, shots: Shots, plan: NetworkPlan, title: str
 ) -> tuple[PhotographList, tuple[ListedPhotograph, ...]]:
     """What is printed, and its lines."""
-    from raybundle.report.photograph_list import PhotographList, edges_of  # noqa: PLC0415
+    from raybundle.report.photograph_list import PhotographList, edges_of
 
     surface = plan.site.surface
     listed = photographs_of(shots, plan)
@@ -183,8 +183,8 @@ def printed_list(
 
 def write_list(folder: Path, printed: PhotographList, listed: Sequence[ListedPhotograph]) -> None:
     """Write list.pdf, list.csv and list.json."""
-    from raybundle.io.tables import write_table  # noqa: PLC0415
-    from raybundle.report.photograph_list import MOST_EDGES, list_pdf  # noqa: PLC0415
+    from raybundle.io.tables import write_table
+    from raybundle.report.photograph_list import MOST_EDGES, list_pdf
 
     (folder / "list.pdf").write_bytes(list_pdf(printed))
     write_table(
@@ -204,10 +204,10 @@ def write_list(folder: Path, printed: PhotographList, listed: Sequence[ListedPho
 
 def photographs_of(shots: Shots, plan: NetworkPlan) -> tuple[ListedPhotograph, ...]:
     """The lines of the list."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.planning.network.assistants.base import held_words  # noqa: PLC0415
-    from raybundle.report.photograph_list import ListedPhotograph  # noqa: PLC0415
+    from raybundle.planning.network.assistants.base import held_words
+    from raybundle.report.photograph_list import ListedPhotograph
 
     s, low = shots.stations, plan.site.surface.wanted_bounds[0]
     found = list[ListedPhotograph]()
@@ -262,8 +262,8 @@ def facts_of(settings: ListSettings, plan: NetworkPlan) -> list[str]:
 
 def _worth_words(plan: NetworkPlan, sigma_px: float) -> str:
     """What the calibration that comes with the photographs is good for."""
-    from raybundle.calibration.quality import GOOD_PX, REACH, SURE, USABLE_PX  # noqa: PLC0415
-    from raybundle.planning.network.calibration_quality import calibration_worth  # noqa: PLC0415
+    from raybundle.calibration.quality import GOOD_PX, REACH, SURE, USABLE_PX
+    from raybundle.planning.network.calibration_quality import calibration_worth
 
     w = calibration_worth(plan.site, plan.design.stations, plan.promise.interior)
     limit = {"good": 0.0, "usable": GOOD_PX}.get(w.grade, USABLE_PX)

@@ -100,9 +100,9 @@ def rpc_batch(
 
 def run_batch(s: RpcBatchSettings, progress: Progress = silent) -> Batch:
     """Correct and write all that can be, and the table."""
-    from raybundle.io.folders import check_new_folder, new_folder  # noqa: PLC0415  (what computes is loaded after)
-    from raybundle.io.raster_library import raster_library  # noqa: PLC0415
-    from raybundle.io.scenes.control import read_scene_control  # noqa: PLC0415
+    from raybundle.io.folders import check_new_folder, new_folder
+    from raybundle.io.raster_library import raster_library
+    from raybundle.io.scenes.control import read_scene_control
 
     check_new_folder(s.out)
     if s.to == "tif":
@@ -134,7 +134,7 @@ def run_batch(s: RpcBatchSettings, progress: Progress = silent) -> Batch:
 
 def scenes_among(given: Sequence[Path]) -> Iterator[Path]:
     """The scenes among files and folders: pictures with an RPC, and files that show one without a picture."""
-    from raybundle.io.scenes.control import scene_key  # noqa: PLC0415
+    from raybundle.io.scenes.control import scene_key
 
     for path in given:
         if not path.is_dir():
@@ -152,8 +152,8 @@ def scenes_among(given: Sequence[Path]) -> Iterator[Path]:
 
 def _scene_of(files: Sequence[Path]) -> Path | None:
     """Of files of one name the picture with an RPC, else the file that shows one."""
-    from raybundle.io.scenes import is_scene  # noqa: PLC0415
-    from raybundle.workflows.scenes.images import model_of  # noqa: PLC0415
+    from raybundle.io.scenes import is_scene
+    from raybundle.workflows.scenes.images import model_of
 
     pictures = [f for f in files if f.suffix.lower() in RASTERS]
     for picture in pictures:
@@ -168,7 +168,7 @@ def _scene_of(files: Sequence[Path]) -> Path | None:
 
 def _one(s: RpcBatchSettings, file: Path, control: SceneControl, folder: Path, taken: set[str]) -> BatchScene:
     """One scene, corrected and written, or why not."""
-    from raybundle.io.scenes.writing import write_rpc  # noqa: PLC0415
+    from raybundle.io.scenes.writing import write_rpc
 
     stem = file.name.removesuffix("_RPC.TXT").removesuffix("_rpc.txt")
     target = folder / f"{Path(stem).stem if stem == file.name else stem}{ENDINGS[s.to]}"
@@ -189,9 +189,9 @@ def _one(s: RpcBatchSettings, file: Path, control: SceneControl, folder: Path, t
 
 
 def _write_biases(path: Path, scenes: Sequence[BatchScene]) -> None:
-    from raybundle.io.digits import COUNT, STD, by_sigma  # noqa: PLC0415
-    from raybundle.io.tables import write_table  # noqa: PLC0415
-    from raybundle.scenes.bias import BIAS_PARAMETERS  # noqa: PLC0415
+    from raybundle.io.digits import COUNT, STD, by_sigma
+    from raybundle.io.tables import write_table
+    from raybundle.scenes.bias import BIAS_PARAMETERS
 
     symbols = BIAS_PARAMETERS["affine"]
     columns: dict[str, list[Any]] = {}
@@ -223,7 +223,7 @@ def _write_biases(path: Path, scenes: Sequence[BatchScene]) -> None:
         put("err_rand_m", none if errors is None or errors.err_rand_m is None else errors.err_rand_m)
         put("file", "" if scene.file is None else scene.file.name)
         put("problem", scene.problem_line)
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     table = {n: tuple(v) if isinstance(v[0], str) else np.array(v, float) for n, v in columns.items()}
     digits: dict[str, Digits] = {n: STD for n, v in table.items() if isinstance(v, np.ndarray)}

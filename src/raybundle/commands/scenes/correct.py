@@ -143,7 +143,7 @@ def former_of(scene: Path) -> Path:
 
 def correction_of(settings: RpcCorrectSettings, given: SceneInput | None = None) -> Correction:
     """What the points say of the RPC; nothing is written."""
-    from raybundle.io.scenes.control import read_scene_control  # noqa: PLC0415  (what computes is loaded after)
+    from raybundle.io.scenes.control import read_scene_control
 
     s = settings
     given = given or scene_input(s.scene, s.rpc)
@@ -154,7 +154,7 @@ def correction_of(settings: RpcCorrectSettings, given: SceneInput | None = None)
 
 def _check_target(s: RpcCorrectSettings, given: SceneInput) -> None:
     """Raise InputError where the scene has no RPC, or the file to write cannot be made of it."""
-    from raybundle.io.scenes.writing import RASTERS, check_rpc_name  # noqa: PLC0415
+    from raybundle.io.scenes.writing import RASTERS, check_rpc_name
 
     if given.scene.rpc is None:
         raise InputError("scene.rpc_missing", file=given.scene.file)
@@ -168,12 +168,12 @@ def _check_target(s: RpcCorrectSettings, given: SceneInput) -> None:
 
 def correction_on(given: SceneInput, control: SceneControl, s: ControlSettings) -> Correction:
     """What control of one scene states of its RPC."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.scenes.bias_choice import choose_bias, point_covariance  # noqa: PLC0415
-    from raybundle.scenes.height_units import check_height_unit  # noqa: PLC0415
-    from raybundle.scenes.image_axes import check_image_axes  # noqa: PLC0415
-    from raybundle.scenes.rpc_errors import ground_errors  # noqa: PLC0415
+    from raybundle.scenes.bias_choice import choose_bias, point_covariance
+    from raybundle.scenes.height_units import check_height_unit
+    from raybundle.scenes.image_axes import check_image_axes
+    from raybundle.scenes.rpc_errors import ground_errors
 
     scene, rpc = given.scene, given.scene.rpc
     assert rpc is not None
@@ -211,10 +211,10 @@ def _odd_points(scene: Scene, rpc: Rpc, used: SceneControl) -> dict[int, Text]:
 
 
 def _checked(rpc: Rpc, fit: BiasFit, checks: SceneControl) -> Checked:
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.numerics.geodesy import metres_per_geographic  # noqa: PLC0415
-    from raybundle.scenes.bias import bias_design  # noqa: PLC0415
+    from raybundle.numerics.geodesy import metres_per_geographic
+    from raybundle.scenes.bias import bias_design
 
     xy, by_ground = rpc.project_with_partials(checks.geographic)
     uv = (xy - rpc.image_offset) / rpc.image_scale
@@ -233,7 +233,7 @@ def write_correction(settings: RpcCorrectSettings, found: Correction, *, always:
     always  whether it is built in where nothing is written, too
     raises  InputError where the points do not determine it; NotSolvable where it must not be used
     """
-    from raybundle.io.scenes.writing import write_rpc  # noqa: PLC0415
+    from raybundle.io.scenes.writing import write_rpc
 
     s, writes = settings, settings.out is not None or settings.into_scene
     check_correction(found, s)
@@ -256,7 +256,7 @@ def write_correction(settings: RpcCorrectSettings, found: Correction, *, always:
 
 def check_correction(found: Correction, s: ControlSettings) -> None:
     """Raise where the points do not determine the correction, or contradict it."""
-    from raybundle.scenes.bias_choice import check_fit  # noqa: PLC0415
+    from raybundle.scenes.bias_choice import check_fit
 
     file = s.points if isinstance(s, RpcCorrectSettings) else None
     if found.fit is None:
@@ -266,7 +266,7 @@ def check_correction(found: Correction, s: ControlSettings) -> None:
 
 def with_corrected(found: Correction, heights: tuple[float, float] | None) -> Correction:
     """With the corrected RPC, which states its own errors."""
-    from raybundle.scenes.rpc_fit import corrected_rpc  # noqa: PLC0415
+    from raybundle.scenes.rpc_fit import corrected_rpc
 
     fit, errors = found.fit, found.errors
     assert fit is not None

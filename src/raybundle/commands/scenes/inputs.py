@@ -31,7 +31,7 @@ class SceneInput:
     @property
     def remarks(self) -> tuple[str, ...]:
         """What is to be known of the scene where its RPC is used."""
-        from raybundle.io.scenes import remarks_of  # noqa: PLC0415  (what computes is loaded after the help)
+        from raybundle.io.scenes import remarks_of
 
         return tuple(Text.of(r) for r in remarks_of(self.scene))
 
@@ -70,8 +70,8 @@ def scene_input(given: Any, rpc: Any = None) -> SceneInput:
 
 def is_picture(path: Path) -> bool:
     """Whether a file is a raster, by its ending or its beginning."""
-    from raybundle.io.reading.files import check_regular  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.reading.tiff import is_tiff  # noqa: PLC0415
+    from raybundle.io.reading.files import check_regular
+    from raybundle.io.reading.tiff import is_tiff
 
     check_regular(path)
     return path.suffix.lower() in RASTERS or is_tiff(path)
@@ -93,7 +93,7 @@ def _of_object(given: Any, rpc: Any) -> SceneInput:
 
 
 def _scene_of(path: Path, width: int, height: int, rpc: Any) -> Scene:
-    from raybundle.workflows.scenes.images import scene_of_size  # noqa: PLC0415
+    from raybundle.workflows.scenes.images import scene_of_size
 
     if rpc is None:
         scene = _read(_model(path))
@@ -106,9 +106,9 @@ def _scene_of(path: Path, width: int, height: int, rpc: Any) -> Scene:
 
 def _model(path: Path) -> Path:
     """The file that shows the geometry of a picture: one beside it, else the picture itself, as GDAL goes about it."""
-    from raybundle.io.reading.tiff import is_tiff  # noqa: PLC0415
-    from raybundle.io.scenes import is_scene  # noqa: PLC0415
-    from raybundle.workflows.scenes.images import model_of  # noqa: PLC0415
+    from raybundle.io.reading.tiff import is_tiff
+    from raybundle.io.scenes import is_scene
+    from raybundle.workflows.scenes.images import model_of
 
     model = model_of(path)
     if model is None and not is_tiff(path) and is_scene(path):  # as a VRT
@@ -122,24 +122,24 @@ def _model(path: Path) -> Path:
 
 
 def _described(path: Path, rpc: Any) -> Scene:
-    from raybundle.io.scenes import Scene  # noqa: PLC0415
-    from raybundle.scenes.rasterio_rpc import rpc_from_rasterio  # noqa: PLC0415
-    from raybundle.scenes.rpc import Rpc as Own  # noqa: PLC0415
+    from raybundle.io.scenes import Scene
+    from raybundle.scenes.rasterio_rpc import rpc_from_rasterio
+    from raybundle.scenes.rpc import Rpc as Own
 
     own: Rpc = rpc if isinstance(rpc, Own) else rpc_from_rasterio(rpc)
     return Scene(file=path, format="rasterio", rpc=own)
 
 
 def _read(path: Path) -> Scene:
-    from raybundle.io.scenes import read_scene  # noqa: PLC0415
+    from raybundle.io.scenes import read_scene
 
     return read_scene(path)
 
 
 def _size(path: Path) -> tuple[int, int]:
     """Width and height [px]; of a TIFF without rasterio."""
-    from raybundle.io.reading.tiff import is_tiff, tiff_tags  # noqa: PLC0415
-    from raybundle.io.scenes.pictures import opened_raster  # noqa: PLC0415
+    from raybundle.io.reading.tiff import is_tiff, tiff_tags
+    from raybundle.io.scenes.pictures import opened_raster
 
     if is_tiff(path):
         _, tags = tiff_tags(path, frozenset({256, 257}))

@@ -112,7 +112,7 @@ class Orthophoto:
 
 
 def _counted(n: int) -> Array:
-    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
+    import numpy as np
 
     return np.arange(n)
 
@@ -149,9 +149,9 @@ def run_ortho(
     s: RpcOrthoSettings, given: SceneInput | None = None, heights: Any = None, progress: Progress = silent
 ) -> Orthophoto:
     """Make the map that the settings ask for."""
-    from raybundle.io.geo.ground import opened_ground  # noqa: PLC0415
-    from raybundle.io.scenes.pictures import opened_picture  # noqa: PLC0415
-    from raybundle.workflows.scenes.ortho import ortho_of  # noqa: PLC0415
+    from raybundle.io.geo.ground import opened_ground
+    from raybundle.io.scenes.pictures import opened_picture
+    from raybundle.workflows.scenes.ortho import ortho_of
 
     heights = s.dem if heights is None else heights
     if s.out is not None:
@@ -173,7 +173,7 @@ def run_ortho(
 
 
 def _made(plan: Ortho, picture: Picture, s: RpcOrthoSettings, progress: Progress) -> Orthophoto:
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     nodata = nodata_of(picture, s.nodata)
     seen = 0
@@ -198,12 +198,12 @@ def _made(plan: Ortho, picture: Picture, s: RpcOrthoSettings, progress: Progress
 @contextmanager
 def _target(plan: Ortho, picture: Picture, s: RpcOrthoSettings, nodata: float) -> Generator[tuple[Any, Array | None]]:
     """What takes a part (column, row, values), and the array that they come to lie in, where no file is written."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
-    from raybundle.io.folders import new_files  # noqa: PLC0415
-    from raybundle.io.geo.parsed_names import parsed_system  # noqa: PLC0415
-    from raybundle.io.pictures.geotiff import new_geotiff  # noqa: PLC0415
-    from raybundle.io.raster_library import raster_library  # noqa: PLC0415
+    from raybundle.io.folders import new_files
+    from raybundle.io.geo.parsed_names import parsed_system
+    from raybundle.io.pictures.geotiff import new_geotiff
+    from raybundle.io.raster_library import raster_library
 
     g = plan.grid
     if s.out is not None:
@@ -237,7 +237,7 @@ def _target(plan: Ortho, picture: Picture, s: RpcOrthoSettings, nodata: float) -
 
 def nodata_of(picture: Picture, asked: float | None) -> float:
     """Value of pixels without one; raises InputError for one that the picture's numbers cannot be."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     kind = picture.dtype
     value = asked if asked is not None else picture.nodata

@@ -54,13 +54,13 @@ def block_of_arrays(a: Mapping[str, Array]) -> Block:
 
 
 def _text_of_scenes(block: Block) -> str:
-    from raybundle.io.block.scene_arrays import text_of_scenes  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.io.block.scene_arrays import text_of_scenes
 
     return text_of_scenes(block)
 
 
 def _with_scenes(block: Block, entry: Mapping[str, Any]) -> Block:
-    from raybundle.io.block.scene_arrays import with_scenes  # noqa: PLC0415
+    from raybundle.io.block.scene_arrays import with_scenes
 
     return with_scenes(block, entry)
 

@@ -67,7 +67,7 @@ def read_frame(section: Section) -> Place | None:
 
 def local_in(crs: str, origin: tuple[float, float, float], undulation_m: float | None = None) -> Local:
     """The local east-north-up frame at a point of a coordinate system, which it is reported in; raises InputError."""
-    from raybundle.io.geo.coordinate_systems import local_frame  # noqa: PLC0415  (pyproj only where it is used)
+    from raybundle.io.geo.coordinate_systems import local_frame
 
     frame = local_frame(crs, origin, undulation_m=undulation_m)
     longitude, latitude, height = frame.wgs84_from_local(np.zeros((1, 3)))[0].tolist()
@@ -78,7 +78,7 @@ def local_in(crs: str, origin: tuple[float, float, float], undulation_m: float |
 
 def projected(crs: str, origin: tuple[float, float, float]) -> Projected:
     """The frame of a projected coordinate system near an origin (east, north, height); raises InputError."""
-    from raybundle.io.geo.coordinate_systems import local_frame  # noqa: PLC0415  (pyproj only where it is used)
+    from raybundle.io.geo.coordinate_systems import local_frame
 
     frame = local_frame(crs, origin)
     centre, R = frame.geocentric
@@ -120,8 +120,8 @@ def _list(values: tuple[float, ...]) -> str:
 
 def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera:
     """The camera of a scene; raises InputError with file and line."""
-    from raybundle.io.scenes import check_agreement, read_scene, rpc_of_image  # noqa: PLC0415  (only where there are scenes)
-    from raybundle.scenes.sensor import scene_camera  # noqa: PLC0415
+    from raybundle.io.scenes import check_agreement, read_scene, rpc_of_image
+    from raybundle.scenes.sensor import scene_camera
 
     if place is None:
         section.fail("model", "object_frame.missing")
@@ -166,7 +166,7 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
 
 def _members(sensor: RpcSensor | LineSensor, name: str) -> tuple[str, ...]:
     """The parameters that a name stands for: "rx" for those of a curve about the x axis, else the one."""
-    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+    from raybundle.scenes.sensor import RpcSensor
 
     return (name,) if isinstance(sensor, RpcSensor) else sensor.corrections.members(name)
 
@@ -187,8 +187,8 @@ def _sizes(found: Any) -> dict[str, int | None]:
 
 
 def _rpc_sensor(section: Section, rpc: Any, place: Place, size: tuple[int, int], file: Path) -> RpcSensor:
-    from raybundle.scenes.bias import BIAS_PARAMETERS  # noqa: PLC0415
-    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+    from raybundle.scenes.bias import BIAS_PARAMETERS
+    from raybundle.scenes.sensor import RpcSensor
 
     bias = section.choice("bias", tuple(BIAS_PARAMETERS), "shift")
     section.allow((*KEYS, "bias", *BIAS_PARAMETERS[cast("Any", bias)]))
@@ -196,8 +196,8 @@ def _rpc_sensor(section: Section, rpc: Any, place: Place, size: tuple[int, int],
 
 
 def _line_sensor(section: Section, line: Any, place: Place, file: Path) -> tuple[LineSensor, list[GivenFixes]]:
-    from raybundle.scenes.sensor import LineSensor  # noqa: PLC0415
-    from raybundle.scenes.trajectory import CorrectionModel  # noqa: PLC0415
+    from raybundle.scenes.sensor import LineSensor
+    from raybundle.scenes.trajectory import CorrectionModel
 
     degrees: list[int] = []
     given = [_curve(section, part, line) for part in ("position", "attitude")]
@@ -230,8 +230,8 @@ def _flag(section: Section, key: str) -> bool:
 
 def _curve(section: Section, part: Literal["position", "attitude"], line: LineScene) -> GivenFixes | None:
     """The curve of position_... or attitude_...: fixes, or pieces of polynomials."""
-    from raybundle.io.block.scene_fixes import GivenFixes, read_fixes  # noqa: PLC0415
-    from raybundle.scenes.corrections import Pieces  # noqa: PLC0415
+    from raybundle.io.block.scene_fixes import GivenFixes, read_fixes
+    from raybundle.scenes.corrections import Pieces
 
     fixes, pieces = f"{part}_fixes", f"{part}_pieces"
     if fixes in section.values and pieces in section.values:
@@ -256,7 +256,7 @@ def _curve(section: Section, part: Literal["position", "attitude"], line: LineSc
 
 def scene_lines(camera: Camera, number: int) -> list[str]:
     """The table of a scene's camera, without its head; `number` counts the block's cameras."""
-    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+    from raybundle.scenes.sensor import RpcSensor
 
     sensor = cast("RpcSensor | LineSensor", camera.scene)
     lines = [
@@ -278,8 +278,8 @@ def scene_lines(camera: Camera, number: int) -> list[str]:
 
 
 def _correction_lines(sensor: LineSensor) -> list[str]:
-    from raybundle.io.block.scene_fixes import fixes_text  # noqa: PLC0415
-    from raybundle.scenes.corrections import Pieces  # noqa: PLC0415
+    from raybundle.io.block.scene_fixes import fixes_text
+    from raybundle.scenes.corrections import Pieces
 
     c = sensor.corrections
     lines: list[str] = []
@@ -317,7 +317,7 @@ def _short_sigma(sigma: Mapping[str, float], groups: Mapping[str, tuple[str, ...
 
 
 def _file_name(sensor: RpcSensor | LineSensor, number: int) -> str:
-    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+    from raybundle.scenes.sensor import RpcSensor
 
     if isinstance(sensor, RpcSensor):
         return f"{number}_RPC.TXT"
@@ -328,9 +328,9 @@ def _file_name(sensor: RpcSensor | LineSensor, number: int) -> str:
 
 def write_scene_files(block: Block, folder: Path) -> None:
     """The scenes' files in `scenes/` of a block folder; an RPC as text, a rigorous scene's file as it is."""
-    from raybundle.io.scenes.airborne import companions  # noqa: PLC0415  (only where there are scenes)
-    from raybundle.io.scenes.rpc_text import write_rpc_text  # noqa: PLC0415
-    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+    from raybundle.io.scenes.airborne import companions
+    from raybundle.io.scenes.rpc_text import write_rpc_text
+    from raybundle.scenes.sensor import RpcSensor
 
     (folder / FOLDER).mkdir()
     for number, camera in enumerate(block.cameras, 1):
@@ -356,7 +356,7 @@ def with_views(
     centre: Array, rotation: Array, cameras: tuple[Camera, ...], camera: Array
 ) -> tuple[Array, Array, Array]:
     """Centres and rotations with the nominal viewpoints of the scenes, and which images are scenes (n,)."""
-    from raybundle.scenes.sensor import view_of  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.scenes.sensor import view_of
 
     centre, rotation = centre.copy(), rotation.copy()
     is_scene = np.array([c.is_scene for c in cameras])[camera]

@@ -19,7 +19,7 @@ SAME_PLACE = 1e-6
 
 def quaternions(rotation: Array) -> Array:
     """Unit quaternions (n, 4), w first and not negative, of rotations (n, 3, 3)."""
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  (SciPy only where it is used)
+    from scipy.spatial.transform import Rotation
 
     q = np.roll(Rotation.from_matrix(rotation).as_quat(), 1, axis=1)
     return q * np.where(q[:, :1] < 0, -1.0, 1.0)
@@ -27,7 +27,7 @@ def quaternions(rotation: Array) -> Array:
 
 def rotations(quaternion: Array) -> Array:
     """Rotations (n, 3, 3) of quaternions (n, 4), w first, of any length but 0."""
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415
+    from scipy.spatial.transform import Rotation
 
     return Rotation.from_quat(np.roll(quaternion, -1, axis=1)).as_matrix()
 

@@ -159,7 +159,7 @@ def _sizes(s: Surveyed) -> tuple[float, float]:
 
 def _apart(xy: Array) -> float:
     """Median distance of places (n, 2) from their nearest neighbour; 0 of one place."""
-    from scipy.spatial import KDTree  # noqa: PLC0415  (only where a drawing is written)
+    from scipy.spatial import KDTree
 
     return float(np.median(KDTree(xy).query(xy, k=2)[0][:, 1])) if len(xy) > 1 else 0.0
 

@@ -30,7 +30,7 @@ SIGMAS = ("sigma_x", "sigma_y", "sigma_z")
 def las_library() -> Any:
     """The module; raises InputError where it is not installed."""
     try:
-        import laspy  # noqa: PLC0415  (an extra)
+        import laspy
     except ModuleNotFoundError:
         raise InputError("package.laspy_missing") from None
     return laspy
@@ -65,7 +65,7 @@ def write_las(
     All parts have the same further dimensions, those of the first.
     """
     laspy = las_library()
-    from laspy.vlrs.known import WktCoordinateSystemVlr  # noqa: PLC0415
+    from laspy.vlrs.known import WktCoordinateSystemVlr
 
     header: Any = laspy.LasHeader(point_format=7, version="1.4")
     if system is not None:
@@ -141,7 +141,7 @@ def _steps(xyz: Array, offsets: Array, *, degrees: bool) -> Array:
 
 def _wkt(system: CRS) -> str:
     """OGC 01-009, as LAS 1.4 wants it; systems that it cannot show, in its successor ISO 19162."""
-    from pyproj.exceptions import CRSError  # noqa: PLC0415
+    from pyproj.exceptions import CRSError
 
     try:
         with warnings.catch_warnings():

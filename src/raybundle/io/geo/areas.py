@@ -129,6 +129,6 @@ def _area(crs: str) -> tuple[float, float, float, float] | None:
 
 @lru_cache(maxsize=64)
 def _geographic(crs: str) -> Transformer:
-    from pyproj import Transformer  # noqa: PLC0415  (only where a coordinate system is used)
+    from pyproj import Transformer
 
     return Transformer.from_crs(plan_of(crs), "EPSG:4326", always_xy=True)

@@ -434,7 +434,7 @@ def read_measurements(path: str | Path, ids: Sequence[str], where: str) -> Measu
 
 def _read_block_points(folder: Path, defaults: ControlDefaults) -> ControlFile:
     """Control and check points of a block folder, with their image observations."""
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415  (a whole block, which the other ways do not need)
+    from raybundle.io.block.folder import read_block
 
     del defaults  # a block states everything
     block = in_file_frames(read_block(folder))

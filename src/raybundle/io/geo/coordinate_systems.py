@@ -267,7 +267,7 @@ def height_remarks(crs: str, undulation_m: float | None = None) -> tuple[str, ..
 
 
 def _missing_geoid(crs: str, grid: str) -> InputError:
-    from pyproj.datadir import get_data_dir  # noqa: PLC0415
+    from pyproj.datadir import get_data_dir
 
     plan = parse_crs(crs).sub_crs_list[0]
     code = plan.to_authority()
@@ -292,7 +292,7 @@ def _horizontal(crs: str) -> CRS:
 @lru_cache(maxsize=64)
 def _plan(crs: str) -> Transformer:
     """From plan coordinates to longitude and latitude on the same datum: a conversion, exact."""
-    from pyproj import Transformer  # noqa: PLC0415
+    from pyproj import Transformer
 
     system = _horizontal(crs)
     flat = system.to_2d() if len(system.axis_info) == 3 else system
@@ -304,7 +304,7 @@ def _plan(crs: str) -> Transformer:
 @lru_cache(maxsize=64)
 def _vertical(crs: str) -> tuple[Transformer | None, str]:
     """From heights above the geoid to ellipsoidal ones by a grid, or None and the name of the grid that lacks."""
-    from pyproj.transformer import TransformerGroup  # noqa: PLC0415
+    from pyproj.transformer import TransformerGroup
 
     system = parse_crs(crs)
     if not system.is_compound:
@@ -324,7 +324,7 @@ def _vertical(crs: str) -> tuple[Transformer | None, str]:
 
 @lru_cache(maxsize=64)
 def _to_wgs84(crs: str) -> Transformer:
-    from pyproj import Transformer  # noqa: PLC0415
+    from pyproj import Transformer
 
     base = _horizontal(crs).geodetic_crs
     assert base is not None
@@ -413,7 +413,7 @@ def _converted(transformer: Transformer, *columns: Array, inverse: bool = False)
     Arrays of one value are doubled: pyproj takes them for numbers where NumPy still allows that (before 2.4, with a
     warning), and then gives numbers back.
     """
-    from pyproj.enums import TransformDirection  # noqa: PLC0415
+    from pyproj.enums import TransformDirection
 
     words = {"direction": TransformDirection.INVERSE} if inverse else {}
     count = len(columns[0])

@@ -210,8 +210,8 @@ def _ground(
 
 def _with_heights(path: Path, own: CRS, plan: CRS, geoid: str | None, undulation: float | None) -> str:
     """WKT of the system with its heights."""
-    from pyproj.crs import CompoundCRS, VerticalCRS  # noqa: PLC0415  (only where heights count from a geoid)
-    from pyproj.exceptions import CRSError  # noqa: PLC0415
+    from pyproj.crs import CompoundCRS, VerticalCRS
+    from pyproj.exceptions import CRSError
 
     if geoid is None:
         if len(own.axis_info) == 3 and not own.is_compound and undulation is not None:

@@ -18,7 +18,7 @@ def parsed_system(crs: str) -> CRS:
     Of a projected system in three dimensions the plan, which the register has and which programs know.
     raises  InputError as `parse_crs`
     """
-    from pyproj import CRS  # noqa: PLC0415  (only where a coordinate system is used)
+    from pyproj import CRS
 
     system = parse_crs(crs)
     if system.is_projected and len(system.axis_info) == 3 and not system.is_compound:

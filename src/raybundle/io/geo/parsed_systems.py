@@ -33,8 +33,8 @@ def parse_crs(text: str) -> CRS:
     its unit of plan.
     raises  InputError where it names none, or one without a place on the earth
     """
-    from pyproj import CRS  # noqa: PLC0415  (only where a coordinate system is used)
-    from pyproj.exceptions import CRSError  # noqa: PLC0415
+    from pyproj import CRS
+    from pyproj.exceptions import CRSError
 
     text = text.strip()
     if text.lower().endswith(ELLIPSOID):

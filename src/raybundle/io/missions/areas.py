@@ -270,7 +270,7 @@ def is_metric(system: CRS) -> bool:
 
 def in_crs(xy: Array, source: str, target: str) -> Array:
     """Coordinates (n, 2) of one system in another; raises InputError where one lies outside of it."""
-    from pyproj import Transformer  # noqa: PLC0415  (only where coordinates are transformed)
+    from pyproj import Transformer
 
     if parse_crs(source).is_geographic:
         bad = np.flatnonzero((np.abs(xy[:, 0]) > 360) | (np.abs(xy[:, 1]) > 90))

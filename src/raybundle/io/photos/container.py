@@ -370,7 +370,7 @@ def _channels(path: Path, kind: Kind, image: Any) -> tuple[Array, Array | None]:
         image = image.convert("L" if image.mode == "1" else "RGB")
     pixels: Array = np.asarray(image)
     if kind in {"png", "tiff"} and _bits(image, kind, path) == 16 and not image.mode.startswith("I"):
-        import cv2  # noqa: PLC0415  (slow to load, and seldom needed here)
+        import cv2
 
         found: Array | None = cv2.imdecode(np.frombuffer(path.read_bytes(), np.uint8), cv2.IMREAD_UNCHANGED)
         if found is not None and found.shape[:2] == pixels.shape[:2]:
@@ -385,7 +385,7 @@ def _decode_16(path: Path, image: Any, mode: Literal["grey", "colour"]) -> Array
     if image.mode.startswith("I"):
         pixels: Array = np.asarray(image).astype(np.uint16)
     else:
-        import cv2  # noqa: PLC0415  (slow to load, and seldom needed here)
+        import cv2
 
         data = np.frombuffer(path.read_bytes(), np.uint8)
         found: Array | None = cv2.imdecode(data, cv2.IMREAD_UNCHANGED)

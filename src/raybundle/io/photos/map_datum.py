@@ -24,8 +24,8 @@ def geographic_system(name: str) -> str | None:
 
     pyproj also finds names that are merely alike: the name or its numbers must be the same.
     """
-    from pyproj import CRS  # noqa: PLC0415  (only where a datum is not WGS 84)
-    from pyproj.exceptions import CRSError  # noqa: PLC0415
+    from pyproj import CRS
+    from pyproj.exceptions import CRSError
 
     if not _NAME.fullmatch(name):
         return None
@@ -43,8 +43,8 @@ def in_wgs84(system: str, latitude: float, longitude: float) -> tuple[float, flo
 
     Datums of the Earth's centre without a transformation differ from WGS 84 by a few metres at most.
     """
-    from pyproj import Transformer  # noqa: PLC0415
-    from pyproj.exceptions import ProjError  # noqa: PLC0415
+    from pyproj import Transformer
+    from pyproj.exceptions import ProjError
 
     try:
         way = Transformer.from_crs(system, "EPSG:4326", always_xy=True, allow_ballpark=of_older_datum(system) is False)

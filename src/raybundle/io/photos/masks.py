@@ -112,7 +112,7 @@ class Masks:
 
     def _distance(self, photo: Photo) -> Array | None:
         """(h, w) from each pixel to the nearest masked one [px]."""
-        import cv2  # noqa: PLC0415  (slow to load)
+        import cv2
 
         if photo.name not in self.files:
             return None
@@ -248,7 +248,7 @@ def _fits(one: tuple[int, int], two: tuple[int, int]) -> bool:
 
 def _read(path: Path, photo: Photo, laid: Laid) -> Mask:
     """(h, w) of the photograph as stored."""
-    import cv2  # noqa: PLC0415
+    import cv2
 
     try:
         free = _used(path).astype(np.uint8)

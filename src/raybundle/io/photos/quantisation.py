@@ -10,7 +10,7 @@ def quantisation_tables(path: Path) -> list[list[int]]:
 
     Not known: what was lost before, by a camera or program that wrote the picture as another JPEG.
     """
-    from PIL import Image, UnidentifiedImageError  # noqa: PLC0415
+    from PIL import Image, UnidentifiedImageError
 
     try:
         with Image.open(path) as picture:

@@ -121,7 +121,7 @@ def _check(options: FrameOptions) -> None:
 
 
 def _opened(video: Path) -> Any:
-    import cv2  # noqa: PLC0415  (slow to load)
+    import cv2
 
     check_regular(video)
     capture = cv2.VideoCapture(str(video), cv2.CAP_FFMPEG)
@@ -148,7 +148,7 @@ def _decoded(video: Path) -> Iterator[tuple[int, Array]]:
 
 def analyse(video: Path, *, progress: Progress = silent) -> Analysis:
     """Sharpness and motion of every frame, measured at reduced size in one pass with bounded memory."""
-    import cv2  # noqa: PLC0415
+    import cv2
 
     capture = _opened(video)
     rate = capture.get(cv2.CAP_PROP_FPS) or 25.0
@@ -183,14 +183,14 @@ def analyse(video: Path, *, progress: Progress = silent) -> Analysis:
 
 def _sharpness(grey: Array) -> float:
     """Energy of the Laplacian by the variance, so that what is seen matters less than how sharply."""
-    import cv2  # noqa: PLC0415
+    import cv2
 
     return float(cv2.Laplacian(grey, cv2.CV_32F).var() / (float(grey.var()) + 1.0))
 
 
 def _motion(before: Array, after: Array) -> Array:
     """Shift (2,), change of scale and rotation of a frame, in shares of its longer side at its edge."""
-    import cv2  # noqa: PLC0415
+    import cv2
 
     corners: Any = cv2.goodFeaturesToTrack(before, 300, 0.01, 8)
     if corners is None or len(corners) < 8:
@@ -262,7 +262,7 @@ def _sharpest(sharpness: Array, place: Array, width: float, piece: int) -> int:
 
 def _exif(metadata: MovieMetadata, analysis: Analysis, k: int, video: str) -> bytes:
     """What the container states, with the time of the frame."""
-    from PIL import Image  # noqa: PLC0415
+    from PIL import Image
 
     tags = Image.Exif()
     texts = {0x010F: metadata.make, 0x0110: metadata.model}
@@ -301,14 +301,14 @@ def _sexagesimal(degrees: float) -> tuple[Any, Any, Any]:
 
 
 def _rational(value: float) -> Any:
-    from PIL.TiffImagePlugin import IFDRational  # noqa: PLC0415
+    from PIL.TiffImagePlugin import IFDRational
 
     fraction = Fraction(value).limit_denominator(10_000)
     return IFDRational(fraction.numerator, fraction.denominator)
 
 
 def _write(frame: Array, path: Path, exif: bytes) -> None:
-    from PIL import Image  # noqa: PLC0415
+    from PIL import Image
 
     Image.fromarray(np.ascontiguousarray(frame[..., ::-1])).save(path, quality=JPEG_QUALITY, subsampling=0, exif=exif)
 

@@ -135,7 +135,7 @@ class Windows:
 
     def _decoded(self, k: int) -> Array:
         """A compressed strip or tile, by OpenCV as a TIFF of its own."""
-        import cv2  # noqa: PLC0415  (slow to load)
+        import cv2
 
         with self.path.open("rb") as file:
             file.seek(self.offsets[k])

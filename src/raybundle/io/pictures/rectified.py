@@ -91,7 +91,7 @@ class Rectified:
         record  what is stated of the delivery: object, operator and rights stand in tags of TIFF and JPEG
         raises  InputError for a suffix that is none of a picture
         """
-        from PIL import Image  # noqa: PLC0415
+        from PIL import Image
 
         suffix, remarks = path.suffix.lower(), tuple[str, ...]()
         library = found_raster_library() if wkt and suffix in TIFF else None
@@ -123,7 +123,7 @@ class Rectified:
 
 def _exif(tags: Mapping[str, str]) -> Any:
     """Tags as Pillow writes them, in UTF-8: ASCII, of which TIFF speaks, has no umlauts."""
-    from PIL import Image  # noqa: PLC0415
+    from PIL import Image
 
     found = Image.Exif()
     for name, words in {**tags, "Software": "raybundle"}.items():

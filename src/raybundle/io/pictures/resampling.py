@@ -49,7 +49,7 @@ def sampled(pixels: Array, xy: Array, kernel: Kernel = "cubic", known: Mask | No
 
 def _weighted(pixels: Array, first: Array, share: Array, kernel: Kernel) -> Array:
     """Weighted sums (m, n, bands) of pixels, of which the first stands at columns and rows (m, n, 2)."""
-    import cv2  # noqa: PLC0415  (only where pictures are made)
+    import cv2
 
     kind = pixels.dtype
     taken = np.ascontiguousarray(pixels if kind.name in TYPES else pixels.astype(np.float64))
@@ -94,7 +94,7 @@ WEIGHTS: dict[Kernel, Callable[[Array], list[Array]]] = {"bilinear": _linear, "c
 
 def _of_known(known: Mask, first: Array, reach: int) -> Mask:
     """(m, n) whether all pixels from which a value is made mean something; beyond the picture all do."""
-    import cv2  # noqa: PLC0415
+    import cv2
 
     height, width = known.shape
     room = reach

@@ -188,7 +188,7 @@ def write_undistorted(
     A photograph that is missing, broken or of another size costs itself alone, and is named in a remark.  Pixels
     stand as stored; metadata is not carried over.
     """
-    import cv2  # noqa: PLC0415  (only where photographs are written)
+    import cv2
 
     cameras, index = interiors(block)
     remarks: list[str] = []
@@ -250,7 +250,7 @@ def _relative(name: str) -> Path:
 
 def _opened(photos: Path, name: str, camera: Camera | None) -> tuple[Array, Any]:
     """Pixels as stored, and Pillow's image; the size is compared before anything is decoded."""
-    from PIL import Image  # noqa: PLC0415
+    from PIL import Image
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", Image.DecompressionBombWarning)
@@ -275,7 +275,7 @@ def _opened(photos: Path, name: str, camera: Camera | None) -> tuple[Array, Any]
 
 
 def _saved(pixels: Array, path: Path, image: Any) -> None:
-    from PIL import Image  # noqa: PLC0415
+    from PIL import Image
 
     path.parent.mkdir(parents=True, exist_ok=True)
     form = image.format or "PNG"

@@ -259,7 +259,7 @@ def _given(
 
 
 def _quaternions(R: Array) -> Array:
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  (SciPy only where such a file is read)
+    from scipy.spatial.transform import Rotation
 
     return Rotation.from_matrix(R).as_quat()
 

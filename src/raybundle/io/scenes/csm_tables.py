@@ -89,7 +89,7 @@ def _equal_steps(group: Json, times: Array, positions: Array, metres: float) -> 
     """
     if not group.has("velocities") or len(times) < 2:
         return times, positions
-    from scipy.interpolate import CubicHermiteSpline  # noqa: PLC0415  (SciPy only where such a file is read)
+    from scipy.interpolate import CubicHermiteSpline
 
     velocities = np.array([r.numbers(3) for r in group.get("velocities").items()]).reshape(-1, 3) * metres
     if len(velocities) != len(times):
@@ -99,7 +99,7 @@ def _equal_steps(group: Json, times: Array, positions: Array, metres: float) -> 
 
 
 def _rotation(R: Array) -> Any:
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  (SciPy only where such a file is read)
+    from scipy.spatial.transform import Rotation
 
     return Rotation.from_matrix(R)
 
@@ -114,7 +114,7 @@ def slerp(times: Array, R: Array, at: Array) -> Array:
     k = np.clip(np.searchsorted(times, at, side="right") - 1, 0, len(times) - 2)
     turns = _rotation(np.swapaxes(R[:-1], 1, 2) @ R[1:]).as_rotvec()
     share = (at - times[k]) / np.diff(times)[k]
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  (as above)
+    from scipy.spatial.transform import Rotation
 
     return R[k] @ Rotation.from_rotvec(share[:, None] * turns[k]).as_matrix()
 

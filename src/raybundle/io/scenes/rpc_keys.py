@@ -127,7 +127,7 @@ def _group(root: Json) -> Json:
 
 def read_orthority(path: Path) -> Scene:
     """The RPC of orthority's parameter file of one image; its `im_size` is not taken, its order has changed."""
-    from raybundle.io.calibrations.yaml_text import read_yaml  # noqa: PLC0415  (loads all formats of calibrations)
+    from raybundle.io.calibrations.yaml_text import read_yaml
 
     found = list(_rpcs_below(read_yaml(path)))
     if len(found) != 1:

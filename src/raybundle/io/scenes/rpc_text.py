@@ -176,7 +176,7 @@ def _coefficients(path: Path, polynomials: dict[str, dict[int, float]], text: st
     if specification is None or specification[1] in {"RPC00B", "B"}:
         return result, ()
     if specification[1] in {"RPC00A", "A"}:
-        from raybundle.io.scenes.maxar import RPC00A_IN_B  # noqa: PLC0415  (only for this old order)
+        from raybundle.io.scenes.maxar import RPC00A_IN_B
 
         ordered = np.zeros((4, 20))
         ordered[:, list(RPC00A_IN_B)] = result

@@ -118,7 +118,7 @@ def _trajectory(strip: Element, centre: datetime) -> Trajectory:
 
 def _quaternions(P: Array, V: Array, turn: Array) -> Array:
     """Detector to body axes (n, 4) at positions and velocities (n, 3), with pitch, roll, yaw (n, 3) [rad]."""
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  (SciPy only where such a file is read)
+    from scipy.spatial.transform import Rotation
 
     Z = P / np.linalg.norm(P, axis=1)[:, None]
     X = np.cross(V, Z)

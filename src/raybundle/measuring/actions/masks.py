@@ -81,7 +81,7 @@ class Unmask(Action):
 
 def hull_area(polygon: Sequence[tuple[float, float]]) -> float:
     """Area [px^2] of the convex hull of a polygon that may cross itself; 0 for corners in one line."""
-    import cv2  # noqa: PLC0415  (where a mask is drawn)
+    import cv2
 
     corners = (np.array(polygon, float) - polygon[0]).astype(np.float32)
     return float(cv2.contourArea(cv2.convexHull(corners)))
@@ -110,7 +110,7 @@ def free_of(polygons: Sequence[Array], size_px: tuple[int, int]) -> Mask:
     size_px  width and height
     Where a polygon crosses itself, what lies inside an odd number of times is left out.
     """
-    import cv2  # noqa: PLC0415  (slow to load)
+    import cv2
 
     drawn = np.full((size_px[1], size_px[0]), 255, np.uint8)
     for polygon in polygons:
@@ -151,7 +151,7 @@ def write_masks(folder: Path, photos: Sequence[Photo], drawn: Mapping[str, list[
     raises  InputError where nothing is to be written
     A given mask that cannot be used is copied as it is, for the reader to say so, unless something is drawn there.
     """
-    from PIL import Image  # noqa: PLC0415
+    from PIL import Image
 
     masks = Masks(photos=()) if given is None else find_masks(given, photos)
     refused = {name for name, _ in masks.refused}

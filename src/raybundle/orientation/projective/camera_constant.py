@@ -191,7 +191,7 @@ def _homography(source: Array, target: Array) -> Array:
 
 def _from_pairs(block: Block, camera: Camera, images: Mask) -> list[float]:
     """Camera constants of pairs of images of this camera, one of each pair that determines it."""
-    import poselib  # noqa: PLC0415
+    import poselib
 
     found: list[float] = []
     error = 0.002 * float(np.hypot(camera.width_px, camera.height_px))

@@ -85,7 +85,7 @@ def fundamental_matrix(first_px: Array, second_px: Array, *, sigma_px: float) ->
     raises  NoOrientation with fewer than 8 points that agree, or where a homography explains them: object in a
             plane, or images from one place
     """
-    import poselib  # noqa: PLC0415
+    import poselib
 
     first, second = (np.ascontiguousarray(v, dtype=float) for v in (first_px, second_px))
     n = len(first)

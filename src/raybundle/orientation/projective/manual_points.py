@@ -262,7 +262,7 @@ def pair_poses(block: Block, a: int, b: int) -> list[Pose]:
     All minimal solutions of five common points each, sixty choices at most, judged by all common points; such as put
     most points behind an image, or have no base, are left out.
     """
-    import poselib  # noqa: PLC0415
+    import poselib
 
     o, rays = block.observations, rays_of(block)
     ra, rb = common_rows(np.flatnonzero(o.image == a), np.flatnonzero(o.image == b), o.point)

@@ -261,7 +261,7 @@ def _settle(model: _Model, tolerance: Array) -> float:
 
 def _metric(model: _Model, camera: Index, a: int, b: int) -> tuple[Array, Array, float]:
     """The upgrade H (4, 4), interior orientations (n, 3): c, x0, y0 in scaled coordinates, and the misfit."""
-    from scipy.optimize import least_squares  # noqa: PLC0415
+    from scipy.optimize import least_squares
 
     known = np.flatnonzero(np.isfinite(model.P[:, 0, 0]))
     first = np.linalg.inv(np.vstack([model.P[a], np.linalg.svd(model.P[a])[2][-1]]))

@@ -80,7 +80,7 @@ def resected_station(rays: StationRays) -> tuple[Array, Array] | None:
     Three rays, whichever cameras they are of, have up to eight solutions (Nistér and Stewénius 2007); the one that most
     rays fit is refined.
     """
-    import poselib  # noqa: PLC0415
+    import poselib
 
     count = len(rays.xyz)
     if count < LEAST:

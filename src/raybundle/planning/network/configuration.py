@@ -260,7 +260,7 @@ def _moved_together(d: Designer, stations: Stations, value: float, trials: int, 
         return value, stations
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # it misses a library for plots
-        from cma import CMAEvolutionStrategy  # noqa: PLC0415
+        from cma import CMAEvolutionStrategy
     n, a = len(stations), d.site.access
     reach = np.minimum(np.maximum(a.high - a.low, 1e-9), 2 * d.site.extent)
 

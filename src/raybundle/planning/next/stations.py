@@ -187,7 +187,7 @@ def _within(
     centre: Array, towards: Array, existing: Array, xyz: Array, reach: Reach, step: float, distance: float
 ) -> Mask:
     """(n,) stations within the limits."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     good = np.linalg.norm(centre - towards, axis=1) >= NEARER * distance / 2
     good &= KDTree(existing).query(centre)[0] <= step * (1 + 1e-9)

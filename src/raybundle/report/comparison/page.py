@@ -93,7 +93,7 @@ def _html(
     first: ResultFolder, second: ResultFolder, points: Common, differences: Sequence[PointDifferences], shared: Shared,
     language: str = ENGLISH,
 ) -> str:  # fmt: skip
-    from raybundle.report.document import page  # noqa: PLC0415  (Jinja2 only where it is used)
+    from raybundle.report.document import page
 
     sections = (
         Section(anchor="summary", title=phrase("report_compare.summary"), parts=_summary(first, second)),

@@ -17,8 +17,8 @@ CUT = "…"
 def load_fonts() -> None:
     """Make the fonts known to reportlab; raises InputError where it is missing."""
     try:
-        from reportlab.pdfbase import pdfmetrics  # noqa: PLC0415  (only for printing)
-        from reportlab.pdfbase.ttfonts import TTFont  # noqa: PLC0415
+        from reportlab.pdfbase import pdfmetrics
+        from reportlab.pdfbase.ttfonts import TTFont
     except ImportError as error:
         raise InputError("package.reportlab_missing") from error
     for name in (PLAIN, BOLD):
@@ -28,7 +28,7 @@ def load_fonts() -> None:
 
 @lru_cache(maxsize=1)
 def _known() -> frozenset[int]:
-    from reportlab.pdfbase import pdfmetrics  # noqa: PLC0415
+    from reportlab.pdfbase import pdfmetrics
 
     face: Any = pdfmetrics.getFont(PLAIN)
     # letters that are read from right to left would stand in the wrong order
@@ -50,7 +50,7 @@ def lacking(text: str) -> str:
 
 def width(text: str, size: float, font: str = PLAIN) -> float:
     """Of a line, in the unit of its size."""
-    from reportlab.pdfbase.pdfmetrics import stringWidth  # noqa: PLC0415
+    from reportlab.pdfbase.pdfmetrics import stringWidth
 
     return float(stringWidth(text, font, size))
 

@@ -25,9 +25,9 @@ LARGEST_PX = 1_000_000_000
 @contextmanager
 def opened(path: Path) -> Generator[Any]:
     """A picture, of any size that memory holds; raises InputError."""
-    import warnings  # noqa: PLC0415
+    import warnings
 
-    from PIL import Image  # noqa: PLC0415  (only where pictures are drawn)
+    from PIL import Image
 
     limit = Image.MAX_IMAGE_PIXELS
     Image.MAX_IMAGE_PIXELS = LARGEST_PX  # our own pictures are larger than the guard against foreign ones
@@ -53,7 +53,7 @@ def cut(picture: Any, drawn: DrawnPicture, low: Array, high: Array, per_unit: fl
 
     per_unit  millimetres of paper in a unit of the plane
     """
-    from PIL import Image  # noqa: PLC0415
+    from PIL import Image
 
     extent, p = drawn.extent, drawn.pixel
     lower, upper = np.maximum(extent[:2], low), np.minimum(extent[2:], high)
@@ -78,7 +78,7 @@ def cut(picture: Any, drawn: DrawnPicture, low: Array, high: Array, per_unit: fl
 
 def _on_white(part: Any) -> Any:
     """In red, green, blue or grey of eight bits; what no photograph shows is white."""
-    from PIL import Image  # noqa: PLC0415
+    from PIL import Image
 
     if part.mode.startswith(("I;16", "I")) or part.mode == "F":
         grey = np.asarray(part, float)

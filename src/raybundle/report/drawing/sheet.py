@@ -167,8 +167,8 @@ def sheets_pdf(drawing: Drawing, sheets: Sheets) -> bytes:
 
     Without it the file states when it was made.
     """
-    from reportlab import rl_config  # noqa: PLC0415  (only for printing)
-    from reportlab.pdfgen.canvas import Canvas  # noqa: PLC0415
+    from reportlab import rl_config
+    from reportlab.pdfgen.canvas import Canvas
 
     settings: Any = rl_config
     buffer, kept = io.BytesIO(), settings.useA85
@@ -225,7 +225,7 @@ class _Page:
         self._strip()
 
     def _pictures(self, pictures: Sequence[Any]) -> None:
-        from reportlab.lib.utils import ImageReader  # noqa: PLC0415
+        from reportlab.lib.utils import ImageReader
 
         for drawn, picture in zip(self.d.pictures, pictures, strict=True):
             found = cut(picture, drawn, self.low, self.high, self.per_unit)

@@ -94,7 +94,7 @@ def taken_images(view: View) -> Index:
 
 def common_points(view: View, images: Index) -> Array:
     """Number (n, n) of used object points that two of these images share; the diagonal holds each image's own."""
-    from scipy.sparse import csr_array  # noqa: PLC0415  (only where a report is written)
+    from scipy.sparse import csr_array
 
     row = np.full(len(view.given.images), -1)
     row[images] = np.arange(len(images))

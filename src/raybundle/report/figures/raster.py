@@ -23,7 +23,7 @@ LEGEND_PX = 14
 
 def embedded(rgb: Array, x: float, y: float, width: float, height: float) -> str:
     """A picture (h, w, 3) uint8 at a place of a drawing."""
-    from PIL import Image  # noqa: PLC0415  (only where pictures are drawn)
+    from PIL import Image
 
     file = io.BytesIO()
     Image.fromarray(np.ascontiguousarray(rgb)).save(file, "PNG", optimize=True)

@@ -61,7 +61,7 @@ class Language:
 
     def day(self, when: date) -> str:
         """A date."""
-        from babel.dates import format_date  # noqa: PLC0415  (loaded after the help)
+        from babel.dates import format_date
 
         return format_date(when, "medium", locale=self.code)
 
@@ -77,7 +77,7 @@ def language_of(code: str = ENGLISH, names: Iterable[str] = ()) -> Language:
     checked_language(code)
     if code == ENGLISH:
         return Language()
-    from babel.numbers import get_decimal_symbol  # noqa: PLC0415
+    from babel.numbers import get_decimal_symbol
 
     known = frozenset(n for n in names if n)
     return Language(

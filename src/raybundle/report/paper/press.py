@@ -122,7 +122,7 @@ def _template() -> Generator[str]:
 def typesetter() -> Any:
     """The library; raises InputError where it is not installed."""
     try:
-        import typst  # noqa: PLC0415  (84 MB that only a report in print needs)
+        import typst
     except ImportError as error:
         raise InputError("package.typst_missing") from error
     return typst

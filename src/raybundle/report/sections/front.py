@@ -104,7 +104,7 @@ def _system(d: Delivery) -> list[tuple[Text, str]]:
     label = phrase("front.coordinate_system")
     if d.frame is None:
         return [] if d.flight is None else [(label, phrase("front.system_of_control"))]
-    from raybundle.report.map_axes import height_words, system_words  # noqa: PLC0415  (pyproj only where it is used)
+    from raybundle.report.map_axes import height_words, system_words
 
     return [(label, system_words(d.frame)), (phrase("front.heights"), height_words(d.frame, measured=d.heights))]
 
@@ -319,7 +319,7 @@ def _coordinate_columns(view: View, d: Delivery, difference: Array) -> tuple[lis
     places = int(np.clip(decimals_for(rms(difference)), 0, 6))
     if d.frame is None:
         return [number(a, view.length_unit) for a in "XYZ"], [places] * 3
-    from raybundle.report.map_axes import MapAxes  # noqa: PLC0415  (pyproj only where it is used)
+    from raybundle.report.map_axes import MapAxes
 
     labels = MapAxes(frame=d.frame).labels
     return [number(a, u) for a, u in labels], [places + 5 if u == "°" else places for _, u in labels]

@@ -270,8 +270,8 @@ def _connection_words(view: View, facts: PhotographFacts, images: Index, common:
 
 def _parts_of(joined: Array) -> int:
     """Connected parts of a graph given by its (n, n) adjacency."""
-    from scipy.sparse import csr_array  # noqa: PLC0415  (only where a report is written)
-    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+    from scipy.sparse import csr_array
+    from scipy.sparse.csgraph import connected_components
 
     return int(connected_components(csr_array(joined), directed=False)[0]) if len(joined) else 0
 

@@ -94,8 +94,8 @@ def strip_section(view: View) -> Section | None:
 
 def is_strip(camera: Camera) -> bool:
     """Whether a camera is a line scanner on an aircraft: below the height of any satellite."""
-    from raybundle.numerics.geodesy import geographic_from_geocentric  # noqa: PLC0415  (only where there are scenes)
-    from raybundle.scenes.sensor import LOW_M  # noqa: PLC0415
+    from raybundle.numerics.geodesy import geographic_from_geocentric
+    from raybundle.scenes.sensor import LOW_M
 
     if camera.model != "linescan":
         return False
@@ -293,8 +293,8 @@ def _bias_figure(camera: Camera) -> Figure | None:
     """The bias of an RPC over the scene."""
     if camera.model != "rpc" or not camera.sensor.symbols:
         return None
-    from raybundle.scenes.bias import bias_design  # noqa: PLC0415  (only where there are scenes)
-    from raybundle.scenes.sensor import RpcSensor  # noqa: PLC0415
+    from raybundle.scenes.bias import bias_design
+    from raybundle.scenes.sensor import RpcSensor
 
     sensor = cast("RpcSensor", camera.scene)
     size = np.array([camera.width_px, camera.height_px], float)
@@ -347,8 +347,8 @@ def _track_figures(view: View, image: int, track: tuple[Index, Running, Running]
 
 def _jitter(camera: Camera) -> Part | None:
     """A rigorous scene minus the RPC that stands for it, along the lines."""
-    from raybundle.errors import RaybundleError  # noqa: PLC0415  (only for rigorous scenes)
-    from raybundle.scenes.rpc_fit import fit_rpc  # noqa: PLC0415
+    from raybundle.errors import RaybundleError
+    from raybundle.scenes.rpc_fit import fit_rpc
 
     sensor, values = cast("LineSensor", camera.scene), camera.parameters
 

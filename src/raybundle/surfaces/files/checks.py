@@ -138,7 +138,7 @@ def _one_plan(mine: CRS, stated: CRS, corners: Array, pixel: float) -> bool:
         return codes[0] == codes[1]
     if not mine.is_projected:
         return False
-    from pyproj import Proj  # noqa: PLC0415  (only where a coordinate system is used)
+    from pyproj import Proj
 
     there = Proj(mine)(*Proj(stated)(*corners.T, inverse=True))
     apart = np.abs(np.stack(there, axis=1) - corners).max()

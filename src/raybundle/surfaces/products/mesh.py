@@ -71,10 +71,10 @@ class _AsStored(JpegImageFile):
 
 def _write_glb(path: Path, mesh: Mesh, picture: Path, unit: str) -> None:
     """Write glTF 2.0 in one binary file: vertices in single precision about their middle, which its node shows."""
-    import trimesh  # noqa: PLC0415  (0.2 s, for who writes meshes)
-    from trimesh.exchange.gltf import export_glb  # noqa: PLC0415
-    from trimesh.visual.material import PBRMaterial  # noqa: PLC0415
-    from trimesh.visual.texture import TextureVisuals  # noqa: PLC0415
+    import trimesh
+    from trimesh.exchange.gltf import export_glb
+    from trimesh.visual.material import PBRMaterial
+    from trimesh.visual.texture import TextureVisuals
 
     def reported(tree: dict[str, Any]) -> None:
         tree["asset"] |= {"generator": "raybundle", "extras": {"unit": unit or "none: the scale is free"}}

@@ -185,7 +185,7 @@ def with_dots(
 
     Only dots that stand for no point yet are taken: those at an observed place are left out.
     """
-    from raybundle.orientation.unknown_points import link_unnamed  # noqa: PLC0415  (boards do without)
+    from raybundle.orientation.unknown_points import link_unnamed
 
     o = block.observations
     bare: list[tuple[Array, Array, Array]] = []
@@ -217,7 +217,7 @@ def with_dots(
 
 def with_coordinates(block: Block) -> Block:
     """The block with points that have none intersected from its orientations."""
-    from raybundle.orientation.rays import intersect_linear, object_rays, rays_of  # noqa: PLC0415  (boards do without)
+    from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 
     missing: Mask = np.asarray(~np.isfinite(block.points.xyz).all(axis=1))
     o = block.observations

@@ -118,7 +118,7 @@ def processor() -> str:
 
 def version() -> str:
     """Of raybundle."""
-    from importlib.metadata import version as of  # noqa: PLC0415  (reads the metadata only where it is asked for)
+    from importlib.metadata import version as of
 
     return of("raybundle")
 

@@ -219,7 +219,7 @@ def _without_negative(known: Array, values: Array, *, even: bool = False) -> lis
 
     even  all weights alike: bytes do not vary
     """
-    from scipy.optimize import nnls  # noqa: PLC0415
+    from scipy.optimize import nnls
 
     scale = np.ones(len(values)) if even else 1 / np.sqrt((known / known.max(axis=0)).mean(axis=1))
     columns = known * scale[:, None]

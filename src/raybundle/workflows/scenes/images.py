@@ -309,7 +309,7 @@ def _beside_values(empty: Mask, f: Features) -> Mask:
     """Features whose surroundings have values: the border of an image without any is no texture."""
     if empty.mean() < 1e-3:
         return np.ones(len(f), bool)
-    import cv2  # noqa: PLC0415  (slow to load)
+    import cv2
 
     distance: Array = cv2.distanceTransform((~empty).astype(np.uint8), cv2.DIST_L2, 3)
     x, y = np.minimum(f.xy_px.astype(int), [empty.shape[1] - 1, empty.shape[0] - 1]).T

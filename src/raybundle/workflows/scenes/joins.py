@@ -77,7 +77,7 @@ def _described_points(
     block: Block, photographs: Mapping[str, int], store: FeatureStore, method: FeatureMethod
 ) -> tuple[Index, Array] | None:
     """Tie points with coordinates that photographs see, and the description of one feature of each."""
-    from scipy.spatial import KDTree  # noqa: PLC0415  (SciPy only where it is used)
+    from scipy.spatial import KDTree
 
     o = block.observations
     tie = (np.asarray(block.points.role) == Role.TIE) & np.isfinite(block.points.xyz).all(axis=1)
@@ -106,7 +106,7 @@ def _in_scene(
     block: Block, i: int, points: Index, vectors: Array, store: FeatureStore, k: int, method: FeatureMethod
 ) -> tuple[Index, Array, float] | None:
     """Points found in a scene, where, and the standard deviation [px]; None where too few agree."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     camera = block.cameras[int(block.images.camera[i])]
     sensor = cast("RpcSensor | LineSensor", camera.scene)
@@ -141,7 +141,7 @@ def _agreeing(
     points: Index, expected: Array, height: Array, xy: Array, radius: float
 ) -> tuple[Index, Array, float] | None:
     """Matches whose shifts agree on a linear map of place and height; None where no more do than would by chance."""
-    from scipy.spatial import KDTree  # noqa: PLC0415
+    from scipy.spatial import KDTree
 
     d = xy - expected
     tree = KDTree(d)

@@ -192,7 +192,7 @@ def utm_of(rpc: Rpc) -> str:
 
 
 def _in_system(crs: str, lon: float, lat: float, height: float) -> tuple[float, float, float]:
-    from pyproj import Transformer  # noqa: PLC0415  (only where a coordinate system is used)
+    from pyproj import Transformer
 
     x, y = Transformer.from_crs("EPSG:4326", parsed_system(crs), always_xy=True).transform(lon, lat)
     if not (np.isfinite(x) and np.isfinite(y)):

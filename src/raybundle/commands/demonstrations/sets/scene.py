@@ -83,7 +83,7 @@ def make(folder: Path, progress: Progress) -> tuple[str, ...]:
 
 
 def _to_map() -> Any:
-    from pyproj import Transformer  # noqa: PLC0415  (only where a coordinate system is used)
+    from pyproj import Transformer
 
     transformer = Transformer.from_crs("EPSG:4326", CRS, always_xy=True)
     return lambda geographic: np.column_stack(transformer.transform(geographic[:, 0], geographic[:, 1]))

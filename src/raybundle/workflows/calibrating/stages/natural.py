@@ -42,8 +42,8 @@ def _inputs(state: CalibrateState) -> Inputs:
 
 def orient_natural(i: Inputs, means: Means) -> Natural:
     """Orient the photographs by their natural points, in a project of its own."""
-    from raybundle.placing.marks import Given  # noqa: PLC0415  (loaded only where they are used, as features are)
-    from raybundle.workflows.orient import OrientOptions, orient  # noqa: PLC0415
+    from raybundle.placing.marks import Given
+    from raybundle.workflows.orient import OrientOptions, orient
 
     done = orient(
         i.paths, means.project.folder / FOLDER,

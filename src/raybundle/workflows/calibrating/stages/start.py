@@ -84,8 +84,8 @@ def _approximate(
 ) -> tuple[Block, dict[str, str], tuple[Notice, ...]]:
     """The block with approximate values, images that could not be oriented and why, and what there is to say."""
     if not given.places:
-        from raybundle.orientation.approximate import possible_values  # noqa: PLC0415  (boards do without)
-        from raybundle.orientation.projective.camera_constant import checked_by_pairs  # noqa: PLC0415
+        from raybundle.orientation.approximate import possible_values
+        from raybundle.orientation.projective.camera_constant import checked_by_pairs
 
         values = possible_values(checked_by_pairs(block), progress)
         return values.block, dict(values.not_oriented), values.notices
