@@ -182,5 +182,11 @@ def test_ids_select_as_positions_do():
     assert some.images.ids == ("3", "1")
     assert set(some.observations.image.tolist()) == {0, 1}
     assert select_block(block, "camera", ["1"]).images.ids == block.images.ids
+    for ids in (np.array(["3", "1"], object), ("3", "1"), (k for k in "31")):
+        assert select_block(block, "image", ids).images.ids == ("3", "1")
+    with refused("select.twice", name="images"):
+        select_block(block, "image", ["1", "1"])
+    with refused("select.mask", n=2, count=len(block.images)):
+        select_block(block, "image", np.array([True, False]))
     with refused("cell.unknown_id", id="nobody", table="points"):
         select_block(block, "point", ["1", "nobody"])

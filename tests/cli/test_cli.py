@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -46,6 +47,16 @@ def test_adjust_writes_a_result_and_says_so(field, tmp_path, capsys):
     assert re.search(r"^Accuracy at 3 ", out, re.MULTILINE)
     assert json.loads((tmp_path / "r" / "result.json").read_text())["converged"] is True
     assert read_block(tmp_path / "r" / "block").points.ids == read_block(field).points.ids
+
+
+def test_a_table_that_is_not_read_is_a_warning(field, tmp_path, capsys):
+    shutil.copytree(field, tmp_path / "block")
+    (tmp_path / "block/azimuths.csv").write_text("from,to,azimuth_deg,sigma_deg\n1,2,30,0.1\n")
+    assert run("adjust", tmp_path / "block", "--out", tmp_path / "r", "--no-report") == 0
+    assert "[tables_not_read]" in "".join(capsys.readouterr())
+    warnings = json.loads((tmp_path / "r" / "result.json").read_text())["warnings"]
+    (notice,) = [w for w in warnings if w["code"] == "tables_not_read"]
+    assert (notice["severity"], notice["values"]["names"]) == ("warning", ["azimuths.csv"])
 
 
 def test_options_reach_the_adjustment(field, tmp_path):

@@ -58,5 +58,5 @@ def test_a_result_that_was_read_is_asked_as_its_folder_is(tmp_path):
 
 
 def test_what_is_no_path_is_said(tmp_path):
-    with refused("setting.no_path", name="source", type="Block"):
-        rb.convert(small_block(), tmp_path / "out", to="colmap")
+    with refused("setting.no_path", name="out", type="Block"):
+        rb.convert(tmp_path, small_block(), to="colmap")

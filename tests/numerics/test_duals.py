@@ -20,6 +20,8 @@ FUNCTIONS = {
     "stack": lambda x: np.stack([x[:, 0], np.ones(2), x[:, 2] * x[:, 1]], axis=-1),
     "where": lambda x: np.where(x > 0, x * x, -x),
     "einsum": lambda x: np.einsum("ij,kj->ki", R, x) * np.einsum("ki,ki->k", x, x)[:, None],
+    "einsum without an arrow": lambda x: np.einsum("ki,i", x, X[0] + 1),
+    "where of numbers": lambda x: np.where([2, 0], x[:, 0], x[:, 1] * x[:, 1]),
     "cross": lambda x: np.cross(x, x[:, [1, 2, 0]] ** 2),
     "ellipsis": lambda x: x[..., 1] * x[..., 0],
 }
@@ -52,4 +54,10 @@ def test_comparisons_are_plain():
 def test_functions_without_a_derivative_are_refused_by_name():
     for f in (np.sinh, np.argsort):
         with pytest.raises(TypeError, match=f.__name__):
+            f(Dual(X, {}))
+
+
+def test_axes_that_there_are_not_are_refused():
+    for f in (np.linalg.norm, lambda x: np.sum(x, axis=2), lambda x: np.einsum("ki,Z", x, X[0])):
+        with pytest.raises(TypeError):
             f(Dual(X, {}))

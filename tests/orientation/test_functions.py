@@ -8,8 +8,7 @@ from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.errors import InputError, NoOrientation
 from raybundle.numerics.rotation import angles_from_rotation, rotation_from_angles
 from raybundle.numerics.statistics import mahalanobis2
-from raybundle.orientation import intersection, relative_orientation, resection
-from raybundle.orientation.projective import dlt
+from raybundle.orientation import dlt, intersection, relative_orientation, resection
 from raybundle.sensors import sensor_models
 
 CAMERA = Camera(

@@ -13,6 +13,7 @@ import pytest
 
 import raybundle as rb
 from raybundle.adjustment.records.notice import Notice
+from raybundle.block.rigs import without_rigs
 from raybundle.commands.show import show
 from raybundle.errors import InputError, phrase
 from raybundle.planning.simulate import Survey, simulate
@@ -23,6 +24,7 @@ from raybundle.report.single_figure import svg_of
 from raybundle.report.tables import table, table_names
 from raybundle.report.view import view_of
 from raybundle.results.tables import result_tables
+from tests.truth.mixed_blocks import ikonos_pair, two_camera_rig
 
 
 @pytest.fixture(scope="module")
@@ -64,6 +66,27 @@ def test_arrays_have_the_covariances_of_the_result(result):
     np.testing.assert_allclose(result.covariance("camera:1"), inner, rtol=1e-6, atol=1e-9 * np.abs(inner).max())
     assert not np.delete(camera.covariance, free, axis=0).any()
     np.testing.assert_allclose(result.covariance("camera:1", "point:3"), result.covariance("point:3", "camera:1").T)
+
+
+def test_matrices_of_a_rig_are_those_of_its_cameras(tmp_path):
+    found = rb.adjust(two_camera_rig())
+    poses, alone = found.poses(), without_rigs(found.adjusted).images
+    np.testing.assert_array_equal(poses.centre[0], poses.centre[1])
+    P = (found.points().xyz[3] - alone.centre[1]) @ alone.rotation[1].T
+    np.testing.assert_allclose(
+        (poses.matrices[1] @ [*found.points().xyz[3], 1.0])[:3], P * [1.0, -1.0, -1.0], atol=1e-12
+    )
+    assert np.linalg.norm(alone.centre[1] - alone.centre[0]) > 0.3
+
+
+def test_scenes_and_images_without_rays_have_no_pose():
+    assert np.isnan(rb.adjust(ikonos_pair()).poses().matrices[:, :3]).all()
+    block = simulate(field_scene(TargetField(rows=4, columns=5, stations=6, frontal=1)), Survey(scale_bars=2)).observed
+    o = block.observations
+    lost = rb.adjust(replace(block, observations=o.rows(o.image != 2))).poses()
+    assert np.isnan(lost.centre[2]).all()
+    assert np.isnan(lost.covariance[2]).all()
+    assert np.isfinite(lost.matrices[[0, 1, 3]]).all()
 
 
 def test_columns_of_arrays_have_their_units(result):

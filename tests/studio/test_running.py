@@ -52,9 +52,10 @@ def test_settings_are_those_of_the_command_line(client, project, studio):
     answer = chosen(client, **values)
     assert answer.status_code == 200
     assert shlex.split(answer.json()["form"]["command"]) == [
-        "raybundle", "orient", "--control", "one.csv", "--control", "two b.csv", "--control-sigma", "0.01", "0.02",
-        "--scale-bar", "A", "B", "1.5", "0.001", "--scale-bar", "C", "D 1", "2.0", "0.002", "--crs", "EPSG:32633",
-        "--no-gps", "--start", "growing", "--jobs", "2", "--out", str(project), "--", "a b", "c.jpg",
+        "raybundle", "orient", "--crs", "EPSG:32633", "--start", "growing", "--jobs", "2",
+        "--control", "one.csv", "--control", "two b.csv", "--control-sigma", "0.01", "0.02",
+        "--scale-bar", "A", "B", "1.5", "0.001", "--scale-bar", "C", "D 1", "2.0", "0.002",
+        "--no-gps", "--out", str(project), "--", "a b", "c.jpg",
     ]  # fmt: skip
     assert studio.running.chosen.settings.gps is False
     fields = {f["name"]: f["value"] for f in answer.json()["form"]["fields"]}

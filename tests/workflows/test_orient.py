@@ -272,12 +272,12 @@ def test_the_project_holds_no_leftovers(done):
 
 
 def test_photographs_of_another_camera_are_told_by_their_names(project, photos):
-    result = orient([photos], project, replace(QUICK, separate=("portal_0[45]*",)))
+    result = orient([photos], project, replace(QUICK, own_camera=("portal_0[45]*",)))
     assert len(result.groups) == 2
     assert result.adjustment.given.images.camera.tolist() == [0, 0, 0, 1, 1]
 
 
-def test_the_camera_library_is_asked(project, photos, tmp_path):
+def test_the_camera_library_is_asked(project, photos, tmp_path, monkeypatch):
     """The calibration is held, said so, and left out where it is not wanted."""
     taken = find_photos([photos]).photos[0]
     camera = camera_of(camera_groups([taken])[0])
@@ -285,7 +285,8 @@ def test_the_camera_library_is_asked(project, photos, tmp_path):
         pytest.skip("the photographs of the portal have no EXIF")
     held = replace(camera, values={**camera.values, "c": camera.values["c"] * 1.01})
     add_entry(LibraryEntry(key=key_of(taken), camera=held, date="2026-05-01"), tmp_path / "library")
-    result = orient([photos], project, replace(QUICK, library=tmp_path / "library"))
+    monkeypatch.setenv("RAYBUNDLE_CAMERAS", str(tmp_path / "library"))
+    result = orient([photos], project, QUICK)
     assert result.adjustment.adjusted.cameras[0].values["c"] == held.values["c"]
     held_of_library = re.compile(r"library, of 2026-05-01, is held")
     assert any(n.code == "camera" and held_of_library.search(n.text) for n in result.adjustment.notices)

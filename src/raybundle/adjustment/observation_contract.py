@@ -55,5 +55,6 @@ def partials_off_in(system: System, kind: str, most: int = 60) -> float:
             points[kept] = step[system.offsets[system.point_node[kept]][:, None] + np.arange(3)]
             residual.append(normals.extra(system.updated(state, step, points)).residual[part.positions])
         by = (residual[0] - residual[1]) / (2 * STEP)
-        worst = max(worst, float(np.abs(A[:, k] - by).max()) / max(float(np.abs(A[:, k]).max()), 1.0))
+        off = float(np.abs(A[:, k] - by).max()) / max(float(np.abs(A[:, k]).max()), 1.0)
+        worst = max(worst, off) if np.isfinite(off) else np.inf
     return worst

@@ -33,6 +33,7 @@ from raybundle.adjustment.statistics.covariances import covariance_of
 from raybundle.adjustment.statistics.fields import WHITE, Noise
 from raybundle.adjustment.statistics.system_state import Work
 from raybundle.block import Block, Camera, Role
+from raybundle.block.rigs import without_rigs
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, grouped
@@ -151,10 +152,15 @@ class Adjustment:
 
     def poses(self) -> Poses:
         """Projection centres, rotations and 4 x 4 matrices of all images, with covariances (n, 6, 6)."""
-        images, known = self.adjusted.images, self.precision
+        block, known = self.adjusted, self.precision
+        images = block.images
+        seen = np.isin(np.arange(len(images)), block.observations.image[self.image_observations.used])
+        scene = np.array([c.is_scene for c in block.cameras], bool)[images.camera]
+        lost = np.where(seen & ~scene, 0.0, np.nan)
         return Poses(
-            ids=images.ids, centre=images.centre, rotation=images.rotation,
-            covariance=None if known is None else known.images, length_unit=self.length_unit,
+            ids=images.ids, centre=images.centre + lost[:, None], rotation=images.rotation + lost[:, None, None],
+            covariance=None if known is None else known.images + lost[:, None, None],
+            alone=without_rigs(block).images, length_unit=self.length_unit,
         )  # fmt: skip
 
     def points(self) -> ObjectPoints:

@@ -24,8 +24,14 @@ def select_block(
     Rows that name one that leaves go with it, and the images of a camera; `rejected`, which names by ids, stays.
     """
     every = getattr(block, f"{what}s")
-    count, at = len(every), np.asarray(which)
-    at = _named(every, what, at.tolist()) if at.dtype.kind == "U" else positions(at)
+    count, at = len(every), np.asarray(which if isinstance(which, np.ndarray) else list(which))
+    if at.dtype.kind not in "biu" and len(at):
+        at = _named(every, what, at.tolist())
+    elif at.dtype.kind == "b" and len(at) != count:
+        raise InputError("select.mask", name=f"{what}s", n=len(at), count=count)
+    at = positions(at)
+    if len(np.unique(at)) < len(at):
+        raise InputError("select.twice", name=f"{what}s")
     new: Index = np.full(count, -1, np.int32)
     new[at] = np.arange(len(at))
     if what == "camera":
@@ -46,7 +52,7 @@ def _named(every: Any, what: str, ids: Sequence[str]) -> Index:
     known = {name: k for k, name in enumerate(getattr(every, "ids", None) or [c.id for c in every])}
     for name in ids:
         if name not in known:
-            raise InputError("cell.unknown_id", id=name, table=f"{what}s")
+            raise InputError("cell.unknown_id", id=str(name), table=f"{what}s")
     return np.array([known[name] for name in ids], np.int32)
 
 

@@ -56,8 +56,9 @@ class AdjustSettings(AdjustmentOptions):
 def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustment:
     """Read, adjust and write; raises InputError, NotSolvable."""
     from raybundle.adjustment.blunders.accuracy_class import accuracy_class
-    from raybundle.adjustment.records.notice import notice_of_text
+    from raybundle.adjustment.records.notice import Notice, notice_of_text
     from raybundle.adjustment.records.severity import Severity
+    from raybundle.io.block.folder import unread_tables
     from raybundle.io.parquet import check_tables
     from raybundle.report.write import write_result
     from raybundle.results.folder import check_target
@@ -88,7 +89,9 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     notices = (
         notice_of_text("coordinate_system", r, measured=None if r in assumed else Severity.NOTE) for r in remarks
     )
-    done = replace(done, notices=(*done.notices, *notices, *room.notices()))
+    unread = unread_tables(Path(settings.block))
+    lost = [Notice(code="tables_not_read", values={"names": list(unread)}, ids=unread)] if unread else []
+    done = replace(done, notices=(*done.notices, *notices, *room.notices(), *lost))
     write_result(
         done, settings.out, report="html" if settings.report else "none", pdf=settings.pdf,
         all_coordinates=settings.all_coordinates, language=settings.language, wanted=wanted, frame=frame,

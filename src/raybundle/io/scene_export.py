@@ -64,7 +64,7 @@ def write_rpcs(export: Export, folder: Path) -> tuple[tuple[Path, ...], tuple[st
             rpc = fit.rpc
         if fit is not None:
             largest = float(fit.largest_px.max())
-            low, high = map(float, heights)
+            low, high = (float(h) for h in heights)
             remarks.append(phrase("conversion.new_rpc", name=path.name, low_m=low, high_m=high, largest_px=largest))
         write_rpc_text(rpc, path)
         files.append(path)

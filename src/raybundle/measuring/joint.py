@@ -38,6 +38,8 @@ class Joint:
 
     work: Work
     variance: float
+    relief: Array | None = None
+    """(p, 3) what relief within windows adds to a point, along a direction (`Precision.roughness`)"""
     images: dict[int, Array] = field(default_factory=dict[int, Array])
 
     @classmethod
@@ -45,8 +47,8 @@ class Joint:
         """Of an adjustment with its factor; raises InputError for one without statistics."""
         if adjustment.handle.work is None:
             raise InputError("joint.no_covariances")
-        variance = adjustment.variance_factor
-        return cls(adjustment.handle.work, variance)
+        known = adjustment.precision
+        return cls(adjustment.handle.work, adjustment.variance_factor, None if known is None else known.roughness)
 
     def of_image(self, image: int) -> OfImage:
         """What is unknown of an image; raises InputError for one that took no part."""
@@ -89,20 +91,32 @@ class Joint:
     def point_columns(self, point: int) -> tuple[Array, Array]:
         """Covariance (N, 3) of all unknowns of nodes with a point's coordinates, and the point's own (3, 3)."""
         nodes, points = self._columns(self._of_point(point), [point])
-        C = points[0]
+        C = points[0] + self._of_relief(point)
         return nodes, (C + C.T) / 2
 
     def of_points(self, points: Sequence[int]) -> Array:
         """Covariance (3 k, 3 k) of the coordinates of points."""
         right = [u for p in points for u in self._of_point(p)]
         _, found = self._columns(right, list(points))
+        for a, p in enumerate(points):
+            for b in np.flatnonzero(np.asarray(points) == p):
+                found[a, :, 3 * b : 3 * b + 3] += self._of_relief(p)
         C = found.reshape(3 * len(points), -1)
         return (C + C.T) / 2
 
     def points_with(self, points: Sequence[int], others: Sequence[int]) -> Array:
         """Covariance (n, 3, 3 k) of the coordinates of points with those of other points."""
         right = [u for p in others for u in self._of_point(p)]
-        return self._columns(right, list(points))[1]
+        found = self._columns(right, list(points))[1]
+        for a, p in enumerate(points):
+            for b in np.flatnonzero(np.asarray(others) == p):
+                found[a, :, 3 * b : 3 * b + 3] += self._of_relief(p)
+        return found
+
+    def _of_relief(self, point: int) -> Array:
+        """(3, 3) what relief within the windows of a point adds to its covariance, and to no other."""
+        r = np.zeros(3) if self.relief is None else np.nan_to_num(self.relief[point])
+        return np.outer(r, r)
 
     def _of_point(self, point: int) -> list[tuple[str, int, int]]:
         if not self.takes_part(point):

@@ -81,6 +81,8 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
 
     def sum(self, axis: int | None = None) -> Dual:
         """Over one axis, or all."""
+        if axis is not None and not -self.ndim <= axis < self.ndim:
+            raise TypeError(f"axis {axis} of an array of {self.ndim} axes")
         axes = tuple(range(self.ndim)) if axis is None else axis % self.ndim
         return Dual(self.value.sum(axis=axes), {n: d.sum(axis=axes) for n, d in self.by.items()})
 
@@ -119,7 +121,7 @@ def _chained(value: Array, terms: Iterable[tuple[Any, Any]]) -> Dual:
     return Dual(value, by)
 
 
-def _norm(x: Dual, *, axis: int = -1) -> Dual:
+def _norm(x: Dual, *, axis: int) -> Dual:
     return np.sqrt((x * x).sum(axis=axis))
 
 
@@ -135,15 +137,20 @@ def _stack(parts: Iterable[Any], *, axis: int = 0) -> Dual:
 
 
 def _where(condition: Array, yes: Any, no: Any) -> Dual:
-    which = np.asarray(condition, float)
+    condition = np.asarray(condition, bool)
+    which = condition.astype(float)
     plain = [x.value if isinstance(x, Dual) else x for x in (yes, no)]
     return _chained(np.where(condition, *plain), [(yes, which), (no, 1 - which)])
 
 
 def _einsum(how: str, *given: Any) -> Dual:
     """Linear in each argument; the letter Z is kept for the unknowns."""
-    terms, _, out = how.replace(" ", "").partition("->")
+    terms, arrow, out = how.replace(" ", "").partition("->")
     letters = terms.split(",")
+    if not arrow:  # as NumPy: letters that stand once, in order
+        out = "".join(sorted(k for k in set(terms) - {","} if terms.count(k) == 1))
+    if "Z" in how or "." in how:
+        raise TypeError("numpy.einsum: give letters other than Z, and no ellipsis")
     plain = [g.value if isinstance(g, Dual) else np.asarray(g, float) for g in given]
     by = dict[int, Array]()
     for k, one in enumerate(given):

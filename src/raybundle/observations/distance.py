@@ -6,11 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-import numpy as np
-
-from raybundle.errors import InputError, message
+from raybundle.errors import message
 from raybundle.numerics.arrays import Array, Index
-from raybundle.observations.kind import Scope
 from raybundle.observations.residual import ResidualKind, Unknowns, length
 from raybundle.observations.table import Table, Wrong, cells
 
@@ -46,10 +43,6 @@ class Distance(ResidualKind):
     table = Distances
     called = ("length",)
     between = "-"
-
-    def check(self, table: Distances, scope: Scope) -> None:
-        for d in np.flatnonzero(self.used(table, scope) & ~(table.sigma > 0))[:1]:
-            raise InputError("distance.sigma_not_positive", row=d + 1, sigma=float(table.sigma[d]))
 
     def residual(self, row: Distances, at: Unknowns) -> Array:
         return length(at.point(row.end) - at.point(row.start)) - row.length

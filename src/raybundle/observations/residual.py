@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from abc import abstractmethod
 from functools import cached_property
 from typing import Any, ClassVar, cast
@@ -60,6 +61,8 @@ class Unknowns:
         return self._seeded("own", self._things, self._own[self._things], np.eye(self._own.shape[1]))
 
     def _seeded(self, of: Of, items: Index, value: Array, by: Array, components: Array | None = None) -> Array:
+        if len(items) and np.min(items) < 0:
+            raise TypeError(f"a row names no {of}: leave out such rows in `used`")
         width = by.shape[-1]
         self.blocks.append((of, np.asarray(items, np.int32), np.arange(width) if components is None else components))
         return cast("Array", Dual(value, {len(self.blocks) - 1: np.broadcast_to(by, (*value.shape, width))}))
@@ -124,7 +127,12 @@ class ResidualKind(ObservationKind, registered=False):
             scale = 1 + 1j * step * (k == 6)
             R = np.eye(3) + 1j * step * cross_matrix(turn)
             shift = 1j * step * (np.arange(3) == k)
-            by[:, :, k] = placed(values, scale, R, centre - scale * R @ centre + shift).imag / step
+            with warnings.catch_warnings():
+                warnings.simplefilter("error", np.exceptions.ComplexWarning)  # a real array would lose the step
+                moved: Any = np.asarray(placed(values, scale, R, centre - scale * R @ centre + shift))
+            if not np.iscomplexobj(moved):
+                raise TypeError(f"{self.name}: own_placed must keep complex values; use np.column_stack, no real array")
+            by[:, :, k] = moved.imag / step
         return by
 
     def points(self, table: Any, scope: Scope) -> Index:
@@ -148,7 +156,11 @@ class ResidualKind(ObservationKind, registered=False):
             names = getattr(table, self.thing)
             own, things = values.own[self.name], np.array([of[names[k]] for k in rows.item.tolist()], np.int32)
         at, n = Unknowns(values, scope, own, things), np.arange(len(rows))
-        found = cast("Dual", self.residual(table.rows(rows.item), at))
+        found: Any = self.residual(table.rows(rows.item), at)
+        shape = (len(rows),) if len(self.called) < 2 else (len(rows), len(self.called))
+        if not isinstance(found, Dual) or found.shape != shape:
+            given = found.shape if isinstance(found, Dual) else type(found).__name__
+            raise TypeError(f"{self.name}: residual must return {shape} of what `at` gives; it returned {given}")
         mine = found if found.ndim == 1 else found[n, rows.component]
         by: list[Partials] = []
         for group, d in mine.by.items():

@@ -131,12 +131,16 @@ class Objects:
             if found != now:
                 raise ConnectionError(f"{found} of {now} bytes came")
 
-        try:
-            self._tried(get, writes_here=True)
-        except FileNotFoundError:
-            if self._tried(lambda: _exists(fs, path)):
-                raise  # the folder of copies is gone
-            raise _Removed from None
+        for last in (False, False, True):
+            try:
+                self._tried(get, writes_here=True)
+            except FileNotFoundError:
+                if not self._tried(lambda: _exists(fs, path)):
+                    raise _Removed from None
+                if last or not here.parent.is_dir():
+                    raise  # the folder of copies is gone
+            else:
+                return
 
     def damaged(self, key: str, again: bool, which: FileMark | None) -> None:  # noqa: FBT001
         """Remove the copy; where it was got anew and is damaged again, the object."""

@@ -23,6 +23,8 @@ from raybundle.observations import observation_kinds
 MOST = 40
 """Suspects of a group that are distinguished from each other: each costs a solution of the normal equations."""
 MOST_DECIMALS = 9
+ROUNDING = 1e-6
+"""Share of w below which a difference is that of rounding: two observations that only check each other have one w."""
 LINEAR = 0.1
 """Share of a length up to which its error is linear: of a larger one the estimate may be any number, a negative too."""
 
@@ -85,7 +87,7 @@ def _explained(result: Adjustment, g: ObservationGroup, rows: Index) -> dict[int
     check = np.sqrt(np.maximum(1 - np.diagonal(meet), 1e-12))
     rho = np.clip(np.abs(meet) / np.outer(check, check), 0, 1)
     w = np.abs(g.w[rows])
-    free = w[:, None] - rho * w[None, :] < SURE * np.sqrt(1 - rho**2)
+    free = w[:, None] - rho * w[None, :] < SURE * np.sqrt(1 - rho**2) + ROUNDING * w[:, None]
     np.fill_diagonal(free, val=False)
     return {int(row): tuple(rows[np.flatnonzero(free[k])].tolist()) for k, row in enumerate(rows)}
 

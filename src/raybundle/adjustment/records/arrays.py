@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from raybundle.block import Images
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import angles_from_rotation
@@ -23,20 +24,26 @@ class Poses:
 
     ids: tuple[str, ...]
     centre: Array
-    """(n, 3) projection centres [length unit]; NaN where an image took no part"""
+    """(n, 3) projection centres, in a rig of its station [length unit]; NaN of images without rays and of scenes"""
     rotation: Array
-    """(n, 3, 3) object axes to image axes: x right, y up, z backwards"""
+    """(n, 3, 3) object axes to image axes, in a rig to those of its station: x right, y up, z backwards"""
     covariance: Array | None
     """(n, 6, 6) of X, Y, Z, omega, phi, kappa [length unit, rad]; None without statistics"""
     length_unit: str
     """empty where nothing fixes the scale"""
+    alone: Images
+    """each camera for itself: in a rig behind its mounting"""
 
     @property
     def matrices(self) -> Array:
-        """(n, 4, 4) from object to camera coordinates as OpenCV and COLMAP have them: x right, y down, z forwards."""
+        """(n, 4, 4) from object to camera coordinates as OpenCV and COLMAP have them: x right, y down, z forwards.
+
+        Of a mounted camera those of the camera itself; NaN as `centre`.
+        """
+        lost = 0 * self.centre
         found = np.tile(np.eye(4), (len(self.ids), 1, 1))
-        found[:, :3, :3] = np.diag([1.0, -1.0, -1.0]) @ self.rotation
-        found[:, :3, 3] = -np.einsum("nij,nj->ni", found[:, :3, :3], self.centre)
+        found[:, :3, :3] = np.diag([1.0, -1.0, -1.0]) @ self.alone.rotation + lost[:, :, None]
+        found[:, :3, 3] = lost - np.einsum("nij,nj->ni", found[:, :3, :3], self.alone.centre)
         return found
 
     def table(self, to: To = "pandas") -> Any:

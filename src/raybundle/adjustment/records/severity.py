@@ -30,7 +30,7 @@ _CODES = {
         "points_left_out rays_diverge read_out_unused relative_control repeated_structure residual_structure "
         "choice_unfinished result_unsettled rolling_shutter scale_unchecked scene_datum scene_prior small_angle "
         "approximate_scale relief_unknown start_behind "
-        "start_parallel static_background systematic_residuals "
+        "start_parallel static_background systematic_residuals tables_not_read "
         "target_without_normal two_cameras unstable_camera unusual_errors up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.NOTE: (

@@ -38,6 +38,8 @@ NULL = 1e-9
 """Eigenvalue of the scaled reduced normal matrix below which a direction is part of what is left open."""
 NO_BASE, NOWHERE = 0.3, 0.9
 """Shares of points with parallel rays: from which on they explain a failure, and from which on there is no result."""
+FAR = 1e100
+"""Coordinates up to which squares are finite, of an estimation that diverged [length unit]"""
 SHOWN = 10
 SHOWN_SHARE = 0.02
 """Share in the null space from which on an object is named."""
@@ -363,7 +365,7 @@ def parallel_rays(system: System, state: State) -> tuple[Mask, Mask]:
     """(p,) points whose rays are parallel within 0.2 degrees, and those with two rays or more."""
     block = system.block
     image, point = block.observations.image[system.rows], block.observations.point[system.rows]
-    d = state.xyz[point] - system.centres(state)[image]
+    d = np.clip(state.xyz[point] - system.centres(state)[image], -FAR, FAR)
     d = d / np.maximum(np.linalg.norm(d, axis=1), 1e-300)[:, None]
     count = np.maximum(np.bincount(point, minlength=len(block.points)), 1)
     mean = np.stack([np.bincount(point, d[:, k], minlength=len(block.points)) / count for k in range(3)], axis=1)

@@ -9,7 +9,8 @@ import numpy as np
 
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block, Role
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
+from raybundle.sensors import sensor_models
 
 LARGEST = 1e18
 """Greatest size of a number, as in files: what is computed from such numbers stays finite."""
@@ -25,6 +26,8 @@ def check_entry(block: object, options: object) -> None:
     _check_shapes(block)
     _check_indices(block)
     _check_numbers(block)
+    _check_tables(block)
+    _check_cameras(block)
 
 
 def _check_options(options: AdjustmentOptions) -> None:
@@ -110,6 +113,46 @@ def _check_indices(block: Block) -> None:
                 position=int(values[bad[0]]),
                 last=count - 1,
             )
+
+
+def _check_tables(block: Block) -> None:
+    """What readers ask of the rows of files: limits, no gaps where there must be none, what a table refuses."""
+    for table in block.tables.values():
+        for field, c in table.cells():
+            values: Any = getattr(table, field)
+            if c.of != "number" or values is None or not len(values):
+                continue
+            wide = np.reshape(values, (len(values), -1))
+            for mask, code in (
+                (np.isnan(wide) & (not c.empty), "cell.empty"), ((wide <= 0) & (c.limit == "> 0"), "cell.not_positive"),
+                ((wide < 0) & (c.limit == ">= 0"), "cell.negative_sigma"),
+            ):  # fmt: skip
+                for k, axis in np.argwhere(mask)[:1].tolist():
+                    value = f"{wide[k, axis]:g}"
+                    why = message(code) if code == "cell.empty" else message(code, value=value)
+                    raise _of_row(table.name, k, c.names[axis], why)
+        for w in table.faults():
+            for k in np.flatnonzero(w.rows)[:1]:
+                why = w.message(int(k))
+                why = message("observation.row_refused", detail=why) if isinstance(why, str) else why
+                raise _of_row(table.name, int(k), w.column, why)
+
+
+def _of_row(table: str, row: int, column: str, why: Message) -> InputError:
+    """As of the file that it would be."""
+    return InputError(why, file=f"{table}.csv", line=row + 2, column=column)
+
+
+def _check_cameras(block: Block) -> None:
+    for camera in block.cameras:
+        if camera.is_scene:
+            continue
+        if camera.model not in sensor_models:
+            raise InputError("camera.model_unknown", camera=camera.id, model=camera.model, known=sorted(sensor_models))
+        unknown = [s for s in camera.values if s not in sensor_models[camera.model].symbols]
+        if unknown:
+            known = list(sensor_models[camera.model].symbols)
+            raise InputError("camera.symbols_unknown", camera=camera.id, model=camera.model, names=unknown, known=known)
 
 
 def _check_numbers(block: Block) -> None:

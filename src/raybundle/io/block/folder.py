@@ -121,6 +121,13 @@ def _table_names() -> tuple[str, ...]:
     return ("images", "observations", "points", *kinds, "interior")
 
 
+def unread_tables(folder: Path) -> tuple[str, ...]:
+    """Names of files in a block folder that look like tables and are none that is read."""
+    return tuple(
+        sorted(f.name for f in folder.iterdir() if f.suffix.lower() in SUFFIXES and f.name not in block_files())
+    )
+
+
 def _image_columns(cameras: tuple[Camera, ...]) -> tuple[Column, ...]:
     of = {c.id: k for k, c in enumerate(cameras)}
     return (

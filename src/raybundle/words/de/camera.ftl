@@ -89,6 +89,9 @@ camera-constant_missing = Kamera { $camera }: Die Kamerakonstante { $parameter }
 camera-several = Das Ergebnis hat { $n } Kameras, und keine ist genannt.
     .do = Eine von { LIST($cameras, most: 10) } nennen.
 
+camera-symbols_unknown = Kamera { $camera }: Das Modell { $model } hat keinen Parameter { LIST($names, most: 3) }.
+    .do = { LIST($known, most: 30) } verwenden.
+
 camera-unknown = Es gibt keine Kamera { $camera }.
     .do = Eine von { LIST($known, most: 10) } verwenden.
 

@@ -162,6 +162,13 @@ camera-constant_missing = Camera { $camera }: the camera constant { $parameter }
 camera-several = The result has { $n } cameras and none is named.
     .do = Name one of { LIST($cameras, most: 10) }.
 
+# $camera = "1"
+# $model = "brown"
+# $names = ["f"]
+# $known = ["c", "x0", "y0"]
+camera-symbols_unknown = Camera { $camera }: model { $model } has no parameter { LIST($names, most: 3) }.
+    .do = Use { LIST($known, most: 30) }.
+
 # $camera = "d3"
 # $known = ["d5100", "d7200"]
 camera-unknown = There is no camera { $camera }.

@@ -53,6 +53,8 @@ camera-constant_missing = Caméra { $camera } : la distance principale { $parame
 
 camera-several = Le résultat a { $n } caméras et aucune n'est nommée.
 
+camera-symbols_unknown = Caméra { $camera } : le modèle { $model } n'a pas de paramètre { LIST($names, most: 3) }.
+
 camera-unknown = Il n'y a pas de caméra { $camera }.
 
 camera-interior_per_image = Caméra { $camera } : chaque image a sa propre orientation interne.

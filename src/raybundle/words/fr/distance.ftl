@@ -1,1 +1,0 @@
-distance-sigma_not_positive = Distance { $row } : son écart-type est { $sigma }.
