@@ -11,6 +11,7 @@ from raybundle.adjustment.evaluation.tie_roughness import doubled
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.records.severity import Severity
 from raybundle.io.block.folder import read_block, write_block
+from raybundle.measuring.joint import Joint
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 from tests.messages import refused
@@ -185,6 +186,11 @@ def test_questions_hold_it(rough):
     np.testing.assert_allclose(C, rough.precision.object_points[3], rtol=1e-6)
     apart = rough.covariance(f"point:{names[3]}", f"point:{names[4]}")
     assert np.abs(apart).max() < np.abs(C).max() / 3
+    joint = Joint.of(rough)  # of what is measured by hand
+    both = np.block([[C, apart], [apart.T, rough.precision.object_points[4]]])
+    np.testing.assert_allclose(joint.of_points([3, 4]), both, rtol=1e-6, atol=1e-9 * C.max())
+    np.testing.assert_allclose(joint.points_with([4, 3], [3])[:, :, :3], [apart.T, C], rtol=1e-6, atol=1e-9 * C.max())
+    np.testing.assert_allclose(joint.point_columns(3)[1], C, rtol=1e-6, atol=1e-9 * C.max())
     again = precision_in_datum(rough, names[:12])
     alone = precision_in_datum(adjust_block(BLOCK, AdjustmentOptions()), names[:12])
     r = rough.precision.roughness

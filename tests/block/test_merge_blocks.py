@@ -288,3 +288,14 @@ def test_what_is_no_block_rule_or_rotation_is_refused(flights):
     ):
         with pytest.raises(InputError, match=words):
             wrong()
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_what_matching_measured_of_a_point_is_that_of_the_block_that_knows_it(order):
+    block = simulate(field_scene(TargetField(rows=3, columns=4, stations=4)), Survey()).observed
+    p = block.points
+    half = np.where(np.arange(len(p)) % 2, 0.01, np.nan)
+    known = replace(block, points=replace(p, window=half, sigma_curvature=np.full(len(p), 0.002)))
+    made = merge_blocks([block, known][::order])
+    np.testing.assert_array_equal(made.points.window, half)
+    assert (made.points.sigma_curvature == 0.002).all()

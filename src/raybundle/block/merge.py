@@ -22,6 +22,8 @@ Subject = Literal["block", "camera", "instrument", "image", "point", "observatio
 SUBJECTS: tuple[Subject, ...] = get_args(Subject)
 WORDS = {"name": " + ", "about": "; ", "source": "; ", "licence": "; "}
 """Texts of a block, which contradict nothing: what stands between those that differ."""
+MATCHED = ("window", "misfit", "relief", "sigma_curvature")
+"""Columns of points that were measured by matching: of the first block that knows them"""
 ROWS = {"cameras", "instruments", "images", "observations", "points", "tables", "rejected"}
 PER_M = {"m": 1.0, "mm": 1000.0}
 
@@ -204,7 +206,8 @@ class _Merge:
         seen = found & (rays > 1)
         near = np.where(seen[last := rows.first(seen, last=True)], last, rows.first(found))
         made = whole.rows(chosen)
-        return replace(made, xyz=np.where(given[chosen], made.xyz, whole.xyz[near]))
+        matched = {n: v[rows.first(np.isfinite(v))] for n in MATCHED if (v := getattr(whole, n)) is not None}
+        return replace(made, xyz=np.where(given[chosen], made.xyz, whole.xyz[near]), **matched)
 
     def observations(self, made: Block, numbers: Mapping[str, Sequence[Index]]) -> Observations:
         moved = [
