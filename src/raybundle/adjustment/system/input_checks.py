@@ -149,9 +149,10 @@ def _check_cameras(block: Block) -> None:
             continue
         if camera.model not in sensor_models:
             raise InputError("camera.model_unknown", camera=camera.id, model=camera.model, known=sorted(sensor_models))
-        unknown = [s for s in camera.values if s not in sensor_models[camera.model].symbols]
+        symbols = sensor_models[camera.model].symbols
+        unknown = [s for s, value in camera.values.items() if value and s not in symbols]  # a term of 0 has no effect
         if unknown:
-            known = list(sensor_models[camera.model].symbols)
+            known = list(symbols)
             raise InputError("camera.symbols_unknown", camera=camera.id, model=camera.model, names=unknown, known=known)
 
 
