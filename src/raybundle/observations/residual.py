@@ -72,14 +72,14 @@ class ResidualKind(ObservationKind, registered=False):
     """A kind that states `residual`: points, rows, names and derivatives follow from it and from its table.
 
     Words that it does not state follow from its name (`distance` makes "distances"), and `object` from the columns of
-    its points and images.  The rows that take part are those whose points and images all do.  What is observed is the
-    field `observed` of the table, 0 where it has none, with the standard deviations of its field `sigma`.
+    its points and images.  A row takes part where all its points and images do.  What is observed is the field
+    `observed` of the table, 0 where it has none, with the standard deviations of its field `sigma`.
     """
 
     called: ClassVar[tuple[str, ...]] = ()
     """Names of the quantities of a row; (): its noun"""
     thing: ClassVar[str] = ""
-    """Field of the table with the name of the thing whose unknowns are the kind's own (`own_start`, `own_placed`)"""
+    """Field of the table with the name of what has unknowns of the kind's own (`own_start`, `own_placed`)"""
     between: ClassVar[str] = "–"
     """What stands between the names of points or images in the name of a row"""
 
