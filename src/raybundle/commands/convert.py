@@ -98,10 +98,15 @@ def convert(
 
     Limits: what the format cannot hold is lost; the remarks of the answer name what had to be changed.
     """
-    with TemporaryDirectory() as room:
-        where = path_of("source", source) if isinstance(source, (str, Path)) else _folder_of(source, Path(room))
-        given = {"source": where, "out": path_of("out", out), "to": to, **settings}
-        return run_convert(made(ConvertSettings, given), progress)
+    from raybundle.adjustment.result import Adjustment
+    from raybundle.block import Block
+
+    if isinstance(source, Block | Adjustment):
+        with TemporaryDirectory() as room:
+            folder = _folder_of(source, Path(room))
+            return convert(folder, out, to=to, progress=progress, **settings)
+    given = {"source": path_of("source", source), "out": path_of("out", out), "to": to, **settings}
+    return run_convert(made(ConvertSettings, given), progress)
 
 
 def _folder_of(source: Block | Adjustment, room: Path) -> Path:

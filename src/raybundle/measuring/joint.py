@@ -91,32 +91,28 @@ class Joint:
     def point_columns(self, point: int) -> tuple[Array, Array]:
         """Covariance (N, 3) of all unknowns of nodes with a point's coordinates, and the point's own (3, 3)."""
         nodes, points = self._columns(self._of_point(point), [point])
-        C = points[0] + self._of_relief(point)
+        C = self._with_relief(points, [point], [point])[0]
         return nodes, (C + C.T) / 2
 
     def of_points(self, points: Sequence[int]) -> Array:
         """Covariance (3 k, 3 k) of the coordinates of points."""
         right = [u for p in points for u in self._of_point(p)]
         _, found = self._columns(right, list(points))
-        for a, p in enumerate(points):
-            for b in np.flatnonzero(np.asarray(points) == p):
-                found[a, :, 3 * b : 3 * b + 3] += self._of_relief(p)
-        C = found.reshape(3 * len(points), -1)
+        C = self._with_relief(found, points, points).reshape(3 * len(points), -1)
         return (C + C.T) / 2
 
     def points_with(self, points: Sequence[int], others: Sequence[int]) -> Array:
         """Covariance (n, 3, 3 k) of the coordinates of points with those of other points."""
         right = [u for p in others for u in self._of_point(p)]
-        found = self._columns(right, list(points))[1]
-        for a, p in enumerate(points):
-            for b in np.flatnonzero(np.asarray(others) == p):
-                found[a, :, 3 * b : 3 * b + 3] += self._of_relief(p)
-        return found
+        return self._with_relief(self._columns(right, list(points))[1], points, others)
 
-    def _of_relief(self, point: int) -> Array:
-        """(3, 3) what relief within the windows of a point adds to its covariance, and to no other."""
-        r = np.zeros(3) if self.relief is None else np.nan_to_num(self.relief[point])
-        return np.outer(r, r)
+    def _with_relief(self, C: Array, points: Sequence[int], others: Sequence[int]) -> Array:
+        """Covariance (n, 3, 3 k) of points with others, with the relief that a point has with itself alone."""
+        if self.relief is not None:
+            for a, b in np.argwhere(np.asarray(points)[:, None] == np.asarray(others)).tolist():
+                r = np.nan_to_num(self.relief[points[a]])
+                C[a, :, 3 * b : 3 * b + 3] += np.outer(r, r)
+        return C
 
     def _of_point(self, point: int) -> list[tuple[str, int, int]]:
         if not self.takes_part(point):

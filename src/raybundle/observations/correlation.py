@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.errors import InputError
 from raybundle.numerics.deviations import correlation_matrices, stated
 from raybundle.observations.kind import Joint, Rows
 from raybundle.observations.table import SIGMA, Table
@@ -23,9 +22,7 @@ def correlated(table: Table, rows: Rows) -> Rows:
     there = stated(coefficients, len(table))
     if not there.any():
         return rows
-    for w in table.faults():
-        for k in np.flatnonzero(w.rows)[:1].tolist():
-            raise InputError(w.message(k), file=f"{table.name}.csv", line=k + 2, column=w.column)
+    table.check()
     matrices = correlation_matrices(coefficients, len(table))
     order = np.argsort(rows.item, kind="stable")
     item, start = np.unique(rows.item[order], return_index=True)

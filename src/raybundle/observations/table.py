@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Literal, Self, cast
 
 import numpy as np
 
-from raybundle.errors import Message, message
+from raybundle.errors import InputError, Message, message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.deviations import PAIRS, SMALLEST, drawn, least_eigenvalues, unfounded
 from raybundle.numerics.records import Column, Records, Refers, Stuck, as_field
@@ -53,6 +53,11 @@ class Wrong:
     column: str
     message: Callable[[int], Message | str]
     """Of a row; a text where the observations are of a kind of one's own"""
+
+    def why(self, row: int) -> Message:
+        """The message of a row."""
+        found = self.message(row)
+        return message("observation.row_refused", detail=found) if isinstance(found, str) else found
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,6 +101,16 @@ class Table(Records):
         """What is wrong with its rows: `wrong`, and correlations that cannot be."""
         found = [w for name, c in self.cells() if c.deviations for w in self._wrong_correlations(name, c)]
         return [*self.wrong(), *found]
+
+    def check(self) -> None:
+        """Raise InputError for the first of its `faults`, at the place where it would stand in a file."""
+        for w in self.faults():
+            for k in np.flatnonzero(w.rows)[:1].tolist():
+                raise self.refused(k, w.column, w.why(k))
+
+    def refused(self, row: int, column: str, why: Message) -> InputError:
+        """An error of a row."""
+        return InputError(why, file=f"{self.name}.csv", line=row + 2, column=column)
 
     def _wrong_correlations(self, name: str, c: Cells) -> Sequence[Wrong]:
         values: Array | None = getattr(self, name)

@@ -7,7 +7,7 @@ the window and its grey values (`WindowMatches.residual`).  Two sources give k: 
 matches of a point, and a quadratic surface through its neighbours.  The latter is precise, and wrong beside a crease.
 It counts as far as neighbours fit it; where the residuals contradict it beyond chance, they replace it.
 
-Constants by the errors of tie points of rendered sets: `benchmarks/tie_curvature.py`.
+Constants by trials on the errors of tie points of rendered sets; `benchmarks/tie_curvature.py` judges them.
 """
 
 from __future__ import annotations

@@ -50,7 +50,7 @@ def cofactors_with(work: Work, state: State, chosen: list[tuple[str, int, int]])
     found = work.under_noise or work.found
     t = found.transformation if found else None
     if t is not None:
-        Ga, Ha = _gauge(system, t, chosen)
+        Ga, Ha = _gauge(t, chosen)
         nodes, points = (
             Q - G @ t.middle @ Ha.T - H @ t.middle.T @ Ga.T + G @ (t.middle @ t.inner @ t.middle.T) @ Ga.T
             for Q, G, H in ((nodes, t.nodes, t.nodes_h), (points, t.points, t.points_h))
@@ -95,8 +95,7 @@ def own_thing(system: System, name: str) -> tuple[Part, int] | None:
     return (part, names.index(identity)) if identity in names else None
 
 
-def _gauge(system: System, t: Transformation, chosen: list[tuple[str, int, int]]) -> tuple[Array, Array]:
-    del system
+def _gauge(t: Transformation, chosen: list[tuple[str, int, int]]) -> tuple[Array, Array]:
     G = np.array([t.points[at, axis] if kind == "point" else t.nodes[at] for kind, at, axis in chosen])
     H = np.array([t.points_h[at, axis] if kind == "point" else t.nodes_h[at] for kind, at, axis in chosen])
     return G, H

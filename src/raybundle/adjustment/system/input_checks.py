@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block, Role
-from raybundle.errors import InputError, Message, message
+from raybundle.errors import InputError, message
 from raybundle.sensors import sensor_models
 
 LARGEST = 1e18
@@ -130,17 +130,8 @@ def _check_tables(block: Block) -> None:
                 for k, axis in np.argwhere(mask)[:1].tolist():
                     value = f"{wide[k, axis]:g}"
                     why = message(code) if code == "cell.empty" else message(code, value=value)
-                    raise _of_row(table.name, k, c.names[axis], why)
-        for w in table.faults():
-            for k in np.flatnonzero(w.rows)[:1]:
-                why = w.message(int(k))
-                why = message("observation.row_refused", detail=why) if isinstance(why, str) else why
-                raise _of_row(table.name, int(k), w.column, why)
-
-
-def _of_row(table: str, row: int, column: str, why: Message) -> InputError:
-    """As of the file that it would be."""
-    return InputError(why, file=f"{table}.csv", line=row + 2, column=column)
+                    raise table.refused(k, c.names[axis], why)
+        table.check()
 
 
 def _check_cameras(block: Block) -> None:

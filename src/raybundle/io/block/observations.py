@@ -60,7 +60,7 @@ def _read(path: Path, table: type[Table], known: Mapping[str, dict[str, int]], i
     read = replace(read, number={**read.number, **{deg: 0.9 * read.number[name] for deg, name in gon.items()}})
     problems = list[Problem]()
     made = table(**{field: _field(path, c, read, instruments, problems) for field, c in table.cells()})
-    require(path, *(problems_of(w.rows, w.column, w.message) for w in made.faults()), problems)
+    require(path, *(problems_of(w.rows, w.column, w.why) for w in made.faults()), problems)
     return made
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import Message, message
+from raybundle.errors import Message
 from raybundle.io.tables import SHOWN, Problem, fail
 from raybundle.numerics.arrays import Array, Index, Mask
 
@@ -16,13 +16,9 @@ SIGMA_XYZ = ("sX", "sY", "sZ")
 ANGLES = ("omega_deg", "phi_deg", "kappa_deg")
 
 
-def problems_of(mask: Mask, column: str, why: Callable[[int], str | Message], first_line: int = 2) -> list[Problem]:
+def problems_of(mask: Mask, column: str, message: Callable[[int], Message], first_line: int = 2) -> list[Problem]:
     """The first rows of a mask (n,) as problems of a table."""
-    found = [(int(k) + first_line, why(int(k))) for k in np.flatnonzero(mask)[: SHOWN + 1]]
-    return [
-        Problem(line, column, message("observation.row_refused", detail=text) if isinstance(text, str) else text)
-        for line, text in found
-    ]
+    return [Problem(int(k) + first_line, column, message(int(k))) for k in np.flatnonzero(mask)[: SHOWN + 1]]
 
 
 def require(path: Path, *groups: Sequence[Problem]) -> None:
