@@ -69,11 +69,11 @@ def test_smooth_errors_are_taken_for_no_affinity():
 
 def test_all_cameras_are_decided_in_few_adjustments(monkeypatch):
     """The shears of four cameras, which the images know worse than sensors have them, leave together."""
-    from raybundle.adjustment.decision import parameter_choice
+    from raybundle.adjustment.decision.state import Task
 
     count = []
-    plain = parameter_choice.quiet
-    monkeypatch.setattr(parameter_choice, "quiet", lambda *a, **k: (count.append(1), plain(*a, **k))[1])
+    plain = Task.adjusted
+    monkeypatch.setattr(Task, "adjusted", lambda *a: (count.append(1), plain(*a))[1])
     result = chosen(simulated(3, cameras=4), "fields", "sensor")
     assert not any("S" in i.free for i in result.interior)
     assert len(count) <= 2  # one that decides, one that confirms

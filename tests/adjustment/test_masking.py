@@ -6,10 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import raybundle.adjustment.decision.decide as decide_module
 from raybundle import adjust
+from raybundle.adjustment.decision import blunder_rejection
 from raybundle.adjustment.decision.masking import MASKED, ratio_of
 from raybundle.adjustment.decision.snooping import tau_values
+from raybundle.adjustment.decision.state import Task
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
@@ -47,14 +48,14 @@ def test_single_suspects_leave_and_return_without_new_statistics(monkeypatch):
     """What becomes suspect without a few follows from the redundancy numbers that are known; the end is the same."""
     block = with_smooth_errors(simulated("testfield", seed=5).observed, np.random.default_rng(5), 2, 0.6)
     extents = []
-    plain = decide_module.quiet
-    monkeypatch.setattr(decide_module, "quiet", lambda *a, **k: (extents.append(k["extent"]), plain(*a, **k))[1])
+    plain = Task.adjusted
+    monkeypatch.setattr(Task, "adjusted", lambda *a: (extents.append(a[2]), plain(*a))[1])
     used = adjust(block, SNOOPING).image_observations.used
     assert (~used).any()
     few = extents.count("tests")
     assert few < len(extents)
     extents.clear()
-    monkeypatch.setattr(decide_module, "_nearby", lambda *_: None)
+    monkeypatch.setattr(blunder_rejection, "_nearby", lambda *_: None)
     assert (adjust(block, SNOOPING).image_observations.used == used).all()
     assert few < extents.count("tests")
 
@@ -72,7 +73,7 @@ def test_tau_values_without_statistics_are_those_with_them():
 
 def test_without_a_robust_estimate_none_of_them_is_found(monkeypatch):
     done = simulated("testfield", seed=7, gross_share=0.15, gross_px=20.0)
-    monkeypatch.setattr("raybundle.adjustment.decision.decide.unmasked", lambda *_: None)
+    monkeypatch.setattr("raybundle.adjustment.decision.blunder_rejection.unmasked", lambda *_: None)
     result = adjust(done.observed, SNOOPING)
     assert (done.gross & result.image_observations.used).sum() > 0.9 * done.gross.sum()
     (notice,) = [n for n in result.notices if n.code == "snooping_masked"]

@@ -15,6 +15,7 @@ from raybundle.errors import InputError
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.sensors import sensor_models
+from tests.messages import refused
 
 OPTIONS = AdjustmentOptions(jobs=1)
 VALUES = {
@@ -131,3 +132,17 @@ def test_what_cannot_be_is_said():
         result.opencv("x")
     with pytest.raises(InputError, match=r"camera\.no_interior_of_image"):
         result.opencv(image="y")
+
+
+def test_parameters_of_single_images_and_shared_ones_count_together():
+    """c of each image, the others shared: the covariance of both, and no camera of all images."""
+    block = simulate(field_scene(TargetField()), Survey(scale_bars=2)).observed
+    (camera,) = block.cameras
+    white = replace(OPTIONS, noise="white")
+    shared, zoomed = adjust(block, white), adjust(replace(block, cameras=(replace(camera, per_image=("c",)),)), white)
+    with refused("camera.interior_per_image", camera="1"):
+        zoomed.opencv()
+    one, all_of_them = zoomed.opencv(image=block.images.ids[0]), shared.opencv()
+    assert one.values["fx"] == pytest.approx(all_of_them.values["fx"], rel=1e-3)
+    for name in ("cx", "cy", "k1", "p1"):
+        assert 0.8 * all_of_them.std[name] < one.std[name] < 5 * all_of_them.std[name]

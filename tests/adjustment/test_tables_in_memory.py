@@ -7,6 +7,7 @@ import pytest
 
 from raybundle import adjust
 from raybundle.block import Distances
+from raybundle.block.boards import BoardViews, board_block
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 from tests.messages import refused
@@ -44,3 +45,19 @@ def test_models_and_parameters_that_there_are_not_are_named(block):
         adjust(replace(block, cameras=(replace(camera, model="opencv"),)))
     with refused("camera.symbols_unknown", camera="1", names=["f"]):
         adjust(replace(block, cameras=(replace(camera, values={**camera.values, "f": 1.2}),)))
+
+
+@pytest.mark.parametrize("name", ["window", "misfit", "relief", "sigma_curvature"])
+def test_figures_of_matching_are_positive(block, name):
+    figures = np.full(len(block.points), np.nan)
+    figures[3] = -1e-3
+    with refused("cell.not_positive", file="points.csv", line=5, column=name):
+        adjust(replace(block, points=replace(block.points, **{name: figures})))
+
+
+@pytest.mark.parametrize("spacing", [np.nan, 0.0, -0.02])
+def test_a_board_has_a_spacing(block, spacing):
+    k = np.arange(9)
+    views = BoardViews(view=0 * k, row=k // 3, column=k % 3, xy_px=np.zeros((9, 2)), weight=np.ones(9), spacing=spacing)
+    with refused("cell.not_positive", column="spacing"):
+        board_block(views, block.cameras[0])

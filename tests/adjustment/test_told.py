@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle import adjust
-from raybundle.adjustment.decision import decide
+from raybundle.adjustment.decision.blunder_rejection import Snooping
 from raybundle.adjustment.notices import _behind
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.select import with_rows
@@ -37,7 +37,7 @@ def test_snooping_that_runs_out_of_rounds_says_that_suspects_are_left(monkeypatc
     block = observed(gross_share=0.02, gross_px=30)
     snooping = replace(OPTIONS, reject="snooping")
     assert not told(adjust(block, snooping), "snooping_unfinished")
-    monkeypatch.setattr(decide, "ROUNDS", 1)
+    monkeypatch.setattr(Snooping, "rounds", 1)
     (notice,) = told(adjust(block, snooping), "snooping_unfinished")
     assert notice.values == {"rounds": 1}
 

@@ -95,3 +95,12 @@ def test_a_flight_at_the_limits_is_told_in_words(more, capsys):
 def test_scale_bars_are_counted_before_they_are_drawn(tmp_path, capsys):
     assert main(["simulate", "flat", "--out", str(tmp_path / "s"), "--scale-bars", "100000000"]) == 2
     assert "[simulation.too_few_points]" in capsys.readouterr().err
+
+
+def test_a_negative_number_is_no_option(tmp_path, capsys):
+    """Where numbers stand without one: the centre of a target may lie outside the photograph."""
+    place = ["mark", "put", str(tmp_path), "1.jpg", "gate", "-5", "-.5e1"]
+    assert main([*place, "--nothing"]) == 2
+    assert "--nothing" in capsys.readouterr().err
+    assert main(place) == 2
+    assert "option" not in capsys.readouterr().err

@@ -215,9 +215,10 @@ def interior_of(
 ) -> tuple[Camera, tuple[str, ...], Array | None]:
     """A camera with its adjusted values, the symbols that were estimated, and their covariance (u, u).
 
-    camera  its id; None: the only one; image: where each image has an interior orientation of its own
+    camera  its id; None: the only one; image: where parameters differ from image to image
     None in place of the covariance: without statistics.
-    raises  InputError for an unknown camera or image, and where one of several has to be named
+    raises  InputError for an unknown camera or image, where one of several has to be named, and of a copy of a result
+            whose parameters are partly an image's own, partly shared: their covariance cannot be asked of it
     """
     cameras = [c for c in result.adjusted.cameras if not c.is_scene]
     if camera is None:
@@ -227,19 +228,25 @@ def interior_of(
     found = next((c for c in cameras if c.id == camera), None)
     if found is None:
         raise InputError("camera.unknown", camera=camera, known=[c.id for c in cameras])
-    own = [i for i in result.interior if i.camera == camera]
-    interior = next((i for i in own if i.image == image), None)
-    if interior is None:
-        if image is None and own:
-            raise InputError("camera.interior_per_image", camera=camera)
-        if image is not None:
-            raise InputError("camera.no_interior_of_image", camera=camera, image=image)
-        return found, (), None if result.precision is None else np.zeros((0, 0))
-    found = replace(found, values={**found.values, **{s: p.value for s, p in interior.parameters.items()}})
+    motion = {p.symbol for p in found.sensor.parameters if p.kind in {"read-out", "other"}}
+    every = [
+        i for i in result.interior if i.camera == camera and (i.image is None or not motion.issuperset(i.parameters))
+    ]
+    parts = [i for i in every if i.image is None or i.image == image]
+    if image is not None and all(i.image is None for i in parts):
+        raise InputError("camera.no_interior_of_image", camera=camera, image=image)
+    if image is None and any(i.image is not None for i in every):
+        raise InputError("camera.interior_per_image", camera=camera)
+    found = replace(found, values={**found.values, **{s: p.value for i in parts for s, p in i.parameters.items()}})
     if result.precision is None:
         return found, (), None
-    key = camera if image is None else f"{camera}/{image}"
-    return found, interior.free, result.precision.interior.get(key, np.zeros((0, 0)))
+    parts = [i for i in parts if i.free]
+    keys = [i.camera if i.image is None else f"{i.camera}/{i.image}" for i in parts]
+    C = [[None if a != b else result.precision.interior[a] for b in keys] for a in keys]
+    if len(keys) == 2:
+        between = result.covariance(*(f"camera:{key}" for key in keys))
+        C[0][1], C[1][0] = between, between.T
+    return found, tuple(s for i in parts for s in i.free), np.block(C) if keys else np.zeros((0, 0))
 
 
 def _interior(a: Adjustment, i: InteriorResult) -> Interior:

@@ -86,11 +86,15 @@ def board_block(
     camera        c = 0 in its values: camera constant and bend of the lens are searched, nothing is guessed
     raster_sigma  standard deviations of the raster's points in its plane and across it, length units; (0, 0) holds a
                   flat board; None leaves all points free (inner constraints)
-    raises        InputError where a view shows too few points; NotSolvable where no lens explains the views
+    raises        InputError where a view shows too few points or a spacing or sigma is no positive number;
+                  NotSolvable where no lens explains the views
 
     A print is truer in its plane (some 0.05 mm) than it is flat (1 mm).  Free points need views that see the same
     points in different parts of the format; the adjustment states whether they are determined.
     """
+    for name, number in (("spacing", views.spacing), ("sigma_px", sigma_px)):
+        if not 0 < number < np.inf:
+            raise InputError("cell.not_positive", column=name, value=f"{number:g}")
     view, image = np.unique(views.view, return_inverse=True)
     place, point = np.unique(np.stack([views.row, views.column], axis=1), axis=0, return_inverse=True)
     image, point = image.ravel(), point.ravel()

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.adjustment.decision.decide import Decisions, decisions
+from raybundle.adjustment.decision.decide import decisions
+from raybundle.adjustment.decision.state import State
 from raybundle.adjustment.estimation import Start, reject_single_rays
 from raybundle.adjustment.records.figures import ObservationStatistics
 from raybundle.adjustment.records.options import AdjustmentOptions
@@ -39,9 +40,8 @@ class StoredDecisions:
     """An adjustment in a store with its decisions."""
 
     adjustment: StoredAdjustment
-    decisions: Decisions
-    start: Block
-    """The block with the values from which the adjustment began"""
+    decisions: State
+    """with the values from which the adjustment began"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -160,7 +160,7 @@ def decide_in_store(
     What it does not do: let control go that contradicts the rest, and keep undetermined parameters near what was given.
     """
     by_parts = _ByParts(folder=folder, executor=executor, leaf=leaf, keep=keep)
-    start, made = decisions(block, options, by_parts, progress)
-    final = replace(options, robust_start=options.robust_start and start is block)
-    found, made.reasons = by_parts.adjusted(start, final, made.free, made.reasons, folder, progress)
-    return StoredDecisions(adjustment=found, decisions=made, start=start)
+    made = decisions(block, options, by_parts, progress)
+    final = replace(options, robust_start=options.robust_start and made.block is block)
+    found, reasons = by_parts.adjusted(made.block, final, made.free, made.reasons, folder, progress)
+    return StoredDecisions(adjustment=found, decisions=replace(made, reasons=reasons))

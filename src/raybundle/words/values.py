@@ -66,7 +66,8 @@ class Names(FluentType):
 
     def format(self, locale: Locale) -> str:
         """With commas between; semicolons between numbers that have commas."""
-        items = [value(v) for v in self.items[: self.most]]
+        most = self.most if len(self.items) > self.most + 1 else len(self.items)  # the last is as short as its count
+        items = [value(v) for v in self.items[:most]]
         shown = [v.format(locale) if isinstance(v, FluentType) else str(v) for v in items]
         if len(self.items) > len(shown):
             shown[-1] += f" (+{len(self.items) - len(shown)})"

@@ -10,30 +10,24 @@ noise.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import groupby
-from typing import Protocol
 
 import numpy as np
 
 from raybundle.adjustment.blunders.pixel_shape import beyond_sensor, shape_limit, weak_shape
-from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.estimation import Start
+from raybundle.adjustment.decision.state import State, Task
 from raybundle.adjustment.evaluation.joint_interior import JointInterior, joint_interior, smooth_errors, with_joint
 from raybundle.adjustment.records.figures import InteriorResult, printed_unit
 from raybundle.adjustment.records.notice import Notice
-from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.records.severity import Severity
 from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.result_figures import Extent
-from raybundle.adjustment.statistics.fields import Components
 from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.adjustment.system.chosen_parameters import with_asked
 from raybundle.block import Block, Camera
-from raybundle.block.rejection import Rejections
 from raybundle.errors import Message, NoConvergence, NotSolvable, RankDefect, Value, message
-from raybundle.numerics.progress import Progress
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.sensors import sensor_models
 
@@ -44,49 +38,6 @@ LINEAR = 0.1
 needs to be judged again: a chi-square at the limit of 5 % then changes its probability by a twentieth."""
 DROP_ORDER = ("harmonic", "read-out", "affinity", "decentring", "radial", "principal point", "scale")
 """Which kind of parameter is held first where a block determines too few."""
-
-
-@dataclass(slots=True)
-class Decisions:
-    """What was decided so far."""
-
-    free: dict[str, tuple[str, ...]]
-    reasons: Rejections
-    kept_free: frozenset[tuple[str, str]]
-    """Camera, symbol: what is estimated in any case"""
-    known: Mapping[str, Mapping[str, float]]
-    """By camera, what was known before anything was measured: where what is not determinable is held"""
-    notices: list[Notice] = field(default_factory=list[Notice])
-    not_significant: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
-    not_determinable: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
-    adjusting: Adjusting = adjust_block
-
-
-class Adjusting(Protocol):
-    """Adjusts a block as `adjust_block` does, as far as decisions ask."""
-
-    def __call__(
-        self, block: Block, options: AdjustmentOptions, progress: Progress, *, free: dict[str, tuple[str, ...]],
-        rejected: Rejections, extent: Extent, start: Start,
-    ) -> Adjustment:  # fmt: skip
-        """The result, with these image observations rejected and these parameters free."""
-        ...
-
-
-def quiet(
-    block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress, *, extent: Extent = "decisions",
-    start: Start = "adjusted", tolerance: float = 1e-4,
-) -> Adjustment:  # fmt: skip
-    """An adjustment on the way to a decision."""
-    brief = replace(
-        options,
-        statistics=extent != "residuals",
-        robust_start=start == "approximate",
-        tolerance=max(options.tolerance, tolerance),
-    )
-    return choices.adjusting(
-        block, brief, progress, free=choices.free, rejected=choices.reasons, extent=extent, start=start
-    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -108,85 +59,73 @@ class Group:
         return tuple((self.camera, s) for s in self.symbols)
 
 
-def choose(
-    block: Block, options: AdjustmentOptions, choices: Decisions, automatic: list[str], progress: Progress
-) -> Block:
+class Choice:
     """Backward elimination from all parameters of all cameras at once, guarded by determinability.
 
     Each round first holds what is not determinable, then affinities and shears of no sensor, and beside these groups
     that are not significant; the next adjustment confirms it.
     """
-    for camera in block.cameras:
-        if camera.id in automatic:
-            model = sensor_models[camera.model]
-            named = () if camera.estimate == "auto" else camera.estimate  # of the other kinds, what is asked for
-            out = {"other"} if _moves(block, camera) else {"other", "read-out"}
-            every = tuple(p.symbol for p in model.parameters if p.kind not in out or p.symbol in named)
-            choices.free[camera.id] = with_asked(camera, every, options)
-    result: Adjustment | None = None
-    noise: Components | None = None
-    for _ in range(CHOICES):
-        try:
-            first = result is None and options.reject == "none"
-            start: Start = "approximate" if first else "adjusted"
-            result = quiet(block, options, choices, progress, start=start)
-        except (RankDefect, NoConvergence) as error:
-            held = hold_next(block, choices, automatic, error)
-            if held is None:
-                raise
-            block = with_values(block, *held)
-            continue
-        block = as_start(block, result.adjusted)
-        undetermined = _undetermined(result, automatic, choices)
-        if undetermined:
+
+    rounds = CHOICES
+    extent: Extent = "decisions"
+
+    def decide(self, state: State, result: Adjustment, number: int, task: Task) -> State:
+        """With parameters held; settled where all that is judged is as it was judged."""
+        del number
+        undetermined = _undetermined(result, task)
+        if undetermined:  # what one took in the fit is no value of it; the others are to be what they are beside it
             for camera, symbol, reason in undetermined:
-                value = choices.known[camera][symbol]
-                _hold(choices, _camera(block, camera), symbol, value, reason)
-                # what it took in the fit is no value of it; the others are to be what they are beside the known one
-                block = with_values(block, camera, {symbol: value})
-            continue
-        smooth = smooth_errors(result, noise) if options.noise == "fields" else None
-        noise = noise if smooth is None else smooth.components
-        joint = joint_interior(result, automatic, smooth)
-        shapes, joint = _shapes(result, joint, automatic, choices) if options.pixel_shape == "sensor" else ([], joint)
+                state = _hold(state, camera, symbol, task.known[camera][symbol], reason)
+            return state
+        smooth = smooth_errors(result, state.noise) if task.options.noise == "fields" else None
+        state = state if smooth is None else replace(state, noise=smooth.components)
+        joint = joint_interior(result, list(task.automatic), smooth)
+        shapes, joint = _shapes(result, joint, task) if task.options.pixel_shape == "sensor" else ([], joint)
         for notice, value in shapes:
-            block = _hold_shape(block, choices, notice, value)
-        if shapes and _least_determinable(with_joint(result, joint, white=True), automatic, choices) is not None:
-            continue
-        groups = _insignificant(result, joint, automatic, choices, options)
+            state = state.held(notice.ids[0], {notice.ids[1]: value}).noted(notice)
+        if shapes and _least_determinable(with_joint(result, joint, white=True), task.automatic, task) is not None:
+            return state
+        groups = _insignificant(result, joint, task)
         if not shapes and not groups:
-            return block
-        after, some = None, 0
+            return replace(state, settled=True)
         for some in dict.fromkeys((len(groups), 0 if shapes else min(len(groups), 1))):
-            after = _confirmed(block, options, choices, result, joint, groups[:some], progress)
-            if after is not None:
-                break
-        if after is None:
-            if shapes:
-                continue
-            return block
-        block, linear = after
-        if linear and some == len(groups):  # what was judged beside these is as it was judged
-            return block
-    free = sum(len(choices.free[c]) for c in automatic)
-    choices.notices.append(
-        Notice(
-            code="choice_unfinished",
-            ids=tuple(automatic), values={"steps": CHOICES, "free": free, "cameras": len(automatic)},
-        )
-    )  # fmt: skip
-    return block
+            after = _confirmed(state, result, joint, groups[:some], task)
+            if after is not None:  # linear: what was judged beside these is as it was judged
+                return replace(after[0], settled=after[1] and some == len(groups))
+        return replace(state, settled=not shapes)
+
+    def unsolved(self, state: State, error: NotSolvable, task: Task) -> State | None:
+        """With the least needed parameter held."""
+        return hold_next(state, error, task) if isinstance(error, RankDefect | NoConvergence) else None
+
+    def unfinished(self, state: State, task: Task) -> Notice:
+        """More parameters may be held."""
+        free = sum(len(state.free[c]) for c in task.automatic)
+        values: dict[str, Value] = {"steps": CHOICES, "free": free, "cameras": len(task.automatic)}
+        return Notice(code="choice_unfinished", ids=task.automatic, values=values)
 
 
-def _undetermined(result: Adjustment, automatic: list[str], choices: Decisions) -> list[tuple[str, str, Message]]:
+def all_free(state: State, task: Task) -> State:
+    """With all parameters of the automatic cameras free that their models have and that are asked for."""
+    for name in task.automatic:
+        camera = state.camera(name)
+        named = () if camera.estimate == "auto" else camera.estimate  # of the other kinds, what is asked for
+        out = {"other"} if _moves(state.block, camera) else {"other", "read-out"}
+        model = sensor_models[camera.model]
+        every = tuple(p.symbol for p in model.parameters if p.kind not in out or p.symbol in named)
+        state = state.freed(name, with_asked(camera, every, task.options))
+    return state
+
+
+def _undetermined(result: Adjustment, task: Task) -> list[tuple[str, str, Message]]:
     """Camera, symbol and reason of what is not determinable, each beside those that are held before it.
 
     One of a camera: what is held at a known value changes sigma0, and with it what else is determinable.
     """
     found = list[tuple[str, str, Message]]()
-    worst = _least_determinable(result, automatic, choices)
-    joint = joint_interior(result, automatic, None) if worst is not None and len(automatic) > 1 else None
-    rest, shown = automatic, result
+    rest, shown = list(task.automatic), result
+    worst = _least_determinable(result, rest, task)
+    joint = joint_interior(result, rest, None) if worst is not None and len(rest) > 1 else None
     while worst is not None:
         found.append(worst)
         camera, symbol, _ = worst
@@ -196,36 +135,32 @@ def _undetermined(result: Adjustment, automatic: list[str], choices: Decisions) 
         held = float(joint.values[joint.names.index((camera, symbol))])  # no value of it is believed
         joint = joint.held({(camera, symbol): held})
         shown = with_joint(shown, joint, white=True)
-        worst = _least_determinable(shown, rest, choices)
+        worst = _least_determinable(shown, rest, task)
     return found
 
 
-def _shapes(
-    result: Adjustment, joint: JointInterior, automatic: list[str], choices: Decisions
-) -> tuple[list[tuple[Notice, float]], JointInterior]:
+def _shapes(result: Adjustment, joint: JointInterior, task: Task) -> tuple[list[tuple[Notice, float]], JointInterior]:
     """Notices of affinities and shears that are held, and where, each beside those before it; what is left free."""
     found = list[tuple[Notice, float]]()
     while True:
         shown = with_joint(result, joint)
-        beyond = beyond_sensor(shown, automatic)
-        if beyond is not None and beyond.ids not in choices.kept_free:
+        beyond = beyond_sensor(shown, task.automatic)
+        if beyond is not None and beyond.ids not in task.kept_free:
             notice, limit = replace(beyond, under_noise=joint.smooth), beyond.limit
         else:
-            notice = weak_shape(shown, automatic)
-            if notice is None or notice.ids in choices.kept_free:
+            notice = weak_shape(shown, task.automatic)
+            if notice is None or notice.ids in task.kept_free:
                 return found, joint
             camera = next(c for c in result.given.cameras if c.id == notice.ids[0])
             limit = shape_limit(camera, notice.ids[1])
         name = notice.ids[0], notice.ids[1]
-        given = choices.known[name[0]][name[1]]
+        given = task.known[name[0]][name[1]]
         value = given if abs(given) <= limit else 0.0
         found.append((notice, value))
         joint = joint.held({name: value})
 
 
-def _insignificant(
-    result: Adjustment, joint: JointInterior, automatic: list[str], choices: Decisions, options: AdjustmentOptions
-) -> list[Group]:
+def _insignificant(result: Adjustment, joint: JointInterior, task: Task) -> list[Group]:
     """Groups that are most probably nil, in the order in which they leave, each beside those before it.
 
     A group stays, however uncertain, where it could move image points by more than their standard deviation: that it
@@ -239,16 +174,16 @@ def _insignificant(
         weakest: Group | None = None
         shown = with_joint(result, joint)
         for interior in shown.interior:
-            if interior.camera not in automatic or interior.image is not None or result.precision is None:
+            if interior.camera not in task.automatic or interior.image is not None or result.precision is None:
                 continue
             for candidates in _candidates(interior, result):
-                symbols = tuple(s for s in candidates if (interior.camera, s) not in choices.kept_free)
+                symbols = tuple(s for s in candidates if (interior.camera, s) not in task.kept_free)
                 if not symbols:
                     continue
                 square = joint.square([(interior.camera, s) for s in symbols])
                 p = fisher_tail(square / len(symbols), len(symbols), joint.residuals)
                 hidden = _hidden(interior, symbols)
-                if hidden > sigma_px or not p > options.significance:
+                if hidden > sigma_px or not p > task.options.significance:
                     continue
                 if weakest is None or p > weakest.probability:
                     weakest = Group(
@@ -262,24 +197,20 @@ def _insignificant(
 
 
 def _confirmed(
-    block: Block, options: AdjustmentOptions, choices: Decisions, result: Adjustment, joint: JointInterior,
-    groups: list[Group], progress: Progress,
-) -> tuple[Block, bool] | None:  # fmt: skip
-    """The block without these groups, adjusted, and whether it is as predicted; None where it is refuted.
+    state: State, result: Adjustment, joint: JointInterior, groups: list[Group], task: Task
+) -> tuple[State, bool] | None:
+    """Without these groups, adjusted, and whether that is as predicted; None where it is refuted.
 
     joint  what is predicted without the parameters that are held already
     The square sum may grow by what the joint covariance predicts.  Beyond that the Bayesian information criterion
     (Schwarz 1978) decides, for what is not linear.
     """
-    before = dict(choices.free)
-    zeroed = block
+    zeroed = state
     for g in groups:
-        choices.free[g.camera] = tuple(s for s in choices.free[g.camera] if s not in g.symbols)
-        zeroed = with_values(zeroed, g.camera, dict.fromkeys(g.symbols, 0.0))
+        zeroed = zeroed.held(g.camera, dict.fromkeys(g.symbols, 0.0))
     try:
-        without = quiet(zeroed, options, choices, progress, extent="residuals")
+        without = task.adjusted(zeroed, "residuals")
     except NotSolvable:
-        choices.free = before
         return None
     names = [n for g in groups for n in g.names]
     variance = max(joint.square_sum, 1e-300) / max(joint.redundancy, 1)
@@ -287,17 +218,20 @@ def _confirmed(
     excess = grown - (joint.square(names, white=True) if names else 0.0)
     penalty = np.log(max(result.observations, 2))
     if names and joint.square(names) + excess > len(names) * penalty:  # BIC prefers to keep them
-        choices.free = before
         return None
+    notices = list[Notice]()
     for g in groups:
-        choices.not_significant += [*g.names]
         gain = len(g.symbols) * penalty - g.square - max(excess, 0.0) * len(g.symbols) / len(names)
         values: dict[str, Value] = {
             "camera": g.camera, "n": len(g.symbols), "symbols": g.symbols, "p": g.probability, "bic": float(gain),
             "effect_px": g.hidden_px,
         }  # fmt: skip
-        choices.notices.append(Notice(code="not_significant", values=values, ids=(g.camera, *g.symbols)))
-    return as_start(zeroed, without.adjusted), abs(excess) < LINEAR
+        notices.append(Notice(code="not_significant", values=values, ids=(g.camera, *g.symbols)))
+    adjusted = replace(
+        zeroed, block=as_start(zeroed.block, without.adjusted),
+        not_significant=(*zeroed.not_significant, *names), notices=(*zeroed.notices, *notices),
+    )  # fmt: skip
+    return adjusted, abs(excess) < LINEAR
 
 
 def _moves(block: Block, camera: Camera) -> bool:
@@ -307,33 +241,20 @@ def _moves(block: Block, camera: Camera) -> bool:
     return any(own.get(int(i), {}).get(s, 0.0) for i in mine for s in camera.per_image)
 
 
-def _hold_shape(block: Block, choices: Decisions, notice: Notice, value: float) -> Block:
-    """The block with an affinity or shear held at a value."""
-    name, symbol = notice.ids
-    choices.free[name] = tuple(s for s in choices.free[name] if s != symbol)
-    choices.notices.append(notice)
-    return with_values(block, name, {symbol: value})
-
-
-def _camera(block: Block, name: str) -> Camera:
-    return next(c for c in block.cameras if c.id == name)
-
-
-def _hold(choices: Decisions, camera: Camera, symbol: str, value: float, reason: Message) -> None:
-    """Hold a parameter at a value, with a notice of it."""
-    choices.free[camera.id] = tuple(s for s in choices.free[camera.id] if s != symbol)
-    choices.not_determinable.append((camera.id, symbol))
+def _hold(state: State, name: str, symbol: str, value: float, reason: Message) -> State:
+    """With a parameter held at a value, and a notice of it."""
+    camera = state.camera(name)
     parameter = next(p for p in camera.sensor.parameters if p.symbol == symbol)
     unit = printed_unit(parameter.unit, "") if value else ""
-    choices.notices.append(
-        Notice(
-            code="held_not_determinable",
-            measured=Severity.NOTE if not value and _is_refinement(camera, symbol) else Severity.WARNING,
-            values={"camera": camera.id, "symbol": symbol, "at": value, "unit": unit},
-            ids=(camera.id, symbol),
-            details=(reason,),
-        )
+    notice = Notice(
+        code="held_not_determinable",
+        measured=Severity.NOTE if not value and _is_refinement(camera, symbol) else Severity.WARNING,
+        values={"camera": name, "symbol": symbol, "at": value, "unit": unit},
+        ids=(name, symbol),
+        details=(reason,),
     )
+    held = state.held(name, {symbol: value}).noted(notice)
+    return replace(held, not_determinable=(*held.not_determinable, (name, symbol)))
 
 
 def _is_refinement(camera: Camera, symbol: str) -> bool:
@@ -343,10 +264,8 @@ def _is_refinement(camera: Camera, symbol: str) -> bool:
     return symbol != first and kinds[symbol] in ("radial", "decentring", "affinity")
 
 
-def hold_next(
-    block: Block, choices: Decisions, automatic: list[str], error: NotSolvable
-) -> tuple[str, dict[str, float]] | None:
-    """Hold the least needed parameter, of those that the error names; camera and value, None if none is left.
+def hold_next(state: State, error: NotSolvable, task: Task) -> State | None:
+    """With the least needed parameter held, of those that the error names; None if none is left.
 
     Where images or points alone are not determined, it is no parameter's fault.
     """
@@ -354,21 +273,18 @@ def hold_next(
     if error.undetermined and not named:
         return None
     found: list[tuple[bool, int, int, str, str]] = []
-    for camera in automatic:
-        for k, p in enumerate(_camera(block, camera).sensor.parameters):
-            if p.kind in DROP_ORDER and p.symbol in choices.free[camera]:
+    for camera in task.automatic:
+        for k, p in enumerate(state.camera(camera).sensor.parameters):
+            if p.kind in DROP_ORDER and p.symbol in state.free[camera]:
                 found.append(((camera, p.symbol) not in named, DROP_ORDER.index(p.kind), -k, camera, p.symbol))
     if not found:
         return None
     _, _, _, camera, symbol = min(found)
-    value = choices.known[camera][symbol]
-    _hold(choices, _camera(block, camera), symbol, value, error.message or message("rank.not_determined"))
-    return camera, {symbol: value}
+    reason = error.message or message("rank.not_determined")
+    return _hold(state, camera, symbol, task.known[camera][symbol], reason)
 
 
-def _least_determinable(
-    result: Adjustment, automatic: list[str], choices: Decisions
-) -> tuple[str, str, Message] | None:
+def _least_determinable(result: Adjustment, automatic: Sequence[str], task: Task) -> tuple[str, str, Message] | None:
     found: list[tuple[int, int, float, str, str, Message]] = []
     for interior in result.interior:
         if interior.camera not in automatic:
@@ -377,7 +293,7 @@ def _least_determinable(
         kinds = {p.symbol: p.kind for p in model.parameters}
         order = {s: k if kinds[s] == "radial" else 0 for k, s in enumerate(model.symbols)}
         for p in interior.parameters.values():
-            kept = (interior.camera, p.symbol) in choices.kept_free
+            kept = (interior.camera, p.symbol) in task.kept_free
             if p.status == "not determinable" and kinds[p.symbol] in DROP_ORDER and not kept:
                 reason = message(
                     "held_not_determinable.sigma", sigma=math.nan if p.std is None else p.std,
@@ -408,9 +324,3 @@ def _hidden(interior: InteriorResult, group: tuple[str, ...]) -> float:
     """Largest displacement [px] in the format that these parameters could still have, two standard deviations up."""
     parts = [interior.parameters[s] for s in group]
     return max((p.effect_px or 0.0) + 2 * (p.effect_std_px or 0.0) for p in parts)
-
-
-def with_values(block: Block, camera: str, values: Mapping[str, float]) -> Block:
-    """The block with these values of a camera."""
-    cameras = tuple(replace(c, values={**c.values, **values}) if c.id == camera else c for c in block.cameras)
-    return replace(block, cameras=cameras)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -31,7 +31,7 @@ def bent_by_distances(result: Adjustment, suspects: Array, size: Array) -> Mask:
     return np.asarray(mine & (worst >= size[suspects][mine].max(initial=0.0)), bool)
 
 
-def without_reasons(reasons: Rejections, rows: Sequence[int]) -> Rejections:
+def without_reasons(reasons: Rejections, rows: Collection[int]) -> Rejections:
     """The reasons without those of observations that return."""
     out = set(rows)
     return tuple(None if i in out else r for i, r in enumerate(reasons))

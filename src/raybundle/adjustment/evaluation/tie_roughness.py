@@ -116,9 +116,10 @@ def with_roughness(result: Adjustment) -> Adjustment:
 
 def relief_notices(result: Adjustment) -> list[Notice]:
     """A caution where some figures of the windows of tie points are there and others are not: none then counts."""
-    figures = {n: getattr(result.adjusted.points, n) for n in FIGURES}
-    missing = [n for n, values in figures.items() if values is None]
-    if result.precision is None or not missing or len(missing) == len(figures):
+    points = result.adjusted.points
+    missing = [n for n in FIGURES if getattr(points, n) is None]
+    none = len(missing) == len(FIGURES) and points.sigma_curvature is None
+    if result.precision is None or not missing or none:
         return []
     return [Notice(code="relief_unknown", values={"columns": missing}, ids=tuple(missing))]
 

@@ -10,6 +10,7 @@ import numpy as np
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Block, Role
 from raybundle.errors import InputError, message
+from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
 
 LARGEST = 1e18
@@ -163,6 +164,11 @@ def _check_numbers(block: Block) -> None:
                 point="" if name == "image" else ids[k] if ids else points.ids[o.point[k]],
                 number=float(values[k][wrong[k]][0]), limit=LARGEST,
             )  # fmt: skip
+    for name in ("window", "misfit", "relief", "sigma_curvature"):
+        figures: Array | None = getattr(points, name)
+        for k in () if figures is None else np.flatnonzero(figures <= 0)[:1].tolist():
+            value = f"{figures[k]:g}"
+            raise InputError("cell.not_positive", file="points.csv", line=k + 2, column=name, value=value)
     sigma = points.sigma
     wrong = (sigma < 0) | (sigma > LARGEST)
     control = (np.asarray(points.role) == Role.CONTROL)[:, None]

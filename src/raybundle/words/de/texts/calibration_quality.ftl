@@ -82,19 +82,19 @@ calibration_quality-contradicted = Weggelassene Aufnahmen weichen { NUM($excess,
 calibration_quality-few_views = Zu wenige Ansichten: Weggelassene Aufnahmen passen { NUM($ratio, digits: 2) }-mal schlechter, wie vorhergesagt.
     .do = Dieselben Punkte öfter aufnehmen.
 
-calibration_quality-structure = Benachbarte Residuen sind korreliert ({ NUM($correlation, decimals: 2) }): Das Modell ist unvollständig.
+calibration_quality-structure = Benachbarte Verbesserungen sind korreliert ({ NUM($correlation, decimals: 2) }): Das Modell ist unvollständig.
     .why = Die Standardabweichungen sind mindestens um den Faktor { NUM($factor, digits: 2) } zu klein.
 
-calibration_quality-repeated = Residuen wiederholen sich am selben Bildort (Korrelation { NUM($correlation, decimals: 2) }, { NUM($rms_px, digits: 2) } px).
+calibration_quality-repeated = Verbesserungen wiederholen sich am selben Bildort (Korrelation { NUM($correlation, decimals: 2) }, { NUM($rms_px, digits: 2) } px).
     .why = Das Verzeichnungsmodell ist unvollständig; die Standardabweichungen enthalten diesen Fehler nicht.
 
 calibration_quality-largest_error = Größter Fehler über das Format: zu erwarten { NUM($likely_px, digits: 2) } px; { NUM($worst_px, digits: 2) } px mit 95 % Sicherheit.
 
-calibration_quality-image_sigma = Standardabweichung einer Koordinate mittleren Gewichts, aus den Residuen
+calibration_quality-image_sigma = Standardabweichung einer Koordinate mittleren Gewichts, aus den Verbesserungen
 
 calibration_quality-no_validation = zu wenige Aufnahmen
 
-calibration_quality-validation = Residuen weggelassener Aufnahmen ({ NUM($rms_px, digits: 2) } px) zu denen der übrigen, { $folds } Gruppen.
+calibration_quality-validation = Verbesserungen weggelassener Aufnahmen ({ NUM($rms_px, digits: 2) } px) zu denen der übrigen, { $folds } Gruppen.
 
 calibration_quality-farther = Sie weichen { NUM($excess, digits: 2) }-mal so weit ab wie vorhergesagt.
 

@@ -8,7 +8,7 @@ limits-common_errors = Standardabweichungen enthalten glatte Fehler, die sich vo
 
 limits-small_sigma0 = Ein kleines σ₀ beweist keine richtigen Koordinaten.
 
-limits-hidden_blunders = Ein Residuum zeigt nur den Anteil r (Redundanzanteil) eines Fehlers.
+limits-hidden_blunders = Eine Verbesserung zeigt nur den Anteil r (Redundanzanteil) eines Fehlers.
     .why = Grobe Fehler unterhalb der kleinsten aufdeckbaren bleiben im Ergebnis.
 
 limits-weakest_control = Schwächste geprüfte Passpunktkoordinate: { $component } von { $point }. Jeder fünfte Fehler von { NUM($mdb, digits: 2) } { $unit } bleibt unentdeckt.

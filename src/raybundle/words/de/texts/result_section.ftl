@@ -76,7 +76,7 @@ result_section-open_parts = { $which ->
         *[other] { LIST($parts, most: 7) } (t Lage, r Drehung, m Maßstab)
     }
 
-result_section-residuals = Residuen beziehen sich auf
+result_section-residuals = Verbesserungen beziehen sich auf
 
 result_section-refer_to = den { $corrected ->
         [yes] korrigierten
@@ -99,13 +99,13 @@ result_section-untestable = ohne Redundanz nicht möglich
 
 result_section-tested = { NUM($lower, digits: 5) } … { NUM($upper, digits: 5) }: { $verdict ->
         [passed] bestanden
-        [larger] nicht bestanden, Residuen größer als angenommen
-        *[smaller] nicht bestanden, Residuen kleiner als angenommen
+        [larger] nicht bestanden, Verbesserungen größer als angenommen
+        *[smaller] nicht bestanden, Verbesserungen kleiner als angenommen
     }
 
 result_section-sigma0_both = σ₀ a priori, a posteriori
 
-result_section-square_sum = gewichtete Quadratsumme der Residuen
+result_section-square_sum = gewichtete Quadratsumme der Verbesserungen
 
 result_section-global_test = Globaltest (χ², 95 %, zweiseitig)
 

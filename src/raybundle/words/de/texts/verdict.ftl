@@ -43,15 +43,15 @@ verdict-contradicting = Die Beobachtungen widersprechen sich: σ₀ = { NUM($sig
 
 verdict-faults = { $n } Fehler: vor der Verwendung klären (siehe Warnungen).
 
-verdict-systematic = Die Residuen haben einen systematischen Anteil, den diese Zahlen nicht enthalten (siehe Warnungen).
+verdict-systematic = Die Verbesserungen haben einen systematischen Anteil, den diese Zahlen nicht enthalten (siehe Warnungen).
 
 verdict-scale_unchecked = Keine zweite Länge bestätigt den Maßstab.
 
-verdict-fits_worse = Die Residuen sind { NUM($sigma0, digits: 2) }-mal so groß wie a priori angenommen; die Standardabweichungen berücksichtigen das.
+verdict-fits_worse = Die Verbesserungen sind { NUM($sigma0, digits: 2) }-mal so groß wie a priori angenommen; die Standardabweichungen berücksichtigen das.
 
-verdict-fits_better = Die Residuen sind kleiner als angenommen (σ₀ = { NUM($sigma0, digits: 2) }).
+verdict-fits_better = Die Verbesserungen sind kleiner als angenommen (σ₀ = { NUM($sigma0, digits: 2) }).
 
-verdict-fits = Die Residuen entsprechen der Präzision a priori.
+verdict-fits = Die Verbesserungen entsprechen der Präzision a priori.
 
 verdict-adjusted = { $images } { $images ->
         [one] Bild
@@ -155,27 +155,27 @@ verdict-sigma0 = σ₀ = { NUM($sigma0) } (a priori 1).
 
 verdict-fit_groups = Jede Beobachtungsgruppe hat einen geschätzten Varianzfaktor oder ihre Präzision a priori.
 
-verdict-fit_from_residuals = Kein unabhängiger Test: Die Standardabweichungen a priori wurden aus diesen Residuen geschätzt.
+verdict-fit_from_residuals = Kein unabhängiger Test: Die Standardabweichungen a priori wurden aus diesen Verbesserungen geschätzt.
 
-verdict-fit_passed = Globaltest (5 %) bestanden: Die Residuen entsprechen der Präzision a priori.
+verdict-fit_passed = Globaltest (5 %) bestanden: Die Verbesserungen entsprechen der Präzision a priori.
 
-verdict-fit_smaller_estimated = Die Residuen sind kleiner als bei der Gewichtsbestimmung: kein Test. Die Standardabweichungen berücksichtigen das.
+verdict-fit_smaller_estimated = Die Verbesserungen sind kleiner als bei der Gewichtsbestimmung: kein Test. Die Standardabweichungen berücksichtigen das.
 
-verdict-fit_smaller = Globaltest (5 %): Die Residuen sind kleiner als angenommen. Die Standardabweichungen berücksichtigen das.
+verdict-fit_smaller = Globaltest (5 %): Die Verbesserungen sind kleiner als angenommen. Die Standardabweichungen berücksichtigen das.
 
-verdict-fit_nearly = Globaltest (5 %): Die Residuen sind um weniger als { $percent } % größer als angenommen. Berücksichtigt{ $harmless ->
+verdict-fit_nearly = Globaltest (5 %): Die Verbesserungen sind um weniger als { $percent } % größer als angenommen. Berücksichtigt{ $harmless ->
         [yes] ; ohne praktische Wirkung.
         *[no] .
     }
 
-verdict-fit_larger = Globaltest (5 %) nicht bestanden: Die Residuen sind größer als angenommen. Die Standardabweichungen berücksichtigen das.
+verdict-fit_larger = Globaltest (5 %) nicht bestanden: Die Verbesserungen sind größer als angenommen. Die Standardabweichungen berücksichtigen das.
     .why = Die Beobachtungen sind ungenauer als angenommen, das Modell ist unvollständig, oder grobe Fehler sind geblieben.
 
 verdict-control_held = { $kind ->
         [distance] Maßstabsstrecken
         [station] Projektionszentren
         *[control] Passpunktkoordinaten
-    }: { $n } festgehalten, nicht durch Residuen geprüft.
+    }: { $n } festgehalten, nicht durch Verbesserungen geprüft.
 
 verdict-control_unchecked = { $kind ->
         [distance] Maßstabsstrecken
@@ -187,7 +187,7 @@ verdict-control_residual = { $kind ->
         [distance] Maßstabsstrecken
         [station] Projektionszentren
         *[control] Passpunktkoordinaten
-    }: Residuen { NUM($rms) } (RMS), größtes { NUM($largest) } { $unit } ({ $n } beobachtet{ $held ->
+    }: Verbesserungen { NUM($rms) } (RMS), größte { NUM($largest) } { $unit } ({ $n } beobachtet{ $held ->
         [0] {""}
         *[other] , { $held } festgehalten
     }).
@@ -210,7 +210,7 @@ verdict-beyond = { $n } verwendete { $n ->
             *[no] Data-Snooping verwenden ({ OPTION("reject", "snooping") }).
         }
 
-verdict-none_beyond = Kein Residuum überschreitet den kritischen Wert von { NUM($critical) } Standardabweichungen.
+verdict-none_beyond = Keine Verbesserung überschreitet den kritischen Wert von { NUM($critical) } Standardabweichungen.
 
 verdict-interior_held = Die innere Orientierung ist festgehalten; die Standardabweichungen enthalten ihre Fehler nicht.
 
