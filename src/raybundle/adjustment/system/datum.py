@@ -281,11 +281,15 @@ def _well_determined(system: System, state: State) -> Mask:
     away = distance > 1e-12 * size  # a point in a projection centre has no direction
     point, distance = point[away], distance[away]
     d = ray[away] / distance[:, None]
-    N = np.zeros((len(used), 3, 3))
-    np.add.at(N, point, (np.eye(3) - d[:, :, None] * d[:, None, :]) / distance[:, None, None] ** 2)
-    values = np.linalg.eigvalsh(N[used])
-    with np.errstate(divide="ignore"):
-        spread = np.where(values[:, 0] > 1e-12 * values[:, 2], (1 / values).sum(axis=1), np.inf)
+    weight = 1 / distance**2
+    xx, yy, zz, xy, xz, yz = (
+        np.bincount(point, weight * ((i == j) - d[:, i] * d[:, j]), len(used))[used]
+        for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+    )
+    minors = yy * zz - yz**2, xx * zz - xz**2, xx * yy - xy**2
+    determinant = xx * minors[0] - xy * (xy * zz - xz * yz) + xz * (xy * yz - yy * xz)
+    with np.errstate(divide="ignore", invalid="ignore"):  # the trace of the inverse
+        spread = np.where(determinant > 1e-12 * (xx + yy + zz) ** 3, sum(minors) / determinant, np.inf)
     good = np.zeros(len(used), bool)
     good[used] = np.sqrt(spread) < GOOD * np.sqrt(np.median(spread))
     return good if good.sum() >= FEWEST_CARRIERS else used.copy()
