@@ -15,6 +15,8 @@ from raybundle.errors import InputError
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.photos.cameras import CameraGroup, with_calibration
+from raybundle.observations.kind import Interior
+from raybundle.observations.parameter import _calibrated
 from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
@@ -176,3 +178,26 @@ def test_a_group_of_photographs_knows_the_standard_deviation_of_its_calibration(
     # and so does what the report prints, where 0 reads "held"
     assert _camera(with_calibration(group, known)).sigma_c_px == pytest.approx(np.sqrt(C[0, 0]) / camera.pixel_mm[0])
     assert _camera(with_calibration(group, held)).sigma_c_px == 0
+
+
+def test_what_is_held_of_a_calibration_moves_what_is_free(calibrated):
+    """Observed together, held away from their values: the others are expected where the covariance puts them."""
+    camera, C = calibrated
+    known = observed_jointly(camera, FREE, C)
+    held = {"x0": known.values["x0"] + 0.02, "P1": known.values["P1"] + 1e-5}
+    free = tuple(s for s in FREE if s not in held)
+    at = tuple(known.sensor.symbols.index(s) for s in free)
+    interior = Interior(
+        key="1", camera=0, instrument=-1, image=-1, symbols=known.sensor.symbols, free=at,
+        given={**known.values, **held}, sigma={}, calibrated=known.calibrated,
+    )  # fmt: skip
+    places, expected, within = _calibrated(interior)
+    f, h = [FREE.index(s) for s in free], [FREE.index(s) for s in held]
+    inverse = np.linalg.inv(C)  # of the free ones given the others (Schur complement)
+    moved = -np.linalg.solve(inverse[np.ix_(f, f)], inverse[np.ix_(f, h)] @ [0.02, 1e-5])
+    size = np.sqrt(np.diag(C))[f]
+    assert places == list(at)
+    np.testing.assert_allclose((expected - [known.values[s] for s in free]) / size, moved / size, atol=1e-6)
+    np.testing.assert_allclose(
+        within / np.outer(size, size), np.linalg.inv(inverse[np.ix_(f, f)]) / np.outer(size, size), atol=1e-6
+    )

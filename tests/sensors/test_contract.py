@@ -129,6 +129,16 @@ def test_what_vanishes_behind_is_not_in_front(model):
     assert not frame_like or fulfilled.all()
 
 
+@pytest.mark.parametrize("name", ["spherical", "panorama"])
+def test_what_turned_has_points_in_front_all_round(name):
+    model = sensor_models[name]
+    turn, height = (a.ravel() for a in np.meshgrid(np.linspace(-3.1, 3.1, 37), (-3.0, 0.5, 4.0)))
+    points = np.stack([10 * np.sin(turn), height, -10 * np.cos(turn)])
+    image, _ = model.project(points, model.typical)
+    assert model.in_front(points, image, model.typical).all()
+    assert not model.in_front(points * [[-1], [1], [-1]], image, model.typical).any()
+
+
 @models
 def test_start_and_in_front_take_one_value_or_one_for_each_point(model):
     points = scene(model)
