@@ -112,6 +112,11 @@ class LineScene:
         first, last = self.time(np.array([0.0, float(self.height_px)]))[0]
         return float((first + last) / 2), float((last - first) / 2)
 
+    @property
+    def seconds(self) -> float:
+        """Time that the image took."""
+        return abs(2 * self.middle_and_half[1])
+
     def fixes_every(self, seconds: float) -> Fixes:
         """Orientation fixes at least as close as this, for the corrections of this scene."""
         return Fixes(count=max(2, int(np.ceil(abs(2 * self.middle_and_half[1]) / seconds - 1e-9)) + 1))

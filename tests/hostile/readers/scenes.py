@@ -165,9 +165,9 @@ def read_a_scene(folder: Path) -> list[str]:
         wrong += not_finite(**{n: getattr(scene.rpc, n) for n in names})
         if not (scene.rpc.ground_scale.all() and scene.rpc.image_scale.all()):
             wrong.append("scale 0")
-    if scene.line is not None:
+    if scene.rigorous is not None:
         with contextlib.suppress(RaybundleError):
-            scene.line.project(np.array([[11.0, 48.0, 0.0]]))
+            scene.rigorous.project(np.array([[11.0, 48.0, 0.0]]))
     return wrong
 
 

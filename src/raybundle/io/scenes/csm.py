@@ -71,7 +71,7 @@ def read(path: Path) -> Scene:
     return Scene(
         file=path,
         format="csm",
-        line=line,
+        rigorous=line,
         width_px=columns,
         height_px=rows,
         sensor=root.get("name_sensor").text() if root.has("name_sensor") else "",
