@@ -18,7 +18,7 @@ def rpc_of_image(rpc: Rpc, width_px: int, height_px: int, file: Path | str) -> R
     """The RPC with offsets and scales that are a range within the image: itself, but for images cut out of a scene.
 
     Tools that cut write offsets and scales of the part and leave the ground's range that of the scene.  Such an RPC
-    sees the middle of the ground's range outside of what its offsets say; it belongs to the image where the image's
+    sees the middle of the ground's range outside of its offsets' range; it belongs to the image where the image's
     own ground lies in that range.
 
     raises  InputError where the image cannot be the one that the RPC describes
@@ -40,7 +40,7 @@ def _sees_range(rpc: Rpc, size: Array) -> bool:
 
 
 def check_image(rpc: Rpc, width_px: int, height_px: int, file: Path | str) -> None:
-    """Raise InputError where an image cannot be the one whose range an RPC's offsets say; a part of it may be."""
+    """Raise InputError where an image does not fit the range of an RPC's offsets; a part of it may."""
     size = np.array([width_px, height_px], float)
     low, high = rpc.image_offset - rpc.image_scale, rpc.image_offset + rpc.image_scale
     covered = np.minimum(high, size) - np.maximum(low, 0)

@@ -76,7 +76,7 @@ class Rigorous(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Key:
-    """A key of a scene in block.toml beside those that every scene has; the type of its default is that of its value.
+    """A key of a scene in block.toml beside the common ones; the type of its default is that of its value.
 
     A text is one of `options`, a truth value stands there where it is true, a table holds standard deviations.
     """
@@ -130,11 +130,11 @@ class SceneSensor(SensorModel, ABC, registered=False):
     def of_keys(
         cls, model: Any, place: Place, size_px: tuple[int, int], file: Path | None, keys: Mapping[str, Any]
     ) -> Self:
-        """A scene with values for all of `keys`; raises InputError whose column is the key."""
+        """A scene with values for all of `keys`; raises InputError with the key as its column."""
 
     @classmethod
     def begun(cls, model: Any, place: Place, size_px: tuple[int, int], file: Path | None = None, **keys: Any) -> Self:
-        """A scene with some keys, of which those that the kind does not have are passed over."""
+        """A scene with some keys; a key that the kind does not have is passed over."""
         usual = {k.name: k.default for k in cls.keys} | dict(cls.begin)
         return cls.of_keys(model, place, size_px, file, usual | {k: v for k, v in keys.items() if k in usual})
 
@@ -221,8 +221,11 @@ class SceneSensor(SensorModel, ABC, registered=False):
         """Below `height_m` by so much there is no ground."""
 
     @abstractmethod
-    def observe(self, xyz: Array, values: Array) -> Observed:
-        """Image points [px] of object points (n, 3) and all partial derivatives."""
+    def observe(self, xyz: Array, values: Array, near: Array | None = None) -> Observed:
+        """Image points [px] of object points (n, 3) and all partial derivatives.
+
+        near  (n, 2) image points near the result, for images that show some ground twice
+        """
 
     @abstractmethod
     def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
@@ -260,8 +263,9 @@ class SceneSensor(SensorModel, ABC, registered=False):
         single = np.ndim(x) == 0 and np.ndim(X) == 0
         x, y, X, Y, Z = np.broadcast_arrays(*(np.atleast_1d(a) for a in (x, y, X, Y, Z)))
         own = np.array([float(np.ravel(v)[0]) for v in values])
-        seen = self.observe(self.object_points(np.stack([X, Y, Z])), own)
         signed = np.array([PIXEL_MM, -PIXEL_MM])
+        near = np.stack([x, y], axis=1) / signed + np.array(self.size_px) / 2
+        seen = self.observe(self.object_points(np.stack([X, Y, Z])), own, near)
         image = (seen.xy_px - np.array(self.size_px) / 2) * signed
         n, k = len(x), len(own)
         J = np.zeros((2, 5 + k, n))
@@ -274,9 +278,9 @@ class SceneSensor(SensorModel, ABC, registered=False):
 
     def start(self, points: Array, values: Array) -> Array:
         """The projection itself."""
-        n = points.shape[1]
-        g, _ = self.condition_and_jacobian(np.zeros(n), np.zeros(n), *points, *values)
-        return -g
+        own = np.array([float(np.ravel(v)[0]) for v in values])
+        seen = self.observe(self.object_points(points), own)
+        return ((seen.xy_px - np.array(self.size_px) / 2) * np.array([PIXEL_MM, -PIXEL_MM])).T
 
     def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
         """Everywhere below the satellite."""

@@ -21,7 +21,7 @@ from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 from raybundle.scenes.trajectory import AXES, CorrectionModel, Trajectory
 
 LOW_M = 60e3
-"""Height above the ground of a sensor in the air, whose viewpoint is where it was in the middle of the scene."""
+"""Height above the ground of a sensor in the air; its viewpoint is where it was in the middle of the scene."""
 DEEP_M = 10e3
 """Ground below the middle of a scene."""
 ATTITUDE_RAD = 2e-5
@@ -205,8 +205,9 @@ class LineSensor(SceneSensor):
                 found.append(Relation(name=f"bend of {axis} at {members[k + 1]}", terms=terms, sigma=sigma))
         return tuple(found)
 
-    def observe(self, xyz: Array, values: Array) -> Observed:
+    def observe(self, xyz: Array, values: Array, near: Array | None = None) -> Observed:
         """As `SceneSensor`."""
+        del near
         return observe_line_at(self.scene, self.place, xyz, self.corrections, values)
 
     def local(self, image: Array, points: Array, values: Array) -> tuple[Array, Array, Index]:

@@ -96,8 +96,9 @@ class RpcSensor(SceneSensor):
         """By the range of heights for which the polynomials hold."""
         return RANGES * float(self.rpc.ground_scale[2])
 
-    def observe(self, xyz: Array, values: Array) -> Observed:
+    def observe(self, xyz: Array, values: Array, near: Array | None = None) -> Observed:
         """As `SceneSensor`."""
+        del near
         return observe_rpc_at(self.rpc, self.place, xyz, self.bias, values)
 
     def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
