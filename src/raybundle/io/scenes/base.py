@@ -54,6 +54,8 @@ class SceneFormat:
     recognises: Callable[[Path, bytes], bool]
     """Whether a file with this name and beginning has the format."""
     read: Callable[[Path], Scene]
+    within: str = ""
+    """Pattern of such files in the folder of a product"""
 
 
 scene_formats: dict[str, SceneFormat] = {}
@@ -70,7 +72,7 @@ def read_scene(path: str | Path) -> Scene:
 
     raises  InputError where the file cannot be read, has no known format, or contradicts itself
     """
-    path = Path(path)
+    path = _file_of_product(Path(path))
     with opened(path) as file:
         head = as_utf8(file.read(HEAD_BYTES), whole=False)
     if not head.strip():
@@ -80,6 +82,14 @@ def read_scene(path: str | Path) -> Scene:
             return _placed(path, format_)
 
     raise InputError("scene.format_unknown", formats=[f.title for f in scene_formats.values()], file=path)
+
+
+def _file_of_product(path: Path) -> Path:
+    """The only scene in the folder of a product; anything else as it is."""
+    found = sorted({f for k in scene_formats.values() if k.within and path.is_dir() for f in path.glob(k.within)})
+    if len(found) > 1:
+        raise InputError("scene.several_in_folder", names=[str(f.relative_to(path)) for f in found], file=path)
+    return found[0] if found else path
 
 
 def is_scene(path: Path) -> bool:
