@@ -46,6 +46,10 @@ def test_it_states_itself(kind, sensor):
     assert all(p.words and p.unit for p in (*sensor.parameters, *kind.possible))
     assert sensor.title
     assert kind.formula.strip()
+    if sensor.curves is not None:
+        model, half = sensor.curves
+        assert sensor.symbols[: len(model.symbols)] == model.symbols
+        assert half > 0
     assert np.isfinite(sensor.depth_m)
     assert sensor.depth_m > 0
 

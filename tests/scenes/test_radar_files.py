@@ -1,5 +1,6 @@
 """Files of radar scenes, Sentinel-1 and ISDs of the Community Sensor Model: truth, RPC, block folder."""
 
+import json
 import shutil
 from dataclasses import replace
 
@@ -8,7 +9,7 @@ import pytest
 
 from raybundle import adjust
 from raybundle.commands.rpc import rpc_fit
-from raybundle.errors import NotSolvable
+from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.reading.xml import read_xml
 from raybundle.io.scenes import read_scene
@@ -16,14 +17,14 @@ from raybundle.io.scenes.sentinel1 import instant, seconds
 from raybundle.numerics.geodesy import WGS84, geocentric_from_geographic, geographic_from_geocentric
 from raybundle.numerics.places import Local
 from raybundle.planning.simulate import measured
-from raybundle.scenes.kinds.range_doppler import C_LIGHT, Orbit, RangeDoppler, RangeDopplerSensor
+from raybundle.scenes.kinds.range_doppler import C_LIGHT, Orbit, RangeDoppler, RangeDopplerSensor, side_looking
 from raybundle.scenes.kinds.rpc import RpcSensor
 from raybundle.scenes.rpc_fit import fit_rpc
 from raybundle.scenes.sensor import scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 from tests.conftest import DATA
 from tests.messages import refused
-from tests.truth.mixed_blocks import MonteCarlo, block_of, control_table
+from tests.truth.mixed_blocks import PLACE, MonteCarlo, block_of, control_table
 
 RADAR = DATA / "sensors" / "radar"
 SLC, GRD = "s1a-iw1-slc-vv-20220104t170558.xml", "s1b-iw-grd-vv-20211223t051122.xml"
@@ -34,6 +35,106 @@ def file(*names):
     if not path.is_file():
         pytest.skip(f"{path.name} is not in {RADAR}: set RAYBUNDLE_DATA to the folder that holds sensors/")
     return path
+
+
+def annotation(kind="slant"):
+    """An annotation of our own with the elements that the reader takes: for hostile tests, not for truth."""
+    scene = side_looking(PLACE)
+    start = np.datetime64("2022-01-04T17:06:00", "ns")
+
+    def text(t):
+        return str(start + np.timedelta64(round(t * 1e9), "ns"))
+
+    vectors = "".join(
+        f"<orbit><time>{text(t)}</time>"
+        + "".join(
+            f"<{n}>{''.join(f'<{a}>{v!r}</{a}>' for a, v in zip('xyz', values.tolist(), strict=True))}</{n}>"
+            for n, values in (("position", P), ("velocity", V))
+        )
+        + "</orbit>"
+        for t, P, V in zip(scene.orbit.times, scene.orbit.positions, scene.orbit.velocities, strict=True)
+    )
+    first, rows = float(scene.burst_times[0]) + scene.line_s / 2, scene.height_px
+    bursts = "".join(f"<burst><azimuthTime>{text(t)}</azimuthTime></burst>" for t in (first, first + 0.3))
+    near = scene.first_m + scene.pixel_m / 2
+    conversion = (
+        f"<coordinateConversion><azimuthTime>{text(first)}</azimuthTime><gr0>0</gr0>"
+        f"<grsrCoefficients>{near} 0.55 1e-6</grsrCoefficients></coordinateConversion>"
+    )
+    projection = "Ground Range" if kind == "ground" else "Slant Range"
+    return f"""<?xml version="1.0"?>
+<product><adsHeader><missionId>S1X</missionId><startTime>{text(first)}</startTime></adsHeader>
+<generalAnnotation><productInformation><projection>{projection}</projection>
+<rangeSamplingRate>{C_LIGHT / 2 / scene.pixel_m}</rangeSamplingRate></productInformation>
+<orbitList>{vectors}</orbitList></generalAnnotation>
+<imageAnnotation><imageInformation><productFirstLineUtcTime>{text(first)}</productFirstLineUtcTime>
+<slantRangeTime>{near * 2 / C_LIGHT}</slantRangeTime><rangePixelSpacing>4.0</rangePixelSpacing>
+<azimuthTimeInterval>{scene.line_s}</azimuthTimeInterval><numberOfSamples>{scene.width_px}</numberOfSamples>
+<numberOfLines>{rows}</numberOfLines></imageInformation></imageAnnotation>
+<swathTiming><linesPerBurst>{rows // 2}</linesPerBurst><burstList>{bursts if kind == "bursts" else ""}</burstList>
+</swathTiming><geolocationGrid><geolocationGridPointList><geolocationGridPoint><height>300</height>
+</geolocationGridPoint></geolocationGridPointList></geolocationGrid>
+<coordinateConversion><coordinateConversionList>{conversion if kind == "ground" else ""}</coordinateConversionList>
+</coordinateConversion></product>
+"""
+
+
+def radar_isd():
+    """The same of a radar ISD, over a body that does not turn."""
+    scene = side_looking(PLACE)
+    times = {"ephemeris_times": (1000 + scene.orbit.times).tolist()}
+    start = 1000 + float(scene.burst_times[0]) + scene.line_s / 2
+    table = {"positions": scene.orbit.positions.tolist(), "velocities": scene.orbit.velocities.tolist()}
+    still = {"quaternions": [[1, 0, 0, 0]] * 2, "angular_velocities": [[0, 0, 0]] * 2, "ephemeris_times": [940, 1060]}
+    return {
+        "name_model": "USGS_ASTRO_SAR_SENSOR_MODEL", "name_sensor": "MADE_UP", "image_lines": scene.height_px,
+        "image_samples": scene.width_px, "center_ephemeris_time": 1000.0, "starting_ephemeris_time": start,
+        "line_exposure_duration": scene.line_s, "scaled_pixel_width": scene.pixel_m, "wavelength": 0.05,
+        "look_direction": "right", "range_conversion_times": [998.0, 1002.0],
+        "range_conversion_coefficients": [[scene.first_m + scene.pixel_m / 2, 1.0, 0.0, 0.0]] * 2,
+        "radii": {"semimajor": 6378.137, "semiminor": 6356.752314245, "unit": "km"},
+        "instrument_position": {"unit": "m", **table, **times}, "body_rotation": still,
+    }  # fmt: skip
+
+
+def written(folder, name, text):
+    (folder / name).write_text(text, encoding="utf-8")
+    return read_scene(folder / name)
+
+
+@pytest.mark.parametrize("kind", ["slant", "ground", "bursts"])
+def test_an_annotation_is_read_to_the_scene_that_it_states(tmp_path, kind):
+    scene, made = written(tmp_path, "s1.xml", annotation(kind)).rigorous, side_looking(PLACE)
+    assert (scene.width_px, scene.height_px) == (made.width_px, made.height_px)
+    assert len(scene.burst_y) == (2 if kind == "bursts" else 1)
+    if kind == "slant":
+        ground = np.array([PLACE])
+        assert np.abs(scene.project(ground) - made.project(ground)).max() < 1e-3
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "code"),
+    [
+        ("<linesPerBurst>2000", "<linesPerBurst>1999", "scene.burst_lines"),
+        ("<productFirstLineUtcTime>2022", "<productFirstLineUtcTime>soon", "value.no_time"),
+        ("<azimuthTimeInterval>0", "<azimuthTimeInterval>-x", "value.not_finite"),
+        ("<orbit><time>", "<orbital><time>", None),
+    ],
+)
+def test_what_an_annotation_contradicts_itself_in_is_refused(tmp_path, before, after, code):
+    text = annotation("bursts")
+    assert before in text
+    with pytest.raises(InputError) as caught:
+        written(tmp_path, "s1.xml", text.replace(before, after))
+    assert code is None or caught.value.message.code == code
+
+
+def test_an_isd_is_read_to_the_scene_that_it_states(tmp_path):
+    scene, made = written(tmp_path, "radar.json", json.dumps(radar_isd())).rigorous, side_looking(PLACE)
+    ground = np.array([PLACE, [PLACE[0] + 0.02, PLACE[1] - 0.02, 500.0]])
+    assert np.abs(scene.project(ground) - made.project(ground)).max() < 1e-4
+    with refused("value.not_supported", value="'up'", known=["right", "left"]):
+        written(tmp_path, "radar.json", json.dumps(radar_isd() | {"look_direction": "up"}))
 
 
 def grid(path):

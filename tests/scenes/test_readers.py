@@ -332,6 +332,7 @@ def test_unknown_and_absent_files(tmp_path):
         "geotiff",
         "nitf",
         "enmap",
+        "sentinel1",
         "rpc-json",
         "gdal-xml",
         "gdal-json",

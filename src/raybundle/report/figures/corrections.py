@@ -32,7 +32,7 @@ def correction_figures(view: View, camera: Camera) -> tuple[Figure, ...]:
     if curves is None:
         return ()
     model, half = curves
-    covariance, values = _covariance(view, camera), model.split(camera.parameters)
+    covariance, values = _covariance(view, camera), model.split(camera.parameters[: len(model.symbols)])
     tau = np.linspace(-1.0, 1.0, TIMES)
     time = (tau + 1) * half
     found: list[Figure] = []
