@@ -36,7 +36,7 @@ from raybundle.numerics.geodesy import (
 from raybundle.numerics.places import Local, Place
 from raybundle.numerics.rotation import cross_matrix, left_jacobian, rotation_from_vector
 from raybundle.scenes.corrections import Fixes, FixesAt
-from raybundle.scenes.rpc import Observed
+from raybundle.scenes.observed import Observed
 from raybundle.scenes.trajectory import CorrectionModel, CorrectionValues, Shape, Trajectory
 
 C_LIGHT = 299792458.0

@@ -27,7 +27,8 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.geodesy import Ellipsoid
 from raybundle.numerics.places import Place
-from raybundle.scenes.rpc import Observed, Rpc
+from raybundle.scenes.observed import Observed
+from raybundle.scenes.rpc import Rpc
 from raybundle.scenes.rpc_fit import RpcFit, fit_rpc
 from raybundle.scenes.trajectory import CorrectionModel
 from raybundle.sensors import Parameter, SensorModel

@@ -15,7 +15,7 @@ from raybundle.numerics.geodesy import geographic_from_geocentric
 from raybundle.numerics.places import Place
 from raybundle.scenes.corrections import Fixes, FixesAt, Pieces, bends
 from raybundle.scenes.linescan import LineScene, observe_line_at
-from raybundle.scenes.rpc import Observed
+from raybundle.scenes.observed import Observed
 from raybundle.scenes.sensor import PIXEL_MM, Key, SceneSensor
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 from raybundle.scenes.trajectory import AXES, CorrectionModel, Trajectory

@@ -32,7 +32,7 @@ from raybundle.numerics.geodesy import (
 )
 from raybundle.numerics.places import Place
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.scenes.rpc import Observed
+from raybundle.scenes.observed import Observed
 from raybundle.scenes.sensor import Key, SceneSensor
 from raybundle.scenes.simulate import GM
 from raybundle.scenes.trajectory import CorrectionModel
@@ -41,11 +41,13 @@ from raybundle.sensors import Parameter
 C_LIGHT = 299792458.0
 NEAREST = 8
 """State vectors through which the orbit's polynomial runs."""
-BEYOND = 1.0
+BEYOND = 0.5
 """Steps of the table by which an image may end before or after it."""
-STEPS = 30
 LOST = 1.0
 """Lengths of the image beyond its ends up to which a point is followed."""
+STEPS = 30
+SETTLED_S = 1e-9
+"""Step of Newton's method after which the time is found: some micrometres along the track"""
 DEEP_M = 10e3
 """Ground below the middle of a scene."""
 ALTITUDE_M = 693e3
@@ -97,6 +99,12 @@ class Orbit:
             velocities=np.einsum("nij,nj->ni", axes, moving),
             joint=joint,
         )
+
+    @property
+    def cover(self) -> tuple[float, float]:
+        """Times between which the orbit is known: those of the table, and half a step more."""
+        step = BEYOND * float(np.median(np.diff(self.times)))
+        return float(self.times[0]) - step, float(self.times[-1]) + step
 
     @cached_property
     def _pieces(self) -> tuple[Array, Array, Array, Array]:
@@ -172,13 +180,12 @@ class RangeDoppler:
         ):  # fmt: skip
             if len(table) < 1 or len(table) != len(values) or not (np.diff(table) > 0).all():
                 raise InputError("line_scene.table_order", table=name, n=len(table))
-        ends = self.time(np.array([0.0, float(self.height_px)]))
-        first, last, table = float(ends.min()), float(ends.max()), self.orbit.times
-        step = BEYOND * float(np.median(np.diff(table)))
-        if first < table[0] - step or last > table[-1] + step:
+        ends = self.time(np.array([0.5, self.height_px - 0.5]))
+        first, last, (start, end) = float(ends.min()), float(ends.max()), self.orbit.cover
+        if first < start or last > end:
             raise InputError(
                 "trajectory.not_covered",
-                table="ephemeris", start_s=table[0], end_s=table[-1], first_s=first, last_s=last,
+                table="ephemeris", start_s=start, end_s=end, first_s=first, last_s=last,
             )  # fmt: skip
 
     def time(self, y: Array) -> Array:
@@ -316,16 +323,17 @@ class RangeDoppler:
         raises  NoConvergence where a point was not seen about the time of the image
         """
         middle, half = self.middle_and_half
-        t = np.full(len(X), middle)
+        reach = abs(half) * (1 + 2 * LOST)
+        low, high = np.clip((middle - reach, middle + reach), *self.orbit.cover).tolist()
+        t, step = np.full(len(X), middle), np.zeros(len(X))
         for _ in range(STEPS):
             F, F_t, *_ = self._condition(X, t, given)
-            step = np.clip(F / F_t, -abs(half) - 1, abs(half) + 1)
-            t = t - step
+            step = F / F_t
+            t = np.clip(t - step, low, high)
             if np.abs(step).max(initial=0.0) < 1e-12:
                 break
-        away = np.abs(t - middle) / abs(half)
-        if not (away < 1 + 2 * LOST).all():
-            k = int(np.argmax(np.where(np.isfinite(away), away, np.inf)))
+        if not (np.abs(step) < SETTLED_S).all():
+            k = int(np.argmax(np.where(np.isfinite(step), np.abs(step), np.inf)))
             lon, lat, h = geographic_from_geocentric(X[k : k + 1], self.ellipsoid)[0].tolist()
             raise NoConvergence(
                 "line_scene.point_not_seen", point=k, longitude_deg=lon, latitude_deg=lat, height_m=h,

@@ -13,7 +13,8 @@ from raybundle.errors import NoConvergence
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.places import Place
 from raybundle.scenes.bias import BIAS_PARAMETERS, BiasKind, bias_design
-from raybundle.scenes.rpc import Observed, Rpc, correct_image, observe_rpc_at
+from raybundle.scenes.observed import Observed
+from raybundle.scenes.rpc import Rpc, correct_image, observe_rpc_at
 from raybundle.scenes.rpc_errors import errors_of_covariance
 from raybundle.scenes.rpc_fit import RpcFit, corrected_rpc, fit_rpc
 from raybundle.scenes.rpc_image import rpc_of_image

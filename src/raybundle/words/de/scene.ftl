@@ -8,7 +8,7 @@ scene-size_unknown = Die Datei der Szene enthält die Bildgröße nicht.
     .do = width_px und height_px angeben.
 
 scene-no_rpc = { $scene } hat keine RPC.
-    .do = model = "linescan" angeben.
+    .do = model = "linescan" angeben, bei Radar "range_doppler".
 
 scene-no_rigorous_model = { $scene } hat kein unterstütztes strenges Modell.
     .do = model = "rpc" angeben.

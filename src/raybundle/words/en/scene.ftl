@@ -11,7 +11,7 @@ scene-size_unknown = The file of the scene does not contain the image size.
 
 # $scene = "scene.xml"
 scene-no_rpc = { $scene } has no RPC.
-    .do = Give model = "linescan".
+    .do = Give model = "linescan", of radar "range_doppler".
 
 # $scene = "scene.tif"
 scene-no_rigorous_model = { $scene } has no supported rigorous model.
