@@ -9,6 +9,7 @@ import pytest
 
 from raybundle import adjust
 from raybundle.commands.rpc import rpc_fit
+from raybundle.commands.scenes.inputs import scene_input
 from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.reading.xml import read_xml
@@ -17,8 +18,9 @@ from raybundle.io.scenes.sentinel1 import instant, seconds
 from raybundle.numerics.geodesy import WGS84, geocentric_from_geographic, geographic_from_geocentric
 from raybundle.numerics.places import Local
 from raybundle.planning.simulate import measured
-from raybundle.scenes.kinds.range_doppler import C_LIGHT, Orbit, RangeDoppler, RangeDopplerSensor, side_looking
+from raybundle.scenes.kinds.range_doppler import C_LIGHT, RangeDoppler, RangeDopplerSensor, side_looking
 from raybundle.scenes.kinds.rpc import RpcSensor
+from raybundle.scenes.orbit import Orbit
 from raybundle.scenes.rpc_fit import fit_rpc
 from raybundle.scenes.sensor import scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
@@ -180,6 +182,7 @@ def test_a_safe_folder_is_read_by_its_only_annotation(tmp_path):
     (folder / "annotation").mkdir(parents=True)
     shutil.copyfile(path, folder / "annotation" / GRD)
     assert read_scene(folder).file == folder / "annotation" / GRD
+    assert scene_input(folder).name == GRD
     shutil.copyfile(path, folder / "annotation" / "s1b-second.xml")
     with refused("scene.several_in_folder"):
         read_scene(folder)

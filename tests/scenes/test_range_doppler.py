@@ -9,7 +9,8 @@ from raybundle import adjust
 from raybundle.errors import NotSolvable
 from raybundle.numerics.places import Local
 from raybundle.planning.simulate import measured
-from raybundle.scenes.kinds.range_doppler import Orbit, RangeDopplerSensor, side_looking
+from raybundle.scenes.kinds.range_doppler import RangeDopplerSensor, side_looking
+from raybundle.scenes.orbit import Orbit
 from raybundle.scenes.sensor import scene_camera, view_of
 from tests.truth.mixed_blocks import PLACE, MonteCarlo, block_of, control_table
 from tests.truth.radar_blocks import radar_camera

@@ -137,7 +137,7 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
     sigmas: dict[str, float] = {}
     keys: dict[str, Any] = {k.name: _key(section, k, model, known, sigmas) for k in kind.keys}
     try:
-        sensor = kind.of_keys(model, place, (size[0], size[1]), file, keys)
+        sensor = kind.of_keys(model, place, (size[0], size[1]), found.file, keys)
     except InputError as error:
         if error.file is not None:
             raise

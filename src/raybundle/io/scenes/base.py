@@ -72,7 +72,7 @@ def read_scene(path: str | Path) -> Scene:
 
     raises  InputError where the file cannot be read, has no known format, or contradicts itself
     """
-    path = _file_of_product(Path(path))
+    path = file_of_product(Path(path))
     with opened(path) as file:
         head = as_utf8(file.read(HEAD_BYTES), whole=False)
     if not head.strip():
@@ -84,7 +84,7 @@ def read_scene(path: str | Path) -> Scene:
     raise InputError("scene.format_unknown", formats=[f.title for f in scene_formats.values()], file=path)
 
 
-def _file_of_product(path: Path) -> Path:
+def file_of_product(path: Path) -> Path:
     """The only scene in the folder of a product; anything else as it is."""
     found = sorted({f for k in scene_formats.values() if k.within and path.is_dir() for f in path.glob(k.within)})
     if len(found) > 1:

@@ -17,7 +17,8 @@ from raybundle.io.scenes.base import Scene
 from raybundle.io.scenes.csm_tables import rotations, slerp, times_of
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import Ellipsoid
-from raybundle.scenes.kinds.range_doppler import Orbit, RangeDoppler
+from raybundle.scenes.kinds.range_doppler import RangeDoppler
+from raybundle.scenes.orbit import Orbit
 
 SIDES = {"right": 1.0, "left": -1.0}
 

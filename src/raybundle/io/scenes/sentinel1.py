@@ -15,7 +15,8 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, element_text, register
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.kinds.range_doppler import C_LIGHT, Orbit, RangeDoppler
+from raybundle.scenes.kinds.range_doppler import C_LIGHT, RangeDoppler
+from raybundle.scenes.orbit import Orbit
 
 SIZES = ("numberOfSamples", "numberOfLines")
 

@@ -33,16 +33,13 @@ from raybundle.numerics.geodesy import (
 from raybundle.numerics.places import Place
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.scenes.observed import Observed
+from raybundle.scenes.orbit import Orbit, polynomial
 from raybundle.scenes.sensor import Key, SceneSensor
 from raybundle.scenes.simulate import GM
 from raybundle.scenes.trajectory import CorrectionModel
 from raybundle.sensors import Parameter
 
 C_LIGHT = 299792458.0
-NEAREST = 8
-"""State vectors through which the orbit's polynomial runs."""
-BEYOND = 0.5
-"""Steps of the table by which an image may end before or after it."""
 LOST = 1.0
 """Lengths of the image beyond its ends up to which a point is followed."""
 STEPS = 30
@@ -56,86 +53,6 @@ USUAL: Mapping[str, float] = {"dr": 5.0, "dt": 5e-4, "kr": 1e-5}
 """Usual standard deviations: delays of troposphere and ionosphere [m], the clock [s], the change along the range."""
 ORBIT_M = 1.0
 """Usual standard deviation of an orbit's position."""
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Orbit:
-    """State vectors in the frame that turns with the body."""
-
-    times: Array
-    """(n,) [s]"""
-    positions: Array
-    """(n, 3) [m]"""
-    velocities: Array
-    """(n, 3) [m/s]"""
-    joint: bool = True
-    """Whether velocities are derivatives of the positions; else the file means an interpolation of each by itself"""
-
-    def __post_init__(self) -> None:
-        """Refuse tables that are none."""
-        if len(self.times) < 4 or not len(self.times) == len(self.positions) == len(self.velocities):
-            raise InputError("trajectory.count", table="ephemeris", times=len(self.times), n=len(self.positions))
-        step = np.diff(self.times)
-        if not (step > 0).all():
-            k = int(np.argmin(step))
-            times = self.times[k : k + 2].tolist()
-            raise InputError(
-                "trajectory.time_order", table="ephemeris", time_s=times[1], entry=k + 2, before_s=times[0]
-            )
-
-    @staticmethod
-    def of_inertial(
-        times: Array, positions: Array, velocities: Array, axes: Array, omega: Array, *, joint: bool = True
-    ) -> Orbit:  # fmt: skip
-        """State vectors that stand in an inertial frame.
-
-        axes   (n, 3, 3) rotations from it to the body
-        omega  (n, 3) angular velocity of the body in it [rad/s]
-        """
-        moving = velocities - np.cross(omega, positions)
-        return Orbit(
-            times=times,
-            positions=np.einsum("nij,nj->ni", axes, positions),
-            velocities=np.einsum("nij,nj->ni", axes, moving),
-            joint=joint,
-        )
-
-    @property
-    def cover(self) -> tuple[float, float]:
-        """Times between which the orbit is known: those of the table, and half a step more."""
-        step = BEYOND * float(np.median(np.diff(self.times)))
-        return float(self.times[0]) - step, float(self.times[-1]) + step
-
-    @cached_property
-    def _pieces(self) -> tuple[Array, Array, Array, Array]:
-        """Middle, half length (k,) and coefficients (k, q, 3), twice, of positions and velocities by intervals."""
-        n = len(self.times)
-        m = min(NEAREST, n)
-        first = np.clip(np.arange(n - 1) - m // 2 + 1, 0, n - m).astype(np.int32)
-        at = self.times[first[:, None] + np.arange(m)]
-        middle, half = (at[:, 0] + at[:, -1]) / 2, (at[:, -1] - at[:, 0]) / 2
-        u = (at - middle[:, None]) / half[:, None]
-        power = np.arange(2 * m if self.joint else m)
-        values = u[..., None] ** power
-        rows, start = first[:, None] + np.arange(m), self.positions[first][:, None]
-        P, V = self.positions[rows] - start, self.velocities[rows] * half[:, None, None]
-        if self.joint:
-            slopes = power * u[..., None] ** np.maximum(power - 1, 0)
-            P = np.linalg.solve(np.concatenate([values, slopes], axis=1), np.concatenate([P, V], axis=1))
-            V = P[:, 1:] * power[1:, None]
-        else:
-            P, V = np.linalg.solve(values, P), np.linalg.solve(values, V)
-        P[:, :1] += start
-        return middle, half, P, V
-
-    def at(self, t: Array) -> tuple[Array, Array, Array]:
-        """Position, velocity, acceleration (n, 3) at times (n,)."""
-        k = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, len(self.times) - 2)
-        middle, half, c, s = self._pieces
-        u, h = (t - middle[k]) / half[k], half[k]
-        P = np.stack([_polynomial(c[k, :, axis], u)[0] for axis in range(3)], axis=1)
-        V, A = np.moveaxis(np.array([_polynomial(s[k, :, axis], u) for axis in range(3)]), 0, 2)
-        return P, V / h[:, None], A / (h * h)[:, None]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -235,7 +152,7 @@ class RangeDoppler:
     def slant_range(self, x: Array, t: Array) -> Array:
         """Slant ranges (n,) [m] of columns x (n,) [px] at times (n,)."""
         c, _ = _between(self.range_times, self.range_coefficients, t, nearest=self.range_steps)
-        return _polynomial(c, self.first_m + x * self.pixel_m)[0]
+        return polynomial(c, self.first_m + x * self.pixel_m)[0]
 
     def column(self, R: Array, t: Array) -> tuple[Array, Array, Array]:
         """Columns x (n,) [px] of slant ranges (n,) [m] at times (n,), and their derivatives by both."""
@@ -243,12 +160,12 @@ class RangeDoppler:
         g = np.full(len(R), self.first_m + self.width_px / 2 * self.pixel_m)
         slope = np.ones(len(R))
         for _ in range(STEPS):
-            value, slope = _polynomial(c, g)
+            value, slope = polynomial(c, g)
             step = (value - R) / slope
             g = g - step
             if np.abs(step).max(initial=0.0) < 1e-9:
                 break
-        by_t = -_polynomial(c_t, g)[0] / slope
+        by_t = -polynomial(c_t, g)[0] / slope
         return (g - self.first_m) / self.pixel_m, 1 / slope / self.pixel_m, by_t / self.pixel_m
 
     def centroid(self, r: Array, t: Array) -> tuple[Array, Array, Array]:
@@ -257,9 +174,9 @@ class RangeDoppler:
             zero = np.zeros(len(r))
             return zero, zero, zero
         c, c_t = _between(self.doppler_times, self.doppler, t)
-        value, slope = _polynomial(c, r - self.doppler_m)
+        value, slope = polynomial(c, r - self.doppler_m)
         half = self.wavelength_m / 2
-        return half * value, half * slope, half * _polynomial(c_t, r - self.doppler_m)[0]
+        return half * value, half * slope, half * polynomial(c_t, r - self.doppler_m)[0]
 
     def without_corrections(self) -> Self:
         """Itself: delays are in none of its tables."""
@@ -388,15 +305,6 @@ def _between(times: Array, table: Array, t: Array, *, nearest: bool = False) -> 
     k = np.clip(np.searchsorted(times, t, side="right") - 1, 0, len(times) - 2)
     slope = (np.diff(table, axis=0) / np.diff(times)[:, None])[k]
     return table[k] + (t - times[k])[:, None] * slope, slope
-
-
-def _polynomial(c: Array, x: Array) -> tuple[Array, Array]:
-    """Values and slopes (n,) at x (n,) of polynomials with coefficients (n, k) by rising powers."""
-    value, slope = np.zeros(len(x)), np.zeros(len(x))
-    for k in range(c.shape[1] - 1, -1, -1):
-        slope = slope * x + value
-        value = value * x + c[:, k]
-    return value, slope
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
