@@ -13,6 +13,8 @@ from tests.truth.mixed_blocks import errors_and_joint
 from tests.truth.radar_blocks import BLOCKS
 
 RUNS = 60
+ENOUGH = 2200
+"""Degrees of freedom from which no sample within its band is within it when it is wrong by 10 %"""
 
 
 @functools.cache
@@ -34,5 +36,7 @@ def test_errors_follow_the_stated_covariance(name):
 @pytest.mark.parametrize("name", BLOCKS)
 def test_a_sigma_that_is_wrong_by_ten_percent_fails(name):
     _, joint = errors(name)
-    d2, degrees = joint["all points"]
-    assert_true_to_ten_percent(d2, degrees, name)
+    for together, (d2, degrees) in joint.items():
+        if degrees * RUNS > ENOUGH:
+            assert_true_to_ten_percent(d2, degrees, f"{name}, {together}")
+    assert joint["all points"][1] * RUNS > ENOUGH

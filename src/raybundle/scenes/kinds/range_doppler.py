@@ -92,11 +92,15 @@ class RangeDoppler:
 
     def __post_init__(self) -> None:
         """Refuse tables that do not fit each other."""
+        if not (self.line_s and self.pixel_m):
+            raise InputError("value.zero", column="pixel_m" if self.line_s else "line_s")
         for name, table, values in (
             ("line_times", self.burst_y, self.burst_times), ("range", self.range_times, self.range_coefficients),
         ):  # fmt: skip
             if len(table) < 1 or len(table) != len(values) or not (np.diff(table) > 0).all():
                 raise InputError("line_scene.table_order", table=name, n=len(table))
+        if not self.seconds > 0:
+            raise InputError("line_scene.times_not_monotonic")
         ends = self.time(np.array([0.5, self.height_px - 0.5]))
         first, last, (start, end) = float(ends.min()), float(ends.max()), self.orbit.cover
         if first < start or last > end:
@@ -203,15 +207,16 @@ class RangeDoppler:
             u, up = d / length[:, None], enu_from_geocentric(geographic)[:, 2]
             J = np.stack([u, V - f[:, None] * u, up], axis=1)
             g = np.stack([length - r, np.sum(d * V, axis=1) - f * length, geographic[:, 2] - h], axis=1)
-            step = np.linalg.solve(J, g[..., None])[..., 0]
+            try:
+                step = np.linalg.solve(J, g[..., None])[..., 0]
+            except np.linalg.LinAlgError:
+                break
             X = X - step * np.minimum(1.0, 1e5 / np.maximum(np.linalg.norm(step, axis=1), 1e-9))[:, None]
             if np.abs(step).max(initial=0.0) < 1e-8:
-                break
-        else:
-            raise NoConvergence("scene.no_ground_found", n=len(X), height_m=float(h[0]))
-        result = geographic_from_geocentric(X, self.ellipsoid)
-        result[:, 2] = h
-        return result
+                result = geographic_from_geocentric(X, self.ellipsoid)
+                result[:, 2] = h
+                return result
+        raise NoConvergence("scene.no_ground_found", n=len(X), height_m=float(h[0]))
 
     def _start(self, P: Array, V: Array, r: Array, h: Array, xy_px: Array) -> Array:
         """Points (n, 3) at these ranges on a sphere, on the side of the antenna."""
@@ -219,7 +224,7 @@ class RangeDoppler:
         up = P / far[:, None]
         radius = far - geographic_from_geocentric(P, self.ellipsoid)[:, 2] + h
         cosine = (r * r + far * far - radius * radius) / (2 * r * far)
-        wrong = np.flatnonzero(~(cosine < 1))
+        wrong = np.flatnonzero(~(np.abs(cosine) < 1))
         if len(wrong):
             k = int(wrong[0])
             x, y = xy_px[k].tolist()
