@@ -73,7 +73,10 @@ BAD = {
         lambda d: d.update(name_model="USGS_ASTRO_FRAME_SENSOR_MODEL"),
         r"FRAME.*frame camera.*isd\.no_line_scanner",
     ),
-    "radar": (lambda d: d.update(name_model="USGS_ASTRO_SAR_SENSOR_MODEL"), r"SAR.*radar.*isd\.no_line_scanner"),
+    "a radar without its keys": (
+        lambda d: d.update(name_model="USGS_ASTRO_SAR_SENSOR_MODEL"),
+        r"line_exposure_duration.*value\.key_missing",
+    ),
     "a time missing": (lambda d: d["instrument_position"]["ephemeris_times"].pop(), r"15.*16.*isd\.time_count"),
     "a gap of half the table": (
         lambda d: [
