@@ -16,35 +16,15 @@ from typing import Any
 import sympy as sp
 from sympy.printing.mathml import mathml
 
-from raybundle.errors import worded
 from raybundle.platforms import Carried, InstrumentModel, Platform, instrument_models, platforms, sensor_models
-from raybundle.scenes.bias import BIAS_PARAMETERS
 from raybundle.scenes.empirical import empirical_models
-from raybundle.scenes.sensor import MEANINGS, LineSensor, RpcSensor
-from raybundle.scenes.trajectory import CorrectionModel
+from raybundle.scenes.kinds import SceneSensor, scene_kinds
 from raybundle.sensors.model import Parameter, SensorModel
 
 MANY, LISTED = 60, 10
 """Parameters of a model beyond which only the first ones are listed."""
 POINT = ("x", "y", "X", "Y", "Z")
 HEAD = "| parameter | key in block.toml | unit | meaning | default |\n|---|---|---|---|---|"
-RPC_FORMULA = (
-    "y_n = P1(φ, λ, h) / P2(φ, λ, h)      x_n = P3(φ, λ, h) / P4(φ, λ, h)\n\n"
-    "P = a1 + a2 λ + a3 φ + a4 h + a5 λφ + a6 λh + a7 φh + a8 λ² + a9 φ² + a10 h² + a11 φλh + a12 λ³\n"
-    "    + a13 λφ² + a14 λh² + a15 λ²φ + a16 φ³ + a17 φh² + a18 λ²h + a19 φ²h + a20 h³\n\n"
-    "φ, λ, h, x_n, y_n: latitude, longitude, height, column and row, less their offset, over their scale\n\n"
-    "x = x_RPC + A0 + A1 u + A2 v      y = y_RPC + B0 + B1 u + B2 v      u, v: column and row, -1 .. 1 over the scene"
-)
-LINE_FORMULA = (
-    "w = R(t) u(X - P(t))      w_x / w_z = psi_x(x)      w_y / w_z = psi_y(x)      t = t(y), the time of the line\n\n"
-    "R(t) = exp([r(tau)]x) R_table(t + dt)\n"
-    "P(t) = P_table(t + dt) + E' p(tau) - R(t)' a      E: along track, across track, up\n\n"
-    "u              direction, with velocity aberration and refraction\n"
-    "psi_x, psi_y   directions of the detector of column x\n"
-    "p, r           corrections of position and attitude: c0 + c1 tau + c2 tau^2, and curves: sum of B_k(tau) c_k\n"
-    "               of pieces, of fixes (Lagrange) or of splines; tau = -1 at the first line, +1 at the last\n"
-    "dt, a          offset between the clocks, lever arm"
-)
 EMPIRICAL = {
     "affine": ("x = a1 X + a2 Y + a3 Z + a4", "y = b1 X + b2 Y + b3 Z + b4"),
     "affine2": (
@@ -83,8 +63,7 @@ def pages() -> dict[str, str]:
     found |= {name: carried_line_page(name, model) for name, model in sorted(on_a_way.items())}
     found |= {name: platform_page(name, platform) for name, platform in sorted(platforms.items())}
     found |= {name: instrument_page(name, model) for name, model in sorted(instrument_models.items())}
-    found["rpc"] = rpc_page()
-    found["linescan"] = line_page()
+    found |= {name: scene_page(kind) for name, kind in scene_kinds.items()}
     found["empirical"] = empirical_page()
     return found
 
@@ -168,29 +147,18 @@ def instrument_page(name: str, model: InstrumentModel) -> str:
     ]) + "\n"  # fmt: skip
 
 
-def rpc_page() -> str:
-    """Rational polynomials with their bias."""
-    table = ["| bias | parameters |", "|---|---|"]
-    table += [f"| {kind} | {', '.join(symbols) or 'none'} |" for kind, symbols in BIAS_PARAMETERS.items()]
+def scene_page(kind: type[SceneSensor]) -> str:
+    """A kind of satellite scenes."""
+    keys = ["| key in block.toml | values |", "|---|---|"]
+    of_type = {bool: "true, false", dict: "table of standard deviations by axis"}
+    for k in kind.keys:
+        values = k.holds if k.holds != "value" else of_type.get(type(k.default), "number")
+        keys.append(f"| {k.name} | {', '.join(map(str, k.options)) or values} |")
     rows = ["| parameter | unit | meaning |", "|---|---|---|"]
-    rows += [f"| {s} | px | {worded(MEANINGS[s])} |" for s in MEANINGS]
+    rows += [f"| {p.symbol} | {p.unit} | {p.words} |" for p in kind.possible]
     return "\n\n".join([
-        "# rpc", inspect.getdoc(RpcSensor) or "",
-        "Order of the coefficients as in RPC00B. Pixels count from the outer corner of the first one.",
-        "## Formula", f"```text\n{RPC_FORMULA}\n```", "## Parameters", "\n".join(table), "\n".join(rows),
-    ]) + "\n"  # fmt: skip
-
-
-def line_page() -> str:
-    """A line scanner on a trajectory with corrections."""
-    model = CorrectionModel(position_degree=2, attitude_degree=2, time_offset=True, lever_arm=True)
-    rows = ["| parameter | unit | meaning |", "|---|---|---|"]
-    meanings = {s: model.meaning(s) for s in model.symbols}
-    rows += [f"| {s} | {model.unit(s)} | {worded(m, **dict(v))} |" for s, (m, v) in meanings.items()]
-    return "\n\n".join([
-        "# linescan", inspect.getdoc(LineSensor) or "", "## Formula", f"```text\n{LINE_FORMULA}\n```",
-        "## Parameters", "With polynomials of degree 2; curves have a coefficient for each place and axis instead.",
-        "\n".join(rows), inspect.getdoc(CorrectionModel) or "",
+        f"# {kind.name}", inspect.getdoc(kind) or "", "## Formula", f"```text\n{kind.formula}\n```",
+        "## Parameters", "\n".join(rows), "## Keys", "\n".join(keys),
     ]) + "\n"  # fmt: skip
 
 

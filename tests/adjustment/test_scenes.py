@@ -17,7 +17,9 @@ from raybundle.numerics.places import Geocentric, Local
 from raybundle.planning.simulate import measured
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
-from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of
+from raybundle.scenes.kinds.linescan import LineSensor
+from raybundle.scenes.kinds.rpc import RpcSensor
+from raybundle.scenes.sensor import scene_camera, view_of
 from raybundle.scenes.trajectory import CorrectionModel
 from tests.conftest import DATA
 from tests.truth.mixed_blocks import PLACE, MonteCarlo, block_of, control_table, ikonos_pair
@@ -218,12 +220,12 @@ def test_a_rigorous_scene_of_a_vendor_is_adjusted_from_its_folder(tmp_path):
 
     found = read_scene(file)
     place = Local(origin=tuple(found.rpc.ground_offset))
-    size = (found.line.width_px, found.line.height_px)
+    size = (found.rigorous.width_px, found.rigorous.height_px)
     corrections = CorrectionModel(position_degree=0, attitude_degree=0)
     cameras = (
         scene_camera("rpc", RpcSensor(found.rpc, place, size, "shift", file), sigma={"A0": 5.0, "B0": 5.0}),
         scene_camera(
-            "line", LineSensor(found.line, place, corrections, found.rpc.ground_offset[2], file),
+            "line", LineSensor(found.rigorous, place, corrections, found.rpc.ground_offset[2], file),
             estimate=("rx0", "ry0", "rz0"), sigma=dict.fromkeys(("rx0", "ry0", "rz0"), 1e-5),
         ),
     )  # fmt: skip

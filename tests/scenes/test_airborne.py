@@ -26,8 +26,9 @@ from raybundle.numerics.places import Local
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.simulate import measured
 from raybundle.scenes.corrections import Fixes
+from raybundle.scenes.kinds.linescan import LineSensor
 from raybundle.scenes.linescan import refraction_shift
-from raybundle.scenes.sensor import LineSensor, scene_camera, view_of
+from raybundle.scenes.sensor import scene_camera, view_of
 from raybundle.scenes.trajectory import CorrectionModel
 from tests.truth.mixed_blocks import MonteCarlo, block_of, control_table
 
@@ -99,7 +100,7 @@ def strips(folder, corrections, headings=(30.0, 210.0), *, smooth=None, sigma=No
     cameras = []
     for k, heading in enumerate(headings):
         file = write_strip(folder, f"strip{k + 1}", heading, offset=150.0 * (k % 2), **how)
-        sensor = LineSensor(read_scene(file).line, place, corrections, PLACE[2], file, smooth)
+        sensor = LineSensor(read_scene(file).rigorous, place, corrections, PLACE[2], file, smooth)
         cameras.append(scene_camera(f"strip{k + 1}", sensor, sigma=sigma, estimate=estimate))
     across, along = rng.uniform(-330, 330, 70), rng.uniform(-280, 280, 70)
     h = np.radians(headings[0])
@@ -121,7 +122,7 @@ def noisy(block, sigma_px):
 
 
 def test_a_strip_sees_the_ground_where_the_flight_says(tmp_path):
-    line = read_scene(write_strip(tmp_path, "one", 30.0)).line
+    line = read_scene(write_strip(tmp_path, "one", 30.0)).rigorous
     t, geographic, R = flight(30.0)
     ground = LocalPlace(origin=PLACE).geographic_from_local(np.array([[40.0, 20.0, 10.0], [-120.0, 160.0, -25.0]]))
     bare = line.without_corrections()
@@ -138,7 +139,7 @@ def test_a_strip_sees_the_ground_where_the_flight_says(tmp_path):
 
 def test_the_place_of_the_line_and_columns_to_the_left(tmp_path):
     file = write_strip(tmp_path, "one", 0.0, unsteady=0.0, y0=20.0)
-    ahead = read_scene(file).line
+    ahead = read_scene(file).rigorous
     _, d = ahead.rays(np.array([[4000.0, 2500.0]]))
     up, north = enu_from_geocentric(np.array([PLACE]))[0][[2, 1]]
     assert d[0] @ up < 0
@@ -146,11 +147,11 @@ def test_the_place_of_the_line_and_columns_to_the_left(tmp_path):
     text = file.read_text()
     file.write_text(text.replace("pixel_mm = 0.0065", "pixel_mm = -0.0065"))
     xy = np.array([[1000.0, 600.0]])
-    other = read_scene(file).line.localise(xy, 300.0)
+    other = read_scene(file).rigorous.localise(xy, 300.0)
     assert np.abs(other - ahead.localise(8000 * np.array([[1, 0]]) + xy * [-1, 1], 300.0)).max() < 1e-9
     (tmp_path / "lens.csv").write_text("x_px,x_mm,y_mm\n0,-26,20\n4000,0,20\n8000,26,20\n")
     file.write_text(text.replace("pixel_mm = 0.0065\ny0_mm = 20.0", 'detector = "lens.csv"'))
-    assert np.abs(read_scene(file).line.localise(xy, 300.0) - ahead.localise(xy, 300.0)).max() < 1e-9
+    assert np.abs(read_scene(file).rigorous.localise(xy, 300.0) - ahead.localise(xy, 300.0)).max() < 1e-9
 
 
 MODEL = CorrectionModel(attitude_degree=0, time_offset=True)
@@ -214,7 +215,7 @@ def test_a_lever_arm_is_estimated_where_headings_differ(tmp_path):
         file.write_text(file.read_text().replace("lever_arm_m = [0.12, -0.35, 0.8]", "lever_arm_m = [0, 0, 0]"))
     place = Local(origin=PLACE)
     cameras = tuple(
-        scene_camera(c.id, LineSensor(read_scene(c.scene.file).line, place, model, PLACE[2], c.scene.file))
+        scene_camera(c.id, LineSensor(read_scene(c.scene.file).rigorous, place, model, PLACE[2], c.scene.file))
         for c in truth.cameras
     )
     views = [view_of(c) for c in cameras]
@@ -258,7 +259,7 @@ def with_own_attitudes(folder, name, every=3, shift=0.004):
     from raybundle.io.scenes.airborne import _table
 
     path = folder / f"{name}.csv"
-    given = read_scene(folder / f"{name}.toml").line.trajectory
+    given = read_scene(folder / f"{name}.toml").rigorous.trajectory
     both = _table(path, "both")
     rows = [r.split(",") for r in path.read_text().splitlines()]
     keep = [k for k, n in enumerate(rows[0]) if not n.removeprefix("s").startswith(("omega", "phi", "kappa"))]
@@ -276,8 +277,8 @@ def with_own_attitudes(folder, name, every=3, shift=0.004):
 
 def test_angles_with_times_of_their_own(tmp_path):
     write_strip(tmp_path, "one", 40.0)
-    before = read_scene(tmp_path / "one.toml").line
-    after = read_scene(with_own_attitudes(tmp_path, "one")).line
+    before = read_scene(tmp_path / "one.toml").rigorous
+    after = read_scene(with_own_attitudes(tmp_path, "one")).rigorous
     assert len(after.trajectory.attitude_times) < len(after.trajectory.position_times) / 2
     xy = np.array([[10.0, 10.0], [7990.0, 2500.0], [4000.0, 4990.0]])
     # 0.03 s between attitudes that swing with a period of 6 s
@@ -302,7 +303,7 @@ UNEVEN = (0.0, 1.5, 2.0, 4.5, 7.0, 9.9)
 
 def test_fixes_at_given_times_go_through_block_folders(tmp_path):
     """By a list, by the times of the trajectory's table and by a file with what is known there."""
-    line = read_scene(write_strip(tmp_path, "one", 40.0)).line
+    line = read_scene(write_strip(tmp_path, "one", 40.0)).rigorous
     text = BLOCK.format(fixes=f"attitude_fixes = {list(UNEVEN)}")
     block = one_strip(tmp_path, text)
     curve = block.cameras[0].scene.corrections.attitude_curve
@@ -432,7 +433,7 @@ def test_a_grid_and_true_north_are_told_apart(tmp_path):
     from raybundle.io.geo.coordinate_systems import local_frame
     from raybundle.numerics.attitude import rpy_from_rotation
 
-    one = read_scene(write_strip(tmp_path, "one", 30.0)).line
+    one = read_scene(write_strip(tmp_path, "one", 30.0)).rigorous
     t, geographic, R = flight(30.0)
     frame = local_frame("EPSG:32633", (500000.0, 5316000.0, 300.0))
     place = LocalPlace(origin=PLACE)
@@ -446,7 +447,7 @@ def test_a_grid_and_true_north_are_told_apart(tmp_path):
     write_table(tmp_path / "one.csv", columns, EVERY)
     file = tmp_path / "one.toml"
     file.write_text(file.read_text() + 'crs = "EPSG:32633"\n')
-    two = read_scene(file).line
+    two = read_scene(file).rigorous
     xy = np.array([[500.0, 100.0], [7500.0, 4900.0]])
     assert np.abs((one.localise(xy, 300.0) - two.localise(xy, 300.0)) * [7e4, 1.1e5, 1]).max() < 2e-3  # m
 

@@ -18,12 +18,12 @@ def ground(scene, sample, line, height=0.0):
 
 @pytest.fixture
 def constant(sensors):
-    return read_scene(sensors / "usgscsm/constVelocityLineScan.json").line
+    return read_scene(sensors / "usgscsm/constVelocityLineScan.json").rigorous
 
 
 @pytest.fixture
 def orbital(sensors):
-    return read_scene(sensors / "usgscsm/orbitalLineScan.json").line
+    return read_scene(sensors / "usgscsm/orbitalLineScan.json").rigorous
 
 
 def test_published_ground_points(constant, orbital):
@@ -73,7 +73,10 @@ BAD = {
         lambda d: d.update(name_model="USGS_ASTRO_FRAME_SENSOR_MODEL"),
         r"FRAME.*frame camera.*isd\.no_line_scanner",
     ),
-    "radar": (lambda d: d.update(name_model="USGS_ASTRO_SAR_SENSOR_MODEL"), r"SAR.*radar.*isd\.no_line_scanner"),
+    "a radar without its keys": (
+        lambda d: d.update(name_model="USGS_ASTRO_SAR_SENSOR_MODEL"),
+        r"line_exposure_duration.*value\.key_missing",
+    ),
     "a time missing": (lambda d: d["instrument_position"]["ephemeris_times"].pop(), r"15.*16.*isd\.time_count"),
     "a gap of half the table": (
         lambda d: [
@@ -130,7 +133,7 @@ def test_radial_distortion_moves_the_edge_only(sensors, tmp_path, orbital):
     def distort(data):
         data["optical_distortion"]["radial"]["coefficients"] = [0.0, 0.1, 0.0]
 
-    bent = read_scene(edited(sensors, tmp_path, distort)).line
+    bent = read_scene(edited(sensors, tmp_path, distort)).rigorous
     x = np.array([8.0, 16.0])
     psi, plain = bent.look(x)[0], orbital.look(x)[0]
     plane = plain * 50.0  # mm
@@ -143,7 +146,7 @@ def test_table_without_velocities_and_constant_frame(sensors, tmp_path, orbital)
         del data["instrument_position"]["velocities"]
         data["instrument_pointing"]["constant_rotation"] = [0, -1, 0, 1, 0, 0, 0, 0, 1]
 
-    turned = read_scene(edited(sensors, tmp_path, change)).line
+    turned = read_scene(edited(sensors, tmp_path, change)).rigorous
     # without the file's velocities, which contradict its positions, the point is that of older versions of USGSCSM
     axis = turned.rays(np.array([[8.0, 8.5]]))[0][0]
     assert axis == pytest.approx([1049999.70, 0, -799.99992], abs=0.02)

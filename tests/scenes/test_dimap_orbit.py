@@ -98,8 +98,8 @@ def test_a_product_file_is_read_as_it_was_written(tmp_path, orbit, how):
     heights = np.resize([0.0, 900.0, 300.0], 300)
     ground = truth.localise(xy, heights)
     # times are written to a microsecond, a hundredth of a line
-    assert np.abs(found.line.project(ground) - xy).max() < 0.02
-    assert np.abs(found.line.without_corrections().project(ground) - xy).max() > 5
+    assert np.abs(found.rigorous.project(ground) - xy).max() < 0.02
+    assert np.abs(found.rigorous.without_corrections().project(ground) - xy).max() > 5
 
 
 def test_several_bands_are_told(tmp_path, orbit):

@@ -107,15 +107,15 @@ def test_rigorous_model_and_vendors_rpc(sensors, name):
     heights = s.rpc.ground_offset[2] + s.rpc.ground_scale[2] * np.array([-0.8, 0.0, 0.8])
     x, y, h = (a.ravel() for a in np.meshgrid(steps * size[0], steps * size[1], heights))
     xy = np.stack([x, y], axis=1)
-    difference = xy - s.rpc.project(s.line.localise(xy, h))
+    difference = xy - s.rpc.project(s.rigorous.localise(xy, h))
     assert (np.abs(difference.mean(axis=0)) < 0.35).all()
     assert (difference.std(axis=0) < 0.25).all()
-    bare = xy - s.rpc.project(s.line.without_corrections().localise(xy, h))
+    bare = xy - s.rpc.project(s.rigorous.without_corrections().localise(xy, h))
     assert np.linalg.norm(bare.mean(axis=0)) > 10
 
 
 def test_published_facts_of_dg_example1(sensors):
-    line = read_scene(sensors / "maxar/dg_example1.xml").line
+    line = read_scene(sensors / "maxar/dg_example1.xml").rigorous
     path = line.trajectory
     assert len(path.positions) == 840
     assert path.positions[0] == pytest.approx([-1150529.111070304, -4900037.170821411, 4673402.253879593], abs=1e-6)

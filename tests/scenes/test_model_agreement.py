@@ -120,7 +120,7 @@ def test_without_an_rpc_the_place_of_the_array_decides(tmp_path, angle, written)
     file.write_text(isd(line, angle, float(written)))
     xy = np.array([[100.0, 100.0], [7900.0, 3500.0]])
     # the ISD states positions, no velocities are taken; times are whole microseconds
-    assert np.abs(read_scene(file).line.project(line.localise(xy, 300.0)) - xy).max() < 0.05
+    assert np.abs(read_scene(file).rigorous.project(line.localise(xy, 300.0)) - xy).max() < 0.05
 
 
 def test_without_an_rpc_a_small_angle_is_reported(tmp_path):

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from raybundle.errors import InputError, RaybundleError
-from raybundle.io.scenes import check_image, read_scene, scene_formats
+from raybundle.io.scenes import read_scene, scene_formats
 from raybundle.io.scenes.maxar import RPC00A_IN_B
 from raybundle.io.scenes.rpc_text import write_rpc_text
+from raybundle.scenes.rpc_image import check_image
 
 KEYS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
 POLYNOMIALS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
@@ -267,12 +268,12 @@ def test_bad_isd_names_the_place(sensors, tmp_path, what):
 def test_isd_without_rpc_and_without_orbit(sensors, tmp_path):
     scene = read_scene(sensors / "maxar/dg_example2.xml")
     assert scene.rpc is None
-    assert scene.line is not None
+    assert scene.rigorous is not None
     text = (sensors / "maxar/dg_example1.xml").read_text()
     path = tmp_path / "a.xml"
     path.write_text(text.replace("<EPH>", "<EPX>").replace("</EPH>", "</EPX>"))
     scene = read_scene(path)
-    assert scene.line is None
+    assert scene.rigorous is None
     assert "maxar.no_rigorous_model" in [r.code for r in scene.remarks]
 
 
@@ -331,6 +332,7 @@ def test_unknown_and_absent_files(tmp_path):
         "geotiff",
         "nitf",
         "enmap",
+        "sentinel1",
         "rpc-json",
         "gdal-xml",
         "gdal-json",

@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 
 from raybundle.errors import InputError
-from raybundle.io.scenes import read_scene, rpc_of_image
+from raybundle.io.scenes import read_scene
 from raybundle.io.scenes.base import CUT_OUT
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.io.scenes.writing import write_rpc
 from raybundle.scenes.rpc import TERMS, fill_terms, rpc_of
+from raybundle.scenes.rpc_image import rpc_of_image
 from tests.conftest import DATA
 from tests.messages import refused
 from tests.scenes.test_readers import dimap, tiff

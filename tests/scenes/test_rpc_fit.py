@@ -34,9 +34,9 @@ def test_dg_example1_within_half_a_pixel(sensors):
     s = read_scene(sensors / "maxar/dg_example1.xml")
     low, high = s.rpc.ground_offset[2] + s.rpc.ground_scale[2] * np.array([-1.0, 1.0])
     size = (s.width_px, s.height_px)
-    fit = fit_rpc(s.line.localise, size, (low, high))
+    fit = fit_rpc(s.rigorous.localise, size, (low, high))
     xy, h = apart(size, low, high)
-    assert np.abs(fit.rpc.project(s.line.localise(xy, h)) - xy).max() < 0.5
+    assert np.abs(fit.rpc.project(s.rigorous.localise(xy, h)) - xy).max() < 0.5
     assert fit.largest_px.max() < 0.5
 
 

@@ -70,7 +70,7 @@ def saved(tmp_path, text):
 def test_rays_by_the_handbook(tmp_path):
     scene = read_scene(saved(tmp_path, document()))
     assert scene.format == "spot"
-    line = scene.line
+    line = scene.rigorous
     for column, row in ((1, 1), (150, 1001), (300, 2000)):
         P, d = line.rays(np.array([[column - 0.5, row - 0.5]]))
         position, velocity = orbit((row - 1001) * PERIOD)
@@ -89,7 +89,7 @@ def test_rays_by_the_handbook(tmp_path):
 
 
 def test_there_and_back(tmp_path):
-    line = read_scene(saved(tmp_path, document())).line
+    line = read_scene(saved(tmp_path, document())).rigorous
     xy = np.random.default_rng(1).uniform(0, [COLUMNS, ROWS], (100, 2))
     assert np.abs(line.project(line.localise(xy, 250.0)) - xy).max() < 1e-6
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from raybundle.block import Block, Images, Observations, Points, Role
 from raybundle.io.block.folder import write_block
-from raybundle.scenes.sensor import RpcSensor, scene_camera, view_of
+from raybundle.scenes.kinds.rpc import RpcSensor
+from raybundle.scenes.sensor import scene_camera, view_of
 from tests.scenes.render import PLACE, Terrain, octave, render_scene, scene_rpc, write_scene
 from tests.scenes.render_sets import PITCH, SHIFTS
 

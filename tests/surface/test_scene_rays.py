@@ -13,7 +13,9 @@ from raybundle.errors import phrase
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.block.scenes import projected
 from raybundle.scenes.corrections import Fixes
-from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of
+from raybundle.scenes.kinds.linescan import LineSensor
+from raybundle.scenes.kinds.rpc import RpcSensor
+from raybundle.scenes.sensor import scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 from raybundle.scenes.trajectory import CorrectionModel
 from raybundle.surfaces.depths.orientation import shift_covariance

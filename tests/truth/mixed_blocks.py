@@ -24,8 +24,10 @@ from raybundle.numerics.places import Local
 from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector, vector_from_rotation
 from raybundle.planning.simulate import measured
 from raybundle.planning.synthetic_networks import brown_camera, look_at
+from raybundle.scenes.kinds.linescan import LineSensor
+from raybundle.scenes.kinds.rpc import RpcSensor
 from raybundle.scenes.rpc_fit import fit_rpc
-from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera, view_of
+from raybundle.scenes.sensor import scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 from raybundle.scenes.trajectory import CorrectionModel
 from raybundle.sensors import sensor_models

@@ -404,7 +404,7 @@ def test_rigorous_scenes_without_an_rpc(terrain, tmp_path, monkeypatch):
         write_rpc_text(scene_rpc(PITCH[name], SIZE), folder / f"{name}_RPC.TXT")
     monkeypatch.setattr(
         "raybundle.workflows.scenes.images.read_scene",
-        lambda path: Scene(file=path, format="orbit", line=lines[path.name.split("_")[0]]),
+        lambda path: Scene(file=path, format="orbit", rigorous=lines[path.name.split("_")[0]]),
     )
     result = orient([folder], tmp_path / "project", OrientOptions(feature_count=700, jobs=2))
     assert [c.model for c in result.adjustment.given.cameras] == ["linescan", "linescan"]

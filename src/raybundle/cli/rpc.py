@@ -20,8 +20,8 @@ from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
-    from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.rpc import Rpc
+    from raybundle.scenes.sensor import Rigorous
 
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 
@@ -31,8 +31,9 @@ def command() -> None:
     """Rational polynomials (RPC) of satellite scenes: show, project, correct, make, orthorectify.
 
     Input formats: _RPC.TXT; .RPB; .geom; GeoTIFF and NITF with RPC; RPC of GDAL (VRT, .aux.xml, gdalinfo -json); RPC of
-    rpcm (JSON) and orthority (YAML); DIMAP XML; Maxar ISD XML; line-scan ISD JSON. The centre of the first pixel is
-    0.5, 0.5. Files with another convention are converted on reading and writing. Heights are above the ellipsoid.
+    rpcm (JSON) and orthority (YAML); DIMAP XML; Maxar ISD XML; ISD JSON of line scanners and radars; Sentinel-1 XML.
+    The centre of the first pixel is 0.5, 0.5. Files with another convention are converted on reading and writing.
+    Heights are above the ellipsoid.
 
     \b
     Example:
@@ -63,7 +64,7 @@ def info(scene: Path) -> None:
     size = [f"{s.width_px} x {s.height_px} px"] if s.width_px and s.height_px else []
     report(Summary(
         done=[note("scene.file", parts=[str(x) for x in (s.format, s.sensor, s.time, *size) if x])],
-        table=[*([] if s.rpc is None else _of_rpc(s.rpc)), *([] if s.line is None else _of_line(s, s.line)),
+        table=[*([] if s.rpc is None else _of_rpc(s.rpc)), *([] if s.rigorous is None else _of_rigorous(s, s.rigorous)),
                *_agreement(s)],
         notices=s.remarks,
     ))  # fmt: skip
@@ -133,12 +134,12 @@ def _of_rpc(rpc: Rpc) -> list[Message]:
     return found
 
 
-def _of_line(s: Scene, line: LineScene) -> list[Message]:
+def _of_rigorous(s: Scene, line: Rigorous) -> list[Message]:
     import numpy as np
 
     size = np.array([line.width_px, line.height_px])
     h = 0.0 if s.rpc is None else float(s.rpc.ground_offset[2])
-    found = [note("scene.rigorous", seconds=abs(2 * float(line.middle_and_half[1])), height=h)]
+    found = [note("scene.rigorous", seconds=line.seconds, height=h)]
     for u, v in CORNERS:
         lon = lat = None
         with contextlib.suppress(NotSolvable):

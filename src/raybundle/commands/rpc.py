@@ -15,9 +15,9 @@ from raybundle.settings import ANY, keywords, made, path_of, setting
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
     from raybundle.numerics.arrays import Array
-    from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.rpc import Rpc
     from raybundle.scenes.rpc_fit import RpcFit
+    from raybundle.scenes.sensor import Rigorous
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -118,7 +118,7 @@ def run_project(settings: RpcProjectSettings) -> Projected:
 
 
 def _projected(
-    scene: Scene, model: Rpc | LineScene, ids: tuple[str, ...], rows: Array, s: RpcProjectSettings
+    scene: Scene, model: Rpc | Rigorous, ids: tuple[str, ...], rows: Array, s: RpcProjectSettings
 ) -> Projected:
     """The points with their places, as far as the model has some."""
     from raybundle.scenes.rpc import NO_PLACE
@@ -152,19 +152,19 @@ def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
     check_new(s.out)
     check_rpc_name(s.out)
     scene = read_scene(s.scene)
-    if scene.line is None:
+    if scene.rigorous is None:
         raise InputError("scene.model_missing", model="rigorous", choice=False, file=s.scene)
     check_agreement(scene)
     remarks = ()
-    if scene.line.ellipsoid != WGS84:
+    if scene.rigorous.ellipsoid != WGS84:
         remarks = (phrase("scene.other_body"),)
-    result = fit_rpc(scene.line.localise, size_of(scene), heights_of(scene, s.heights))
+    result = fit_rpc(scene.rigorous.localise, size_of(scene), heights_of(scene, s.heights))
     write_rpc(result.rpc, s.out)
     return result, remarks
 
 
-def _model(s: Scene, model: str) -> Rpc | LineScene:
-    chosen = {"auto": s.rpc or s.line, "rpc": s.rpc, "rigorous": s.line}[model]
+def _model(s: Scene, model: str) -> Rpc | Rigorous:
+    chosen = {"auto": s.rpc or s.rigorous, "rpc": s.rpc, "rigorous": s.rigorous}[model]
     if chosen is None:
         raise InputError("scene.model_missing", model=model, choice=True, file=s.file)
     return chosen
@@ -188,7 +188,7 @@ def _table(path: Path, columns: tuple[str, ...], optional: tuple[str, ...] = ())
     return table.text["point"], rows if np.isfinite(rows).all() else rows[:, : len(columns)]
 
 
-def _placed(s: Scene, model: Rpc | LineScene, rows: Array, *, to_ground: bool) -> Array:
+def _placed(s: Scene, model: Rpc | Rigorous, rows: Array, *, to_ground: bool) -> Array:
     from raybundle.scenes.rpc import NO_PLACE
 
     if to_ground:

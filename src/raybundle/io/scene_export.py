@@ -14,11 +14,7 @@ from raybundle.errors import InputError, phrase
 from raybundle.io.formats.base import Export
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.numerics.arrays import Mask
-from raybundle.scenes.bias import BIAS_PARAMETERS
-from raybundle.scenes.rpc import Rpc
-from raybundle.scenes.rpc_errors import errors_of_covariance
-from raybundle.scenes.rpc_fit import corrected_rpc, fit_rpc
-from raybundle.scenes.sensor import LineSensor, RpcSensor, SceneSensor
+from raybundle.scenes.sensor import SceneSensor
 from raybundle.sensors import sensor_models
 
 RELIEF_M = 500.0
@@ -50,18 +46,8 @@ def write_rpcs(export: Export, folder: Path) -> tuple[tuple[Path, ...], tuple[st
         path = folder / f"{name}_RPC.TXT"
         if path in files:
             raise InputError("name.twice", kind="scene", name=name)
-        if isinstance(sensor, RpcSensor):
-            heights = _heights(sensor.rpc)
-            rpc, fit = corrected_rpc(sensor.rpc, sensor.bias, values, sensor.size_px, heights)
-            rpc = _with_errors(rpc, sensor, export, camera.id)
-        else:
-            line = cast("LineSensor", sensor)
-            heights = _heights_of_points(block, line)
-            fit = fit_rpc(
-                lambda xy, h, s=line, v=values: s.place.geographic_from_block(s.localise(xy, h, v)),
-                line.size_px, heights,
-            )  # fmt: skip
-            rpc = fit.rpc
+        heights = sensor.heights_m or _heights_of_points(block, sensor)
+        rpc, fit = sensor.as_rpc(values, heights, export.interior.get(camera.id, ((), np.zeros((0, 0)))))
         if fit is not None:
             largest = float(fit.largest_px.max())
             low, high = (float(h) for h in heights)
@@ -71,27 +57,7 @@ def write_rpcs(export: Export, folder: Path) -> tuple[tuple[Path, ...], tuple[st
     return tuple(files), tuple(remarks)
 
 
-def _with_errors(rpc: Rpc, sensor: RpcSensor, export: Export, camera: str) -> Rpc:
-    """The RPC with the errors of its adjusted bias; the vendor's where its covariance is not known.
-
-    ERR_RAND is the vendor's, with what the terms that change over the image are uncertain by.
-    """
-    symbols, covariance = export.interior.get(camera, ((), np.zeros((0, 0))))
-    wanted = BIAS_PARAMETERS[sensor.bias]
-    if not wanted or set(symbols) != set(wanted):
-        return replace(rpc, err_bias_m=sensor.rpc.err_bias_m, err_rand_m=sensor.rpc.err_rand_m)
-    order = [symbols.index(s) for s in wanted]
-    bias, changing = errors_of_covariance(sensor.rpc, sensor.bias, covariance[np.ix_(order, order)])
-    rand = float(np.hypot(sensor.rpc.err_rand_m or 0.0, changing))
-    return replace(rpc, err_bias_m=bias, err_rand_m=rand or None)
-
-
-def _heights(rpc: Rpc) -> tuple[float, float]:
-    middle, reach = float(rpc.ground_offset[2]), float(rpc.ground_scale[2])
-    return middle - reach, middle + reach
-
-
-def _heights_of_points(block: Block, sensor: LineSensor) -> tuple[float, float]:
+def _heights_of_points(block: Block, sensor: SceneSensor) -> tuple[float, float]:
     known = np.isfinite(block.points.xyz).all(axis=1)
     if not known.any():
         return sensor.height_m - RELIEF_M, sensor.height_m + RELIEF_M

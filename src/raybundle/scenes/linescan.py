@@ -36,7 +36,7 @@ from raybundle.numerics.geodesy import (
 from raybundle.numerics.places import Local, Place
 from raybundle.numerics.rotation import cross_matrix, left_jacobian, rotation_from_vector
 from raybundle.scenes.corrections import Fixes, FixesAt
-from raybundle.scenes.rpc import Observed
+from raybundle.scenes.observed import Observed
 from raybundle.scenes.trajectory import CorrectionModel, CorrectionValues, Shape, Trajectory
 
 C_LIGHT = 299792458.0
@@ -111,6 +111,11 @@ class LineScene:
         """Time at the middle of the image, and half the time that it took [s]."""
         first, last = self.time(np.array([0.0, float(self.height_px)]))[0]
         return float((first + last) / 2), float((last - first) / 2)
+
+    @property
+    def seconds(self) -> float:
+        """Time that the image took."""
+        return abs(2 * self.middle_and_half[1])
 
     def fixes_every(self, seconds: float) -> Fixes:
         """Orientation fixes at least as close as this, for the corrections of this scene."""

@@ -14,8 +14,8 @@ import numpy as np
 
 from raybundle.errors import Message, NotSolvable, RaybundleError, Value
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.sensor import Rigorous
 
 STEPS = 25
 """Points along each side of the image."""
@@ -75,7 +75,7 @@ def image_grid(rpc: Rpc, size_px: tuple[int, int]) -> tuple[Array, Array]:
     return np.stack([x, y], axis=1), z
 
 
-def model_agreement(line: LineScene, rpc: Rpc) -> ModelAgreement:
+def model_agreement(line: Rigorous, rpc: Rpc) -> ModelAgreement:
     """Differences of the two models over the image and 80 % of the RPC's heights.
 
     Limits: how well either is known; they share the errors of their orbit.
@@ -92,7 +92,7 @@ def model_agreement(line: LineScene, rpc: Rpc) -> ModelAgreement:
     return ModelAgreement(mean_px=d.mean(axis=0), std_px=d.std(axis=0), limit_px=limit, stated=stated)
 
 
-def _limit(line: LineScene, rpc: Rpc) -> tuple[float, bool]:
+def _limit(line: Rigorous, rpc: Rpc) -> tuple[float, bool]:
     """Limit [px], and whether it is the RPC's stated error."""
     error = float(np.hypot(rpc.err_bias_m or 0.0, rpc.err_rand_m or 0.0))
     if error > 0:
@@ -100,7 +100,7 @@ def _limit(line: LineScene, rpc: Rpc) -> tuple[float, bool]:
     return max(LEAST_PX, _corrections_px(line, float(rpc.ground_offset[2]))), False
 
 
-def _corrections_px(line: LineScene, height: float) -> float:
+def _corrections_px(line: Rigorous, height: float) -> float:
     """Largest displacement [px] in the image by aberration and refraction."""
     size = np.array([line.width_px, line.height_px])
     xy = size * np.array([[0.5, 0.5], [0.1, 0.1], [0.9, 0.1], [0.1, 0.9], [0.9, 0.9]])

@@ -25,6 +25,7 @@ from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.geodesy import LocalPlace, metres_per_geographic
 from raybundle.numerics.places import Local, Place
 from raybundle.scenes.bias import BiasKind, bias_design, bias_slope
+from raybundle.scenes.observed import Observed
 from raybundle.scenes.rpc_ground import LEAST_DENOMINATOR, ground_points
 
 POLYNOMIALS = ("line_num_coeff", "line_den_coeff", "samp_num_coeff", "samp_den_coeff")
@@ -342,18 +343,6 @@ def rpc_of(
         err_bias_m=err_bias_m,
         err_rand_m=err_rand_m,
     )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Observed:
-    """An image observation, predicted, with everything an adjustment asks of it."""
-
-    xy_px: Array
-    """(n, 2) pixel frame."""
-    by_point: Array
-    """(n, 2, 3) derivatives by the object point [px/m]."""
-    by_parameters: Array
-    """(n, 2, k) derivatives by the scene's own parameters."""
 
 
 def observe_rpc(rpc: Rpc, place: LocalPlace, xyz: Array, kind: BiasKind, bias: Array) -> Observed:

@@ -2,7 +2,9 @@
 
 Its exterior orientation is given by the scene and held; what is adjusted are its own parameters: the bias of an RPC,
 or the corrections of a rigorous scene's trajectory.  The condition reads image point - projection = 0, and its
-partial derivatives are those of `observe_rpc_at` and `observe_line_at`.
+partial derivatives are those of `SceneSensor.observe`.
+
+A kind of scene is one file in `raybundle.scenes.kinds`, which registers itself.
 
 The adjustment hands every sensor its points as (U, V, W) = R (X - X0).  R and X0 of a scene are a nominal viewpoint,
 600 km up along the line of sight of its middle (of a sensor in the air: where it was then): it serves base-to-depth
@@ -12,49 +14,98 @@ ratios and figures, and is undone here.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import ClassVar, cast
+from typing import Any, ClassVar, Literal, Protocol, Self, cast
 
 import numpy as np
 
 from raybundle.block import Camera
 from raybundle.block.block import Relation
-from raybundle.errors import InputError, NoConvergence
-from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.geodesy import geographic_from_geocentric
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.geodesy import Ellipsoid
 from raybundle.numerics.places import Place
-from raybundle.scenes.bias import BIAS_PARAMETERS, BiasKind
-from raybundle.scenes.corrections import bends
-from raybundle.scenes.linescan import LineScene, observe_line_at
-from raybundle.scenes.rpc import Observed, Rpc, correct_image, observe_rpc_at
-from raybundle.scenes.trajectory import AXES, CorrectionModel
+from raybundle.scenes.observed import Observed
+from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.rpc_fit import RpcFit, fit_rpc
+from raybundle.scenes.trajectory import CorrectionModel
 from raybundle.sensors import Parameter, SensorModel
 
-LOW_M = 60e3
-"""Height above the ground of a sensor in the air, whose viewpoint is where it was in the middle of the scene."""
 VIEW_M = 600e3
 """Distance of the nominal viewpoint from the ground."""
-RANGES, DEEP_M = 4.0, 10e3
-"""Ground below the middle of a scene: in halves of the range of an RPC, and of a scene that shows no range."""
 PIXEL_MM = 0.01
 """Nominal size of a pixel; no result in px depends on it."""
-MEANINGS = {
-    "A0": "parameter.bias_shift_x", "B0": "parameter.bias_shift_y",
-    "A1": "parameter.bias_x_columns", "B1": "parameter.bias_y_columns",
-    "A2": "parameter.bias_x_rows", "B2": "parameter.bias_y_rows",
-}  # fmt: skip
 
 
-def _correction(model: CorrectionModel, symbol: str) -> Parameter:
-    meaning, values = model.meaning(symbol)
-    return Parameter(symbol, model.unit(symbol), meaning, values=values)
+class Rigorous(Protocol):
+    """The physical model of a scene, as readers make it and every kind of scene that has one understands."""
+
+    @property
+    def width_px(self) -> int:
+        """Columns."""
+        ...
+
+    @property
+    def height_px(self) -> int:
+        """Lines."""
+        ...
+
+    @property
+    def ellipsoid(self) -> Ellipsoid:
+        """The body."""
+        ...
+
+    @property
+    def seconds(self) -> float:
+        """Time that the image took."""
+        ...
+
+    def localise(self, xy_px: Array, height: Array | float) -> Array:
+        """Longitude, latitude [deg], height [m] (n, 3) of image points (n, 2) at ellipsoidal heights."""
+        ...
+
+    def project(self, geographic: Array) -> Array:
+        """Image points (n, 2) [px] of longitude, latitude [deg], height [m] (n, 3)."""
+        ...
+
+    def without_corrections(self) -> Self:
+        """The same model in empty space and with infinitely fast light."""
+        ...
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Key:
+    """A key of a scene in block.toml beside the common ones; the type of its default is that of its value.
+
+    A text is one of `options`, a truth value stands there where it is true, a table holds standard deviations.
+    """
+
+    name: str
+    default: Any = None
+    options: tuple[Any, ...] = ()
+    holds: Literal["value", "fixes", "pieces"] = "value"
+    """Fixes and pieces are curves in time."""
 
 
 class SceneSensor(SensorModel, ABC, registered=False):
-    """What the two kinds of scenes have in common."""
+    """One kind of scene; a subclass states what is below and registers itself under its `name`."""
 
+    kinds: ClassVar[dict[str, type[SceneSensor]]] = {}
+    geometry: ClassVar[type]
+    """What the readers of its files make: the first argument of its constructor, the second is the place."""
+    rigorous: ClassVar[bool] = True
+    """Whether that is a physical model, which the vendor's RPC of the same image has to agree with."""
+    keys: ClassVar[tuple[Key, ...]] = ()
+    formula: ClassVar[str]
+    """Its condition, for the reference"""
+    possible: ClassVar[tuple[Parameter, ...]]
+    """All parameters that a scene can have, but for those of curves"""
+    begin: ClassVar[Mapping[str, Any]] = {}
+    """Keys with which a scene takes part where nobody states any."""
+    stored: ClassVar[tuple[type, ...]] = ()
+    """Data classes of its state beside its geometry"""
     explicit: ClassVar[bool | None] = True
     fixes_scale: ClassVar[bool] = True
     size_px: tuple[int, int]
@@ -63,6 +114,107 @@ class SceneSensor(SensorModel, ABC, registered=False):
     """Ellipsoidal height of the middle of the scene."""
     file: Path | None
     """Where the scene was read."""
+    airborne: bool = False
+    """Whether the sensor was on an aircraft: below the height of any satellite"""
+    relations: tuple[Relation, ...] = ()
+    groups: Mapping[str, tuple[str, ...]] = {}
+    """Names that stand for several parameters: those of an axis of a curve"""
+
+    def __init_subclass__(cls, *, registered: bool = True) -> None:
+        """Register the kind."""
+        super().__init_subclass__(registered=False)
+        if registered:
+            SceneSensor.kinds[cls.name] = cls
+
+    @classmethod
+    @abstractmethod
+    def of_keys(
+        cls, model: Any, place: Place, size_px: tuple[int, int], file: Path | None, keys: Mapping[str, Any]
+    ) -> Self:
+        """A scene with values for all of `keys`; raises InputError with the key as its column."""
+
+    @classmethod
+    def begun(cls, model: Any, place: Place, size_px: tuple[int, int], file: Path | None = None, **keys: Any) -> Self:
+        """A scene with some keys; a key that the kind does not have is passed over."""
+        usual = {k.name: k.default for k in cls.keys} | dict(cls.begin)
+        return cls.of_keys(model, place, size_px, file, usual | {k: v for k, v in keys.items() if k in usual})
+
+    @classmethod
+    @abstractmethod
+    def example(cls, place: Place, target: tuple[float, float, float]) -> Self:
+        """A simulated scene of a target (longitude, latitude [deg], height [m]): the contract tests run with it."""
+
+    @property
+    @abstractmethod
+    def key_values(self) -> dict[str, Any]:
+        """The values of its keys as block.toml holds them; a key without a value is not among them."""
+
+    @property
+    @abstractmethod
+    def state(self) -> dict[str, Any]:
+        """The arguments of its constructor, by name, but for place and file."""
+
+    @property
+    @abstractmethod
+    def title(self) -> str:
+        """The kind in words, for tables."""
+
+    @classmethod
+    def assumed(cls, model: Any) -> tuple[str, Mapping[str, float]] | None:
+        """Code and values of the notice about usual standard deviations; None where the vendor states them."""
+        del model
+        return None
+
+    def priors(self) -> dict[str, float]:
+        """Standard deviations of the parameters as the vendor states them, where he does."""
+        return {}
+
+    def usual_priors(self) -> dict[str, float]:
+        """Standard deviations of the parameters of `begin`: as the vendor states them, else as is usual."""
+        return self.priors()
+
+    def prior_px(self) -> Array:
+        """Standard deviation (2,) [px] in x and y of the shift that the usual priors allow."""
+        usual = self.usual_priors()
+        ground = self.localise(np.array([self.size_px], float) / 2, self.height_m, self.defaults)
+        by = self.observe(ground, self.defaults).by_parameters[0]
+        return np.sqrt(((by * [usual.get(s, 0.0) for s in self.symbols]) ** 2).sum(axis=1))
+
+    def metres(self, symbol: str) -> float:
+        """Metres on the ground of one unit of a parameter; NaN where it is none of the image."""
+        del symbol
+        return float("nan")
+
+    def shift(self, xy_px: Array, values: Array) -> Array | None:
+        """(n, 2) px by which the parameters move image points, where they are a polynomial of these."""
+        del xy_px, values
+        return None
+
+    @property
+    def curves(self) -> tuple[CorrectionModel, float] | None:
+        """What corrects its trajectory by its first parameters, and half the time [s] that the image took."""
+        return None
+
+    def check_near(self, xyz: Array, names: Sequence[str]) -> None:
+        """Raise InputError where points (n, 3) lie so far away that the scene shows nothing of them."""
+
+    @property
+    def heights_m(self) -> tuple[float, float] | None:
+        """Lowest and highest ground for which it holds, where it is bounded."""
+        return None
+
+    def as_rpc(
+        self, values: Array, heights: tuple[float, float], known: tuple[tuple[str, ...], Array]
+    ) -> tuple[Rpc, RpcFit | None]:
+        """An RPC with the parameters built in, and how well it fits where it is a new one.
+
+        known  symbols and covariance of the adjusted parameters; empty without a result
+        """
+        del known
+        fit = fit_rpc(
+            lambda xy, h: self.place.geographic_from_block(self.localise(xy, h, values)), self.size_px, heights
+        )
+        return fit.rpc, fit
 
     @property
     @abstractmethod
@@ -70,8 +222,11 @@ class SceneSensor(SensorModel, ABC, registered=False):
         """Below `height_m` by so much there is no ground."""
 
     @abstractmethod
-    def observe(self, xyz: Array, values: Array) -> Observed:
-        """Image points [px] of object points (n, 3) and all partial derivatives."""
+    def observe(self, xyz: Array, values: Array, near: Array | None = None) -> Observed:
+        """Image points [px] of object points (n, 3) and all partial derivatives.
+
+        near  (n, 2) image points near the result, for images that show some ground twice
+        """
 
     @abstractmethod
     def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
@@ -109,8 +264,9 @@ class SceneSensor(SensorModel, ABC, registered=False):
         single = np.ndim(x) == 0 and np.ndim(X) == 0
         x, y, X, Y, Z = np.broadcast_arrays(*(np.atleast_1d(a) for a in (x, y, X, Y, Z)))
         own = np.array([float(np.ravel(v)[0]) for v in values])
-        seen = self.observe(self.object_points(np.stack([X, Y, Z])), own)
         signed = np.array([PIXEL_MM, -PIXEL_MM])
+        near = np.stack([x, y], axis=1) / signed + np.array(self.size_px) / 2
+        seen = self.observe(self.object_points(np.stack([X, Y, Z])), own, near)
         image = (seen.xy_px - np.array(self.size_px) / 2) * signed
         n, k = len(x), len(own)
         J = np.zeros((2, 5 + k, n))
@@ -123,9 +279,9 @@ class SceneSensor(SensorModel, ABC, registered=False):
 
     def start(self, points: Array, values: Array) -> Array:
         """The projection itself."""
-        n = points.shape[1]
-        g, _ = self.condition_and_jacobian(np.zeros(n), np.zeros(n), *points, *values)
-        return -g
+        own = np.array([float(np.ravel(v)[0]) for v in values])
+        seen = self.observe(self.object_points(points), own)
+        return ((seen.xy_px - np.array(self.size_px) / 2) * np.array([PIXEL_MM, -PIXEL_MM])).T
 
     def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
         """Everywhere below the satellite."""
@@ -146,154 +302,6 @@ class SceneSensor(SensorModel, ABC, registered=False):
         return self.rotation @ (ground - self.centre).T
 
 
-class RpcSensor(SceneSensor, registered=False):
-    """An RPC scene; the parameters are those of its bias [px]."""
-
-    name = "rpc"
-
-    def __init__(
-        self, rpc: Rpc, place: Place, size_px: tuple[int, int], bias: BiasKind = "shift", file: Path | None = None
-    ) -> None:
-        """Place an RPC scene of this size with this model of its bias."""
-        self.rpc, self.place, self.size_px, self.file = rpc, place, size_px, file
-        self.bias: BiasKind = bias
-        self.parameters = tuple(Parameter(s, "px", MEANINGS[s]) for s in BIAS_PARAMETERS[bias])
-        self.height_m = float(rpc.ground_offset[2])
-        self._finish()
-
-    @property
-    def depth_m(self) -> float:
-        """By the range of heights for which the polynomials hold."""
-        return RANGES * float(self.rpc.ground_scale[2])
-
-    def observe(self, xyz: Array, values: Array) -> Observed:
-        """As `SceneSensor`."""
-        return observe_rpc_at(self.rpc, self.place, xyz, self.bias, values)
-
-    def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
-        """As `SceneSensor`."""
-        try:
-            ground = self.rpc.localise(correct_image(self.rpc, xy_px, self.bias, values), height)
-        except NoConvergence as error:
-            details = [error.message] if error.message else []
-            raise NoConvergence("rpc.scene_localisation", details=details, scene=str(self.file or self.name)) from None
-        return self.place.block_from_geographic(ground)
-
-    def priors(self) -> dict[str, float]:
-        """Standard deviations of the parameters as the vendor states them, where he does [px].
-
-        ERR_BIAS for the shifts; ERR_RAND, which changes within the scene, for the terms that do.
-        """
-        found: dict[str, float] = {}
-        gsd = np.linalg.norm(self.rpc.pixel_on_ground(), axis=1)
-        for s in self.symbols:
-            metres = self.rpc.err_bias_m if s[1] == "0" else self.rpc.err_rand_m
-            if metres:
-                found[s] = metres / float(gsd[0 if s[0] == "A" else 1])
-        return found
-
-
-class LineSensor(SceneSensor, registered=False):
-    """A rigorous line scene; the parameters correct its trajectory [m, rad, s]."""
-
-    name = "linescan"
-
-    def __init__(
-        self, scene: LineScene, place: Place, corrections: CorrectionModel, height_m: float = 0.0,
-        file: Path | None = None, smooth: Mapping[str, float] | None = None,
-    ) -> None:  # fmt: skip
-        """Place a line scene with these corrections of its trajectory.
-
-        smooth  axis of a curve ("rx") -> standard deviation of its bends, which are observed as zero
-        """
-        self.scene, self.place, self.corrections, self.file = scene, place, corrections, file
-        self.size_px = (scene.width_px, scene.height_px)
-        self.height_m = float(height_m)
-        self.smooth = dict(smooth or {})
-        if strange := [s for s in self.smooth if s not in corrections.groups]:
-            raise InputError(
-                "line_scene.smooth_unknown",
-                name=repr(strange[0]),
-                known=list(corrections.groups),
-                n=len(corrections.groups),
-            )
-        self.parameters = tuple(_correction(corrections, s) for s in corrections.symbols)
-        self._width = corrections.width if corrections.groups else 0
-        sensor = scene.rays(np.array([self.size_px], float) / 2)[0]
-        above = float(geographic_from_geocentric(sensor, scene.ellipsoid)[0, 2]) - self.height_m
-        if above <= 0:
-            raise InputError("line_scene.below_ground", height_m=self.height_m, above_m=-above)
-        self._finish(min(500.0, above / 2))
-        if above < LOW_M:
-            self.centre = place.block_from_geographic(geographic_from_geocentric(sensor, scene.ellipsoid))[0]
-            middle = self.localise(np.array([self.size_px], float) / 2, self.height_m, self.defaults)[0]
-            self._view_m = float(np.linalg.norm(self.centre - middle))
-
-    @property
-    def depth_m(self) -> float:
-        """From the highest mountain to below the deepest shore."""
-        return DEEP_M
-
-    @property
-    def local_width(self) -> int:  # pyright: ignore[reportIncompatibleVariableOverride]
-        """Parameters that one image point touches, where there is a curve."""
-        return self._width
-
-    def priors(self) -> dict[str, float]:
-        """Standard deviations as the table of GNSS and INS states them.
-
-        Those of positions for all corrections of the position, those of attitudes for the curves of the attitude; a
-        polynomial of the attitude takes the misalignment of the INS, which its table does not know.
-        """
-        found: dict[str, float] = {}
-        for s in self.symbols:
-            if s.rstrip("0123456789").rstrip("_") in AXES["position"] and self.scene.position_sigma_m:
-                found[s] = self.scene.position_sigma_m
-            if s.startswith("r") and "_" in s and self.scene.attitude_sigma_rad:
-                found[s] = self.scene.attitude_sigma_rad
-        return found
-
-    def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
-        """Everywhere: `observe` raises where a line does not see a point."""
-        del image, values
-        return np.ones(points.shape[1], bool)
-
-    @property
-    def relations(self) -> tuple[Relation, ...]:
-        """The bends of the curves that are observed as zero."""
-        c, found = self.corrections, list[Relation]()
-        for axis, sigma in self.smooth.items():
-            curve = c.attitude_curve if axis in AXES["attitude"] else c.position_curve
-            members = c.groups[axis]
-            for k, factors in [] if curve is None else bends(curve):
-                terms = dict(zip(members[k : k + 3], factors.tolist(), strict=True))
-                found.append(Relation(name=f"bend of {axis} at {members[k + 1]}", terms=terms, sigma=sigma))
-        return tuple(found)
-
-    def observe(self, xyz: Array, values: Array) -> Observed:
-        """As `SceneSensor`."""
-        return observe_line_at(self.scene, self.place, xyz, self.corrections, values)
-
-    def local(self, image: Array, points: Array, values: Array) -> tuple[Array, Array, Index]:
-        """G (2, n), its Jacobian (2, 5 + w, n) and the positions (n, w) of the parameters that it is taken by."""
-        xyz = self.object_points(points)
-        own = values[:, 0] if values.ndim == 2 else values
-        signed = np.array([PIXEL_MM, -PIXEL_MM])
-        begin = image.T / signed + np.array(self.size_px) / 2
-        seen = self.scene.observe_few(self.place.geocentric_from_block(xyz), self.corrections, own, begin)
-        xy, by_point, few, touched = seen
-        J = np.zeros((2, 5 + few.shape[2], len(xyz)))
-        J[0, 0] = J[1, 1] = 1
-        by_block = by_point @ self.place.geocentric_by_block(xyz)
-        J[:, 2:5] = -np.einsum("c,nce,de->cdn", signed, by_block, self.rotation)
-        J[:, 5:] = -np.moveaxis(few * signed[:, None], 0, 2)
-        return image - ((xy - np.array(self.size_px) / 2) * signed).T, J, touched
-
-    def localise(self, xy_px: Array, height: Array | float, values: Array) -> Array:
-        """As `SceneSensor`."""
-        return self.place.block_from_geographic(self.scene.localise(xy_px, height, self.corrections, values))
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SceneView:
     """What stands in `Images` for a scene: the nominal viewpoint, held."""
@@ -303,7 +311,7 @@ class SceneView:
 
 
 def scene_camera(
-    id_: str, sensor: RpcSensor | LineSensor, *, estimate: tuple[str, ...] | None = None,
+    id_: str, sensor: SceneSensor, *, estimate: tuple[str, ...] | None = None,
     sigma: dict[str, float] | None = None, values: dict[str, float] | None = None,
 ) -> Camera:  # fmt: skip
     """The camera of one scene.
@@ -326,7 +334,7 @@ def scene_camera(
         values={**dict.fromkeys(sensor.symbols, 0.0), **(values or {})},
         estimate=free,
         sigma={s: v for s, v in sigma.items() if s in free},
-        relations=sensor.relations if isinstance(sensor, LineSensor) else (),
+        relations=sensor.relations,
         scene=sensor,
     )
 

@@ -19,6 +19,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.scenes.corrections import Curve
+from raybundle.sensors import Parameter
 
 GAP = 1.5
 """Interval in multiples of the median interval above which a table counts as broken."""
@@ -246,6 +247,12 @@ class CorrectionModel:
             dt=float(values[m]) if self.time_offset else 0.0,
             lever_arm=values[-3:] if self.lever_arm else np.zeros(3),
         )
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """As those of a sensor."""
+        found = ((s, *self.meaning(s)) for s in self.symbols)
+        return tuple(Parameter(s, self.unit(s), meaning, values=values) for s, meaning, values in found)
 
     @property
     def _ends(self) -> tuple[int, int, int]:

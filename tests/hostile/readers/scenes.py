@@ -139,6 +139,12 @@ def rpcm_seeds(top: Path) -> None:
 RPCM = ("row_num", "row_den", "col_num", "col_den")
 
 
+def radar_isd_seeds(top: Path) -> None:
+    from tests.scenes.test_radar_files import radar_isd
+
+    (place(top) / "radar.json").write_text(json.dumps(radar_isd()))
+
+
 def enmap_seeds(top: Path) -> None:
     rpc = np.asarray(small_rpc().coefficients)
     names = ("ROW_NUM", "ROW_DEN", "COL_NUM", "COL_DEN")
@@ -155,6 +161,13 @@ def enmap_seeds(top: Path) -> None:
     )
 
 
+def sentinel1_seeds(top: Path) -> None:
+    from tests.scenes.test_radar_files import annotation
+
+    for k, kind in enumerate(("slant", "ground", "bursts")):
+        (place(top, k) / "s1.xml").write_text(annotation(kind))
+
+
 def read_a_scene(folder: Path) -> list[str]:
     from raybundle.io.scenes import read_scene
 
@@ -165,9 +178,9 @@ def read_a_scene(folder: Path) -> list[str]:
         wrong += not_finite(**{n: getattr(scene.rpc, n) for n in names})
         if not (scene.rpc.ground_scale.all() and scene.rpc.image_scale.all()):
             wrong.append("scale 0")
-    if scene.line is not None:
+    if scene.rigorous is not None:
         with contextlib.suppress(RaybundleError):
-            scene.line.project(np.array([[11.0, 48.0, 0.0]]))
+            scene.rigorous.project(np.array([[11.0, 48.0, 0.0]]))
     return wrong
 
 
@@ -175,7 +188,7 @@ for _name, _seeds in (
     ("rpc-text", rpc_text_seeds), ("rpb", rpb_seeds), ("tiff", tiff_seeds), ("nitf", nitf_seeds),
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
     ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds),
-    ("enmap", enmap_seeds),
+    ("enmap", enmap_seeds), ("sentinel1", sentinel1_seeds), ("radar-isd", radar_isd_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
 

@@ -49,7 +49,7 @@ def with_scene_points(block: Block) -> Block:
             if not len(rows):
                 continue
             sensor, values = _sensor(block, i)
-            seen = sensor.observe(xyz[o.point[rows]], values)
+            seen = sensor.observe(xyz[o.point[rows]], values, o.xy_px[rows])
             np.add.at(N, o.point[rows], np.einsum("nki,nkj->nij", seen.by_point, seen.by_point))
             np.add.at(b, o.point[rows], np.einsum("nki,nk->ni", seen.by_point, o.xy_px[rows] - seen.xy_px))
         mine = np.flatnonzero(wanted)

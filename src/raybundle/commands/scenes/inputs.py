@@ -55,9 +55,11 @@ def scene_input(given: Any, rpc: Any = None) -> SceneInput:
     rpc    what shows the RPC in place of that: a path, an `Rpc`, or a `rasterio.rpc.RPC`
     raises InputError where nothing shows the geometry, or picture and RPC do not belong together
     """
+    from raybundle.io.scenes import file_of_product
+
     if is_object(given):
         return _of_object(given, rpc)
-    path = Path(given)
+    path = file_of_product(Path(given))
     if not is_picture(path):
         if rpc is not None:
             raise InputError("scene.rpc_of_no_picture", file=path)

@@ -13,25 +13,25 @@ from raybundle.block import Block
 from raybundle.io.block.scenes import projected
 from raybundle.numerics.geodesy import Ellipsoid
 from raybundle.numerics.places import Geocentric, Local, Projected
-from raybundle.scenes.corrections import Fixes, FixesAt, Pieces
-from raybundle.scenes.linescan import LineScene
-from raybundle.scenes.rpc import Rpc
-from raybundle.scenes.sensor import LineSensor, RpcSensor
-from raybundle.scenes.trajectory import CorrectionModel, Trajectory
+from raybundle.scenes.kinds import SceneSensor, scene_kinds
 
 KINDS: Mapping[str, type] = {
     kind.__name__: kind
     for kind in (
-        Ellipsoid, Geocentric, Local, Rpc, LineScene, Trajectory, CorrectionModel, Fixes, FixesAt, Pieces,
+        Ellipsoid,
+        Geocentric,
+        Local,
+        *(part for k in scene_kinds.values() for part in (k.geometry, *k.stored)),
     )
-}  # fmt: skip
+}
 """Data classes that are kept field by field"""
 KIND, ARRAY = "", "array"
 
 
 def text_of_scenes(block: Block) -> str:
     """The frame and the sensors of a block's scenes, by the numbers of their cameras."""
-    sensors = {k: _of_sensor(cast("RpcSensor | LineSensor", c.scene)) for k, c in enumerate(block.cameras) if c.scene}
+    scenes = {k: cast("SceneSensor", c.scene) for k, c in enumerate(block.cameras) if c.scene}
+    sensors = {k: {"model": s.name, **{n: _as_json(v) for n, v in s.state.items()}} for k, s in scenes.items()}
     return json.dumps({"place": _as_json(block.place), "sensors": sensors})
 
 
@@ -43,23 +43,9 @@ def with_scenes(block: Block, entry: Mapping[str, Any]) -> Block:
     return replace(block, place=place, cameras=cameras)
 
 
-def _of_sensor(sensor: RpcSensor | LineSensor) -> dict[str, Any]:
-    """What a sensor is made of."""
-    if isinstance(sensor, RpcSensor):
-        return {"rpc": _as_json(sensor.rpc), "size": sensor.size_px, "bias": sensor.bias}
-    return {
-        "line": _as_json(sensor.scene), "corrections": _as_json(sensor.corrections), "height_m": sensor.height_m,
-        "smooth": sensor.smooth,
-    }  # fmt: skip
-
-
-def _sensor(place: Any, entry: Mapping[str, Any]) -> RpcSensor | LineSensor:
-    if "rpc" in entry:
-        width, height = entry["size"]
-        return RpcSensor(_made(entry["rpc"]), place, (width, height), entry["bias"])
-    return LineSensor(
-        _made(entry["line"]), place, _made(entry["corrections"]), entry["height_m"], smooth=entry["smooth"]
-    )  # fmt: skip
+def _sensor(place: Any, entry: Mapping[str, Any]) -> SceneSensor:
+    kind: Any = scene_kinds[entry["model"]]
+    return kind(place=place, **{name: _made(v) for name, v in entry.items() if name != "model"})
 
 
 def _as_json(value: Any) -> Any:
@@ -81,6 +67,8 @@ def _made(entry: Any) -> Any:
     if not isinstance(entry, dict):
         return entry
     values = cast("dict[str, Any]", entry)
+    if KIND not in values:
+        return values
     kind = values[KIND]
     if kind == ARRAY:
         return np.array(values["values"], float).reshape(values["shape"])

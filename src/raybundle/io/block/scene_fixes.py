@@ -18,10 +18,9 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.block.toml_section import Section
-from raybundle.io.digits import exact
 from raybundle.io.tables import Column, read_table, times_in_order
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.corrections import Curve, Fixes, FixesAt
+from raybundle.scenes.corrections import Curve, Fixes
 from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.trajectory import AXES
 
@@ -40,9 +39,9 @@ class GivenFixes:
     sigma: dict[str, float] = field(default_factory=dict[str, float])
 
 
-def read_fixes(section: Section, part: Part, line: LineScene) -> GivenFixes:
+def read_fixes(section: Section, key: str, line: LineScene) -> GivenFixes:
     """The fixes of a key position_fixes or attitude_fixes; raises InputError with file and line."""
-    key = f"{part}_fixes"
+    part = cast("Part", key.removesuffix("_fixes"))
     value = section.values[key]
     try:
         if value == TABLE:
@@ -88,10 +87,3 @@ def _known(numbers: Mapping[str, Array], part: Part, order: Array, before: str) 
             if np.isfinite(column[row]):
                 found[f"{axis}_{k}"] = float(column[row])
     return found
-
-
-def fixes_text(curve: Curve, line: LineScene) -> str:
-    """The value of the key, for fixes of either kind."""
-    if isinstance(curve, FixesAt):
-        return "[" + ", ".join(exact(line.time_of_fix(t)) for t in curve.at) + "]"
-    return str(curve.coefficients)

@@ -10,7 +10,7 @@ import json
 import shutil
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -23,18 +23,12 @@ from raybundle.numerics.geodesy import geocentric_from_geographic, geographic_fr
 from raybundle.numerics.places import Geocentric, Local, Place, Projected
 
 if TYPE_CHECKING:
-    from raybundle.io.block.scene_fixes import GivenFixes
     from raybundle.io.block.toml_section import Section
-    from raybundle.scenes.linescan import LineScene
-    from raybundle.scenes.sensor import LineSensor, RpcSensor
+    from raybundle.scenes.corrections import Pieces
+    from raybundle.scenes.sensor import Key, SceneSensor
 
-MODELS = ("rpc", "linescan")
 FOLDER = "scenes"
 KEYS = ("model", "scene", "width_px", "height_px", "estimate", "sigma")
-LINE_KEYS = (
-    "position_degree", "attitude_degree", "position_fixes", "attitude_fixes", "position_pieces", "attitude_pieces",
-    "time_offset", "lever_arm", "smooth", "height_m",
-)  # fmt: skip
 
 
 def read_frame(section: Section) -> Place | None:
@@ -120,7 +114,8 @@ def _list(values: tuple[float, ...]) -> str:
 
 def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera:
     """The camera of a scene; raises InputError with file and line."""
-    from raybundle.io.scenes import check_agreement, read_scene, rpc_of_image
+    from raybundle.io.scenes import check_agreement, read_scene
+    from raybundle.scenes.kinds import scene_kinds
     from raybundle.scenes.sensor import scene_camera
 
     if place is None:
@@ -128,177 +123,133 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
     file = section.file.parent / section.text("scene", "")
     if "scene" not in section.values:
         section.fail("scene", "value.key_missing", name="scene")
+    kind = scene_kinds[section.text("model", "")]
     found = read_scene(file)
-    size = tuple(section.whole(k) if k in section.values else v for k, v in _sizes(found).items())
+    model = found.of_kind(kind)
+    size = tuple(section.whole(k) if k in section.values else getattr(found, k) for k in ("width_px", "height_px"))
     if size[0] is None or size[1] is None:
         section.fail("width_px", "scene.size_unknown")
-    width, height = (int(cast("int", v)) for v in size)
-    model = section.text("model", "")
-    if model == "rpc":
-        if found.rpc is None:
-            section.fail("model", "scene.no_rpc", scene=file.name)
-        rpc = rpc_of_image(found.rpc, width, height, file)
-        sensor, known = _rpc_sensor(section, rpc, place, (width, height), file), list["GivenFixes"]()
-    else:
-        if found.line is None:
-            section.fail("model", "scene.no_rigorous_model", scene=file.name)
+    if model is None:
+        section.fail("model", "scene.no_rigorous_model" if kind.rigorous else "scene.no_rpc", scene=file.name)
+    if kind.rigorous:
         check_agreement(found)
-        sensor, known = _line_sensor(section, found.line, place, file)
+    known: dict[str, float] = {}
+    sigmas: dict[str, float] = {}
+    keys: dict[str, Any] = {k.name: _key(section, k, model, known, sigmas) for k in kind.keys}
+    try:
+        sensor = kind.of_keys(model, place, (size[0], size[1]), found.file, keys)
+    except InputError as error:
+        if error.file is not None:
+            raise
+        section.fail(error.column or "scene", error.message or str(error))
+    section.allow((*KEYS, *(k.name for k in kind.keys), *sensor.symbols))
     estimate = section.values.get("estimate")
     if estimate is not None and not isinstance(estimate, list):
         section.fail("estimate", "estimate.no_list", known=sensor.symbols)
     stated = section.section("sigma") if "sigma" in section.values else None
     sigma = None if stated is None else _sigma(stated, sensor)
-    sigmas = {s: v for g in known for s, v in g.sigma.items()}
     if sigmas:  # what block.toml states stands before what the file of the fixes does
         sigma = sigmas | (sensor.priors() | sigmas if sigma is None else sigma)
-    before = {s: v for g in known for s, v in g.values.items()}
-    values = {s: section.number(s, before.get(s, 0.0)) for s in sensor.symbols}
-    named = None if estimate is None else [m for s in cast("list[Any]", estimate) for m in _members(sensor, str(s))]
-    if named is not None:
+    values = {s: section.number(s, known.get(s, 0.0)) for s in sensor.symbols}
+    named = None
+    if estimate is not None:
         order = {s: k for k, s in enumerate(sensor.symbols)}
-        named = tuple(sorted(dict.fromkeys(named), key=lambda s: order.get(s, -1)))
+        members = [m for s in cast("list[Any]", estimate) for m in sensor.groups.get(str(s), (str(s),))]
+        named = tuple(sorted(dict.fromkeys(members), key=lambda s: order.get(s, -1)))
     try:
         return scene_camera(id_, sensor, estimate=named, sigma=sigma, values=values)
     except InputError as error:
         section.fail("estimate", error.message or str(error))
 
 
-def _members(sensor: RpcSensor | LineSensor, name: str) -> tuple[str, ...]:
-    """The parameters that a name stands for: "rx" for those of a curve about the x axis, else the one."""
-    from raybundle.scenes.sensor import RpcSensor
-
-    return (name,) if isinstance(sensor, RpcSensor) else sensor.corrections.members(name)
-
-
-def _sigma(stated: Section, sensor: RpcSensor | LineSensor) -> dict[str, float]:
+def _sigma(stated: Section, sensor: SceneSensor) -> dict[str, float]:
     """Standard deviations by parameter; that of a single one stands before that of its curve."""
-    given = {s: stated.checked(s, v, above=0) for s, v in stated.values.items()}
-    wide = {m: v for s, v in given.items() for m in _members(sensor, s)}
+    given = _positive(stated)
+    wide = {m: v for s, v in given.items() for m in sensor.groups.get(s, (s,))}
     return wide | {s: v for s, v in given.items() if s in wide}
 
 
-def _sizes(found: Any) -> dict[str, int | None]:
-    line = found.line
-    return {
-        "width_px": found.width_px or (line.width_px if line is not None else None),
-        "height_px": found.height_px or (line.height_px if line is not None else None),
-    }
+def _positive(section: Section) -> dict[str, float]:
+    return {s: section.checked(s, v, above=0) for s, v in section.values.items()}
 
 
-def _rpc_sensor(section: Section, rpc: Any, place: Place, size: tuple[int, int], file: Path) -> RpcSensor:
-    from raybundle.scenes.bias import BIAS_PARAMETERS
-    from raybundle.scenes.sensor import RpcSensor
+def _key(section: Section, key: Key, model: Any, known: dict[str, float], sigmas: dict[str, float]) -> Any:
+    """The value of a key of a kind of scene; what a file of fixes states of the corrections goes to the last two."""
+    from raybundle.io.block.scene_fixes import read_fixes
 
-    bias = section.choice("bias", tuple(BIAS_PARAMETERS), "shift")
-    section.allow((*KEYS, "bias", *BIAS_PARAMETERS[cast("Any", bias)]))
-    return RpcSensor(rpc, place, size, cast("Any", bias), file)
-
-
-def _line_sensor(section: Section, line: Any, place: Place, file: Path) -> tuple[LineSensor, list[GivenFixes]]:
-    from raybundle.scenes.sensor import LineSensor
-    from raybundle.scenes.trajectory import CorrectionModel
-
-    degrees: list[int] = []
-    given = [_curve(section, part, line) for part in ("position", "attitude")]
-    curves = [None if g is None else g.curve for g in given]
-    for part, curve in zip(("position", "attitude"), curves, strict=True):
-        value = section.number(f"{part}_degree", 0 if curve is None else -1)
-        if value not in {-1, 0, 1, 2}:
-            section.fail(f"{part}_degree", "value.not_supported", value=f"{value:g}", known=[-1, 0, 1, 2])
-        degrees.append(int(value))
-    corrections = CorrectionModel(
-        position_degree=degrees[0], attitude_degree=degrees[1], position_curve=curves[0], attitude_curve=curves[1],
-        time_offset=_flag(section, "time_offset"), lever_arm=_flag(section, "lever_arm"),
-    )  # fmt: skip
-    section.allow((*KEYS, *LINE_KEYS, *corrections.symbols))
-    smooth = section.section("smooth")
-    stated = {s: smooth.checked(s, v, above=0) for s, v in smooth.values.items()}
-    try:
-        sensor = LineSensor(line, place, corrections, section.number("height_m", 0.0), file, stated)
-    except InputError as error:
-        section.fail("smooth" if stated else "scene", error.message or str(error))
-    return sensor, [g for g in given if g is not None]
+    name, default = key.name, key.default
+    if name not in section.values:
+        return default
+    if key.holds == "fixes":
+        fixes = read_fixes(section, name, model)
+        known |= fixes.values
+        sigmas |= fixes.sigma
+        return fixes.curve
+    if key.holds == "pieces":
+        return _pieces(section, name)
+    if isinstance(default, dict):
+        return _positive(section.section(name))
+    if isinstance(default, str):
+        return section.choice(name, key.options, default)
+    if isinstance(default, bool):
+        value = section.values[name]
+        if not isinstance(value, bool):
+            section.fail(name, "value.no_truth_value", value=quoted(value))
+        return value
+    value = section.number(name)
+    if not key.options:
+        return value
+    if value not in key.options:
+        section.fail(name, "value.not_supported", value=f"{value:g}", known=list(key.options))
+    return int(value)
 
 
-def _flag(section: Section, key: str) -> bool:
-    value = section.values.get(key, False)
-    if not isinstance(value, bool):
-        section.fail(key, "value.no_truth_value", value=quoted(value))
-    return value
-
-
-def _curve(section: Section, part: Literal["position", "attitude"], line: LineScene) -> GivenFixes | None:
-    """The curve of position_... or attitude_...: fixes, or pieces of polynomials."""
-    from raybundle.io.block.scene_fixes import GivenFixes, read_fixes
+def _pieces(section: Section, key: str) -> Pieces:
     from raybundle.scenes.corrections import Pieces
 
-    fixes, pieces = f"{part}_fixes", f"{part}_pieces"
-    if fixes in section.values and pieces in section.values:
-        section.fail(pieces, "toml.keys_exclude", first=fixes, second=pieces)
-    if fixes in section.values:
-        return read_fixes(section, part, line)
-    if pieces not in section.values:
-        return None
+    own = section.section(key)
+    own.allow(("count", "degree", "continuity"))
     try:
-        own = section.section(pieces)
-        own.allow(("count", "degree", "continuity"))
         degree = own.whole("degree") if "degree" in own.values else 3
         continuity = own.number("continuity", degree - 1)
         if continuity != int(continuity):
             own.fail("continuity", "value.no_whole_number", value=f"{continuity:g}")
-        return GivenFixes(curve=Pieces(count=own.whole("count"), degree=degree, continuity=int(continuity)))
+        return Pieces(count=own.whole("count"), degree=degree, continuity=int(continuity))
     except InputError as error:
         if error.file is not None:
             raise
-        section.fail(pieces, error.message or str(error))
+        section.fail(key, error.message or str(error))
 
 
 def scene_lines(camera: Camera, number: int) -> list[str]:
     """The table of a scene's camera, without its head; `number` counts the block's cameras."""
-    from raybundle.scenes.sensor import RpcSensor
-
-    sensor = cast("RpcSensor | LineSensor", camera.scene)
-    lines = [
+    sensor = cast("SceneSensor", camera.scene)
+    groups = sensor.groups
+    return [
         f"model = {json.dumps(camera.model)}",
         f"scene = {json.dumps(f'{FOLDER}/{_file_name(sensor, number)}', ensure_ascii=False)}",
         f"width_px = {camera.width_px}",
         f"height_px = {camera.height_px}",
+        *(f"{name} = {_toml(value)}" for name, value in sensor.key_values.items()),
+        *(f"{s} = {exact(camera.values.get(s, 0.0))}" for s in sensor.symbols),
+        f"estimate = [{', '.join(json.dumps(s) for s in _short_names(camera.estimate, groups))}]",
+        f"sigma = {_toml(_short_sigma(camera.sigma, groups))}",
     ]
-    if isinstance(sensor, RpcSensor):
-        lines.append(f'bias = "{sensor.bias}"')
-    else:
-        lines += _correction_lines(sensor)
-    groups = {} if isinstance(sensor, RpcSensor) else sensor.corrections.groups
-    lines += [f"{s} = {exact(camera.values.get(s, 0.0))}" for s in sensor.symbols]
-    lines.append(f"estimate = [{', '.join(json.dumps(s) for s in _short_names(camera.estimate, groups))}]")
-    sigma = ", ".join(f"{s} = {exact(v)}" for s, v in _short_sigma(camera.sigma, groups).items())
-    lines.append("sigma = {" + sigma + "}")
-    return lines
 
 
-def _correction_lines(sensor: LineSensor) -> list[str]:
-    from raybundle.io.block.scene_fixes import fixes_text
-    from raybundle.scenes.corrections import Pieces
-
-    c = sensor.corrections
-    lines: list[str] = []
-    for part, degree, curve in (
-        ("position", c.position_degree, c.position_curve),
-        ("attitude", c.attitude_degree, c.attitude_curve),
-    ):
-        lines.append(f"{part}_degree = {degree}")
-        if curve is not None and not isinstance(curve, Pieces):
-            lines.append(f"{part}_fixes = {fixes_text(curve, sensor.scene)}")
-        elif curve is not None:
-            continuity = curve.degree - curve.new
-            lines.append(
-                f"{part}_pieces = {{count = {curve.count}, degree = {curve.degree}, continuity = {continuity}}}"
-            )
-    lines += [f"{key} = true" for key in ("time_offset", "lever_arm") if getattr(c, key)]
-    if sensor.smooth:
-        lines.append("smooth = {" + ", ".join(f"{s} = {exact(v)}" for s, v in sensor.smooth.items()) + "}")
-    return [*lines, f"height_m = {exact(sensor.height_m)}"]
+def _toml(value: Any) -> str:
+    """A value as TOML has it, numbers exact."""
+    match value:
+        case bool() | str():
+            return json.dumps(value)
+        case int():
+            return str(value)
+        case dict():
+            return "{" + ", ".join(f"{k} = {_toml(v)}" for k, v in cast("dict[str, Any]", value).items()) + "}"
+        case list():
+            return "[" + ", ".join(_toml(v) for v in cast("list[Any]", value)) + "]"
+        case _:
+            return exact(value)
 
 
 def _short_names(names: Sequence[str], groups: Mapping[str, tuple[str, ...]]) -> list[str]:
@@ -316,10 +267,8 @@ def _short_sigma(sigma: Mapping[str, float], groups: Mapping[str, tuple[str, ...
     return {inside.get(s, s): v for s, v in sigma.items()}
 
 
-def _file_name(sensor: RpcSensor | LineSensor, number: int) -> str:
-    from raybundle.scenes.sensor import RpcSensor
-
-    if isinstance(sensor, RpcSensor):
+def _file_name(sensor: SceneSensor, number: int) -> str:
+    if not sensor.rigorous:
         return f"{number}_RPC.TXT"
     if sensor.file is not None and sensor.file.suffix.lower() == ".toml":  # it names other files; they stay together
         return f"{number}/{sensor.file.name}"
@@ -330,16 +279,15 @@ def write_scene_files(block: Block, folder: Path) -> None:
     """The scenes' files in `scenes/` of a block folder; an RPC as text, a rigorous scene's file as it is."""
     from raybundle.io.scenes.airborne import companions
     from raybundle.io.scenes.rpc_text import write_rpc_text
-    from raybundle.scenes.sensor import RpcSensor
 
     (folder / FOLDER).mkdir()
     for number, camera in enumerate(block.cameras, 1):
         if not camera.is_scene:
             continue
-        sensor = cast("RpcSensor | LineSensor", camera.scene)
+        sensor = cast("SceneSensor", camera.scene)
         target = folder / FOLDER / _file_name(sensor, number)
-        if isinstance(sensor, RpcSensor):
-            write_rpc_text(sensor.rpc, target)
+        if not sensor.rigorous:
+            write_rpc_text(sensor.state["rpc"], target)
         elif sensor.file is None or not sensor.file.is_file():
             raise InputError("scene.file_gone", camera=camera.id, scene=str(sensor.file or "-"))
         else:

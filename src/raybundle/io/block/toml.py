@@ -15,7 +15,6 @@ from raybundle.block import Block, Camera, Instrument
 from raybundle.block.block import LengthUnit, Relation, Residuals
 from raybundle.block.stored import without_relations_of_calibration
 from raybundle.errors import UnknownSensorModel
-from raybundle.io.block.scenes import MODELS as SCENE_MODELS
 from raybundle.io.block.scenes import frame_lines, read_frame, read_scene_camera, scene_lines
 from raybundle.io.block.toml_section import Section, read_toml
 from raybundle.io.digits import exact
@@ -110,12 +109,14 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
     if "model" not in section.values:
         section.fail("model", "value.key_missing", name="model")
     model_name = section.text("model", "")
-    if model_name in SCENE_MODELS:
-        return read_scene_camera(section, id_, place)
     model = sensor_models.get(model_name)
     if model is None:
+        from raybundle.scenes.kinds import scene_kinds
+
+        if model_name in scene_kinds:
+            return read_scene_camera(section, id_, place)
         line = section.lines.get((*section.at, "model"), 0)
-        raise UnknownSensorModel(model_name, known=(*sensor_models, *SCENE_MODELS), file=section.file, line=line)
+        raise UnknownSensorModel(model_name, known=(*sensor_models, *scene_kinds), file=section.file, line=line)
     keys = [p.key for p in model.parameters]
     section.allow(
         (

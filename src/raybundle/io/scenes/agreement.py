@@ -12,10 +12,10 @@ from raybundle.scenes.rpc import Rpc
 
 def agreement_of(scene: Scene) -> ModelAgreement | None:
     """How far the two models of a scene are apart; None where there is only one of them."""
-    if scene.line is None:
+    if scene.rigorous is None:
         return None
     rpc = scene.rpc or _beside(scene.file)
-    return None if rpc is None else model_agreement(scene.line, rpc)
+    return None if rpc is None else model_agreement(scene.rigorous, rpc)
 
 
 def check_agreement(scene: Scene) -> None:

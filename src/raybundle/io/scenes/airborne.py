@@ -66,7 +66,7 @@ def read(path: Path) -> Scene:
     return Scene(
         file=path,
         format="airborne",
-        line=LineScene(
+        rigorous=LineScene(
             width_px=width,
             height_px=height,
             line_y=line_y,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -12,15 +13,14 @@ from raybundle.errors import InputError, Message, note
 from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.xml import Element
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.rpc_image import rpc_of_image
+from raybundle.scenes.sensor import Rigorous, SceneSensor
 
 BEYOND = 1.5
 """Ground of an image at the middle height lies within so many times the range of the RPC."""
 HEAD_BYTES = 4096
 """What is read of a file to recognise it."""
-WIDER = 1.5
-"""An image more than so many times the size of what an RPC covers does not belong to it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,7 +30,7 @@ class Scene:
     file: Path
     format: str
     rpc: Rpc | None = None
-    line: LineScene | None = None
+    rigorous: Rigorous | None = None
     """The rigorous model, where the file has one that is understood."""
     width_px: int | None = None
     height_px: int | None = None
@@ -39,6 +39,10 @@ class Scene:
     """Of the first line, as the file writes it."""
     remarks: tuple[Message, ...] = ()
     """What was assumed, converted or left out."""
+
+    def of_kind(self, kind: type[SceneSensor]) -> Any:
+        """The geometry of a kind of scene; None where the file has none."""
+        return next((m for m in (self.rigorous, self.rpc) if isinstance(m, kind.geometry)), None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,6 +54,8 @@ class SceneFormat:
     recognises: Callable[[Path, bytes], bool]
     """Whether a file with this name and beginning has the format."""
     read: Callable[[Path], Scene]
+    within: str = ""
+    """Pattern of such files in the folder of a product"""
 
 
 scene_formats: dict[str, SceneFormat] = {}
@@ -66,7 +72,7 @@ def read_scene(path: str | Path) -> Scene:
 
     raises  InputError where the file cannot be read, has no known format, or contradicts itself
     """
-    path = Path(path)
+    path = file_of_product(Path(path))
     with opened(path) as file:
         head = as_utf8(file.read(HEAD_BYTES), whole=False)
     if not head.strip():
@@ -76,6 +82,14 @@ def read_scene(path: str | Path) -> Scene:
             return _placed(path, format_)
 
     raise InputError("scene.format_unknown", formats=[f.title for f in scene_formats.values()], file=path)
+
+
+def file_of_product(path: Path) -> Path:
+    """The only scene in the folder of a product; anything else as it is."""
+    found = sorted({f for k in scene_formats.values() if k.within and path.is_dir() for f in path.glob(k.within)})
+    if len(found) > 1:
+        raise InputError("scene.several_in_folder", names=[str(f.relative_to(path)) for f in found], file=path)
+    return found[0] if found else path
 
 
 def is_scene(path: Path) -> bool:
@@ -94,7 +108,7 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
         if error.file is not None:
             raise
         raise error.at(path) from None
-    if scene.rpc is None and scene.line is None:
+    if scene.rpc is None and scene.rigorous is None:
         raise InputError("scene.no_geometry", details=scene.remarks, file=path)
     if scene.rpc is not None and scene.width_px and scene.height_px:
         rpc = rpc_of_image(scene.rpc, scene.width_px, scene.height_px, path)
@@ -104,49 +118,6 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
 
 
 CUT_OUT = note("scene.rpc_range_adapted")
-
-
-def rpc_of_image(rpc: Rpc, width_px: int, height_px: int, file: Path | str) -> Rpc:
-    """The RPC with offsets and scales that are a range within the image: itself, but for images cut out of a scene.
-
-    Tools that cut write offsets and scales of the part and leave the ground's range that of the scene.  Such an RPC
-    sees the middle of the ground's range outside of what its offsets say; it belongs to the image where the image's
-    own ground lies in that range.
-
-    raises  InputError where the image cannot be the one that the RPC describes
-    """
-    if not rpc.middle_in_range() and _sees_range(rpc, np.array([width_px, height_px], float)):
-        low, high = rpc.image_offset - rpc.image_scale, rpc.image_offset + rpc.image_scale
-        if (high <= 0).any() or (low >= [width_px, height_px]).any():
-            return rpc.spread_over(np.array([width_px, height_px]))
-        return rpc
-    check_image(rpc, width_px, height_px, file)
-    return rpc
-
-
-def _sees_range(rpc: Rpc, size: Array) -> bool:
-    """Whether middle and corners of an image of size (2,) look at the RPC's range of ground, at its middle height."""
-    grid = size * np.array([[0.5, 0.5], [0, 0], [1, 0], [0, 1], [1, 1]])
-    ground = rpc.ground_where_any(grid, float(rpc.ground_offset[2]))
-    return bool((rpc.ranges_away(ground) < WIDER).all())
-
-
-def check_image(rpc: Rpc, width_px: int, height_px: int, file: Path | str) -> None:
-    """Raise InputError where an image cannot be the one whose range an RPC's offsets say; a part of it may be."""
-    size = np.array([width_px, height_px], float)
-    low, high = rpc.image_offset - rpc.image_scale, rpc.image_offset + rpc.image_scale
-    covered = np.minimum(high, size) - np.maximum(low, 0)
-    if (size > WIDER * (high - low)).any() or (covered <= 0).any():
-        raise InputError(
-            "rpc.other_image",
-            width_px=width_px,
-            height_px=height_px,
-            first_column=round(float(low[0])),
-            last_column=round(float(high[0])),
-            first_row=round(float(low[1])),
-            last_row=round(float(high[1])),
-            file=file,
-        )
 
 
 def check_denominators(rpc: Rpc, file: Path | str) -> None:

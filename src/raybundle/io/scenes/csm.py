@@ -19,6 +19,7 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.scenes import rpc_json, rpc_keys
 from raybundle.io.scenes.base import Scene, SceneFormat, register
 from raybundle.io.scenes.csm_distortion import undistorted
+from raybundle.io.scenes.csm_radar import radar_scene
 from raybundle.io.scenes.csm_tables import body_trajectory
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import Ellipsoid
@@ -30,16 +31,19 @@ LOOK_NODES = 257
 PAUSE_LINES = 1.0
 """Time between two rows of the table of line times, beyond what their lines take, that counts as a contradiction: to
 a line the writers round."""
-SENSORS = {"FRAME": "frame", "PUSH_FRAME": "push_frame", "SAR": "radar"}
+SENSORS = {"FRAME": "frame", "PUSH_FRAME": "push_frame"}
+RADAR = "_SAR_"
 """Of other models, by the middle of their names"""
 KEYS_SHOWN = 6
 """Of a JSON file that is something else, in the message."""
 
 
 def read(path: Path) -> Scene:
-    """The scene of a line-scan ISD; other sensors are refused."""
+    """The scene of a line-scan or radar ISD; other sensors are refused."""
     root = read_json(path)
-    _check_line_scanner(root)
+    _check_model(root)
+    if RADAR in root.get("name_model").text():
+        return radar_scene(root, path, _ellipsoid(root.get("radii")), _unit(root.get("instrument_position")))
     rows, columns = root.get("image_lines").whole(), root.get("image_samples").whole()
     ellipsoid = _ellipsoid(root.get("radii"))
     line_y, line_times = _line_times(root, rows)
@@ -71,7 +75,7 @@ def read(path: Path) -> Scene:
     return Scene(
         file=path,
         format="csm",
-        line=line,
+        rigorous=line,
         width_px=columns,
         height_px=rows,
         sensor=root.get("name_sensor").text() if root.has("name_sensor") else "",
@@ -79,13 +83,13 @@ def read(path: Path) -> Scene:
     )
 
 
-def _check_line_scanner(root: Json) -> None:
+def _check_model(root: Json) -> None:
     """Raise where the file is no ISD, or one of another sensor, or of an image that is a map."""
     if not root.has("name_model"):
         keys = list(root.mapping()) if isinstance(root.value, dict) else []
         root.fail("isd.no_model", n=len(keys), names=keys[:KEYS_SHOWN])
     model = root.get("name_model").text()
-    if "LINE_SCANNER" not in model:
+    if "LINE_SCANNER" not in model and RADAR not in model:
         kind = model.removeprefix("USGS_ASTRO_").removesuffix("_SENSOR_MODEL")
         root.get("name_model").fail("isd.no_line_scanner", model=quoted(model), sensor=SENSORS.get(kind, "other"))
     if root.has("projection"):
@@ -181,5 +185,7 @@ def _recognises(path: Path, head: bytes) -> bool:
 
 
 register(
-    SceneFormat(name="csm", title="Community Sensor Model line-scan ISD (JSON)", recognises=_recognises, read=read)
+    SceneFormat(
+        name="csm", title="Community Sensor Model ISD, line scan or radar (JSON)", recognises=_recognises, read=read
+    )
 )

@@ -39,10 +39,10 @@ def body_trajectory(
     radius = np.linalg.norm(positions, axis=1)
     if len(radius) == 0 or radius.min() <= ellipsoid.b:
         group.fail("isd.position_inside_body", distance_m=radius.min(initial=0), radius_m=ellipsoid.a)
-    times = _times(root, group, "ephemeris", len(positions))
+    times = times_of(root, group, "ephemeris", len(positions))
     position_times, positions = _equal_steps(group, times, positions, metres)
-    body_times, body = _rotations(root, "body_rotation")
-    pointing_times, pointing = _rotations(root, "instrument_pointing")
+    body_times, body = rotations(root, "body_rotation")
+    pointing_times, pointing = rotations(root, "instrument_pointing")
     at_positions, at_pointing = (slerp(body_times, body, t) for t in (position_times, pointing_times))
     attitude_times, attitude, remarks = _bridged(
         root.get("instrument_pointing"), pointing_times, at_pointing @ np.swapaxes(pointing, 1, 2), pixel_rad
@@ -55,7 +55,7 @@ def body_trajectory(
     ), remarks
 
 
-def _times(root: Json, group: Json, name: str, count: int) -> Array:
+def times_of(root: Json, group: Json, name: str, count: int) -> Array:
     """Seconds after the centre of the image of a table's entries."""
     if group.has("ephemeris_times"):
         times = group.get("ephemeris_times").items()
@@ -70,7 +70,7 @@ def _times(root: Json, group: Json, name: str, count: int) -> Array:
     return found
 
 
-def _rotations(root: Json, key: str) -> tuple[Array, Array]:
+def rotations(root: Json, key: str) -> tuple[Array, Array]:
     """Times (n,) and rotations (n, 3, 3) from inertial axes to those of the detector or the body."""
     group = root.get(key)
     q = np.array([r.numbers(4) for r in group.get("quaternions").items()]).reshape(-1, 4)
@@ -79,7 +79,7 @@ def _rotations(root: Json, key: str) -> tuple[Array, Array]:
     R = rotation_from_quaternion(q[:, [1, 2, 3, 0]])
     if group.has("constant_rotation"):
         R = group.get("constant_rotation").numbers(9).reshape(3, 3) @ R
-    return _times(root, group, "quaternion", len(q)), R
+    return times_of(root, group, "quaternion", len(q)), R
 
 
 def _equal_steps(group: Json, times: Array, positions: Array, metres: float) -> tuple[Array, Array]:

@@ -119,7 +119,7 @@ def _product(path: Path, root: Element) -> Scene:
     return Scene(
         file=path,
         format="dimap",
-        line=line,
+        rigorous=line,
         width_px=line.width_px,
         height_px=line.height_px,
         sensor=" ".join(n for n in names if n) or element_text(root, "Metadata_Identification", "METADATA_PROFILE"),

@@ -49,7 +49,7 @@ def read(path: Path) -> Scene:
         file=path,
         format="maxar",
         rpc=rpc,
-        line=line,
+        rigorous=line,
         width_px=columns,
         height_px=rows,
         sensor=element_text(image, "SATID"),

@@ -50,7 +50,7 @@ def read(path: Path) -> Scene:
     return Scene(
         file=path,
         format="spot",
-        line=line,
+        rigorous=line,
         width_px=columns,
         height_px=rows,
         sensor=" ".join(n for n in names if n),

@@ -1,4 +1,4 @@
-"""Figures of what corrects the trajectory of a line scanner: position and attitude against time, with their sigma."""
+"""Figures of what corrects the trajectory of a scene: position and attitude against time, with their sigma."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from raybundle.report.parts import Figure
 from raybundle.report.view import View
 
 if TYPE_CHECKING:
-    from raybundle.scenes.sensor import LineSensor
+    from raybundle.scenes.sensor import SceneSensor
     from raybundle.scenes.trajectory import Shape
 
 TIMES = 201
@@ -28,11 +28,13 @@ NAMES = {
 
 def correction_figures(view: View, camera: Camera) -> tuple[Figure, ...]:
     """The corrections of position and attitude against time, each about its mean; none where all are constant."""
-    sensor = cast("LineSensor", camera.scene)
-    model, covariance = sensor.corrections, _covariance(view, camera)
-    values = model.split(camera.parameters)
+    curves = cast("SceneSensor", camera.scene).curves
+    if curves is None:
+        return ()
+    model, half = curves
+    covariance, values = _covariance(view, camera), model.split(camera.parameters[: len(model.symbols)])
     tau = np.linspace(-1.0, 1.0, TIMES)
-    time = (tau + 1) * abs(sensor.scene.middle_and_half[1])
+    time = (tau + 1) * half
     found: list[Figure] = []
     start = 0
     for part, shape, coefficients, factor, unit in (

@@ -38,7 +38,7 @@ from raybundle.report.text.words import printed
 from raybundle.report.view import View, rms, rows_of
 
 if TYPE_CHECKING:
-    from raybundle.scenes.sensor import LineSensor, SceneSensor
+    from raybundle.scenes.sensor import SceneSensor
 
 OPEN_ROWS = 60
 """Longer tables are folded."""
@@ -94,14 +94,7 @@ def strip_section(view: View) -> Section | None:
 
 def is_strip(camera: Camera) -> bool:
     """Whether a camera is a line scanner on an aircraft: below the height of any satellite."""
-    from raybundle.numerics.geodesy import geographic_from_geocentric
-    from raybundle.scenes.sensor import LOW_M
-
-    if camera.model != "linescan":
-        return False
-    line = cast("LineSensor", camera.scene).scene
-    sensor = line.rays(np.array([[line.width_px, line.height_px]], float) / 2)[0]
-    return bool(geographic_from_geocentric(sensor, line.ellipsoid)[0, 2] < LOW_M)
+    return _sensor(camera).airborne
 
 
 def _images(view: View) -> list[int]:
@@ -132,7 +125,7 @@ def _result(view: View, camera: Camera) -> InteriorResult | None:
 
 def _bias_table(view: View, images: list[int], remark: Text) -> Table:
     """A row for every parameter of every scene."""
-    ground = any(_camera(view, i).model == "rpc" for i in images)
+    ground = any(_on_ground(_camera(view, i), s, 0.0) != NONE for i in images for s in _camera(view, i).sensor.symbols)
     columns: tuple[Column, ...] = (
         text(phrase("report_scenes.kind", kind="strip" if is_strip(_camera(view, images[0])) else "scene")),
         text(phrase("label.model")), number(phrase("label.image_points")), text(phrase("label.parameter")),
@@ -145,7 +138,7 @@ def _bias_table(view: View, images: list[int], remark: Text) -> Table:
     for i in images:
         camera = _camera(view, i)
         result = _result(view, camera)
-        first = [view.given.images.ids[i], _kind(camera), grouped(len(rows_of(view, i)))]
+        first = [view.given.images.ids[i], _sensor(camera).title, grouped(len(rows_of(view, i)))]
         symbols = camera.sensor.symbols
         if not symbols or result is None:
             rows.append([*first, *[NONE] * (len(columns) - 3)])
@@ -175,11 +168,8 @@ def _bias_table(view: View, images: list[int], remark: Text) -> Table:
     )
 
 
-def _kind(camera: Camera) -> str:
-    sensor = cast("SceneSensor", camera.scene)
-    if camera.model == "rpc":
-        return f"RPC, {getattr(sensor, 'bias', '')}"
-    return phrase("report_scenes.model", strip=is_strip(camera))
+def _sensor(camera: Camera) -> SceneSensor:
+    return cast("SceneSensor", camera.scene)
 
 
 def _tested(view: View, camera: Camera, symbol: str) -> tuple[str, str]:
@@ -193,14 +183,8 @@ def _tested(view: View, camera: Camera, symbol: str) -> tuple[str, str]:
 
 
 def _on_ground(camera: Camera, symbol: str, value: float) -> str:
-    """A bias of an RPC in metres on the ground."""
-    if camera.model != "rpc":
-        return NONE
-    rpc = getattr(camera.scene, "rpc", None)
-    if rpc is None:
-        return NONE
-    gsd = np.linalg.norm(rpc.pixel_on_ground(), axis=1)
-    return fixed(value * float(gsd[int(symbol[0] == "B")]), 2)
+    """A parameter of the image in metres on the ground."""
+    return fixed(value * _sensor(camera).metres(symbol), 2)
 
 
 def _track(view: View, image: int) -> tuple[Index, Running, Running] | None:
@@ -280,10 +264,9 @@ def _scene_parts(view: View, image: int, track: tuple[Index, Running, Running] |
         parts.append(Figures(figures=tuple(figures)))
     if track is not None:
         parts.append(Figures(figures=_track_figures(view, image, track)))
-    if camera.model == "linescan":
-        drawn_over_time = correction_figures(view, camera)
-        parts += [Figures(figures=drawn_over_time)] if drawn_over_time else []
-    if camera.model == "linescan" and not is_strip(camera):
+    drawn_over_time = correction_figures(view, camera)
+    parts += [Figures(figures=drawn_over_time)] if drawn_over_time else []
+    if _sensor(camera).rigorous and not is_strip(camera):
         jitter = _jitter(camera)
         parts += [jitter] if jitter is not None else []
     return parts
@@ -291,18 +274,13 @@ def _scene_parts(view: View, image: int, track: tuple[Index, Running, Running] |
 
 def _bias_figure(camera: Camera) -> Figure | None:
     """The bias of an RPC over the scene."""
-    if camera.model != "rpc" or not camera.sensor.symbols:
-        return None
-    from raybundle.scenes.bias import bias_design
-    from raybundle.scenes.sensor import RpcSensor
-
-    sensor = cast("RpcSensor", camera.scene)
     size = np.array([camera.width_px, camera.height_px], float)
     steps = np.maximum(np.round(GRID * size / size.max()), 2).astype(int)
     nodes = [(np.arange(n) + 0.5) / n * s for n, s in zip(steps.tolist(), size.tolist(), strict=True)]
     xy = np.stack([a.ravel() for a in np.meshgrid(*nodes)], axis=1)
-    uv = (xy - sensor.rpc.image_offset) / sensor.rpc.image_scale
-    shift = bias_design(sensor.bias, uv) @ camera.parameters
+    shift = _sensor(camera).shift(xy, camera.parameters)
+    if shift is None:
+        return None
     largest = float(np.linalg.norm(shift, axis=1).max())
     plot, parts = format_plot(camera.size_mm, WIDTH)
     x0, y0, w, h = plot.box
@@ -319,7 +297,7 @@ def _bias_figure(camera: Camera) -> Figure | None:
         parts.append(scale_bar(plot, unit * scale, f"{significant(unit, 1)} px", "vector bold"))
     return Figure(
         drawing=drawing(plot.width, plot.height, parts, phrase("drawn.rpc_bias")),
-        caption=phrase("report_scenes.bias_map", constant=sensor.bias == "shift"),
+        caption=phrase("report_scenes.bias_map", constant=bool((shift == shift[0]).all())),
     )
 
 
@@ -350,7 +328,7 @@ def _jitter(camera: Camera) -> Part | None:
     from raybundle.errors import RaybundleError
     from raybundle.scenes.rpc_fit import fit_rpc
 
-    sensor, values = cast("LineSensor", camera.scene), camera.parameters
+    sensor, values = _sensor(camera), camera.parameters
 
     def localise(xy: Array, height: Array) -> Array:
         return sensor.place.geographic_from_block(sensor.localise(xy, height, values))

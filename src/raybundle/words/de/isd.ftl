@@ -59,7 +59,6 @@ isd-no_line_scanner = { $model } ist kein Zeilenscanner; nur Zeilenscanner werde
     .why = { $sensor ->
      [frame] Es ist eine Flächenkamera.
      [push_frame] Es ist eine Push-Frame-Kamera, die schmale Flächen und keine Zeilen aufnimmt.
-     [radar] Es ist ein Radar, das Strecken und keine Richtungen misst.
      *[other] Zeilenscanner sind Modelle ..._LINE_SCANNER_SENSOR_MODEL.
     }
     .do = { $sensor ->

@@ -8,7 +8,7 @@ scene-size_unknown = Die Datei der Szene enthält die Bildgröße nicht.
     .do = width_px und height_px angeben.
 
 scene-no_rpc = { $scene } hat keine RPC.
-    .do = model = "linescan" angeben.
+    .do = model = "linescan" angeben, bei Radar "range_doppler".
 
 scene-no_rigorous_model = { $scene } hat kein unterstütztes strenges Modell.
     .do = model = "rpc" angeben.
@@ -213,3 +213,24 @@ scene-pair_contradicts = Die Szenen { $first } und { $second } widersprechen sic
 
 scene-no_place = { $name }, Punkt { $point }: Keiner der { $n } Punkte hat einen Ort.
     .do = Die Koordinaten der Punkte prüfen.
+
+scene-no_ground_found = Für { $n } Bildpunkte der Radarszene wurden in der Höhe { $height_m } m keine Bodenpunkte gefunden.
+    .do = Die Höhen prüfen.
+
+scene-range_too_short = Die Entfernung { $range_m } m des Bildpunkts { $x_px }, { $y_px } erreicht die Höhe { $height_m } m nicht.
+    .do = Höhe und Spalte prüfen.
+
+scene-several_in_folder = Der Ordner enthält mehrere Szenen: { $names }.
+    .do = Eine dieser Dateien angeben.
+
+scene-radar_delays = Laufzeiten der Atmosphäre und Gezeiten der Erde bleiben der Verschiebung von Entfernung und Uhr.
+
+scene-bursts = { $n } Bursts: Zeilen zwischen ihnen sind doppelt aufgenommen, und keine RPC passt zum ganzen Bild.
+
+scene-burst_lines = { $n } Bursts zu { $lines } Zeilen ergeben nicht { $rows } Zeilen.
+    .do = Die Datei erneut beschaffen.
+
+scene-no_ground_range = Die Tabelle der Bodenentfernungen ist leer.
+    .do = Die Datei erneut beschaffen.
+
+scene-ground_range_origins = Der Ursprung der Bodenentfernungen wechselt im Bild; das wird nicht unterstützt.

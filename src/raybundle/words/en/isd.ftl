@@ -85,11 +85,10 @@ isd-no_model = This JSON is no description of the Community Sensor Model: name_m
 
 # $model = "'USGS_ASTRO_FRAME_SENSOR_MODEL'"
 # $sensor = "frame"
-isd-no_line_scanner = { $model } is not a line scanner; only line scanners are supported here.
+isd-no_line_scanner = { $model } is not a line scanner; only line scanners and radars are supported.
     .why = { $sensor ->
      [frame] It is a frame camera.
      [push_frame] It is a push-frame camera, which takes small frames and not lines.
-     [radar] It is a radar, which measures distances and not directions.
      *[other] Line scanners are models ..._LINE_SCANNER_SENSOR_MODEL.
     }
     .do = { $sensor ->

@@ -11,7 +11,7 @@ scene-size_unknown = The file of the scene does not contain the image size.
 
 # $scene = "scene.xml"
 scene-no_rpc = { $scene } has no RPC.
-    .do = Give model = "linescan".
+    .do = Give model = "linescan", of radar "range_doppler".
 
 # $scene = "scene.tif"
 scene-no_rigorous_model = { $scene } has no supported rigorous model.
@@ -314,3 +314,35 @@ scene-pair_contradicts = Scenes { $first } and { $second } contradict each other
 # $n = 12
 scene-no_place = { $name }, point { $point }: none of the { $n } points has a place.
     .do = Check the coordinates of the points.
+
+# $n = 12
+# $height_m = 350.0
+scene-no_ground_found = No ground points were found for { $n } image points of the radar scene, at height { $height_m } m.
+    .do = Check the heights.
+
+# $x_px = 12.5
+# $y_px = 100.0
+# $range_m = 500000.0
+# $height_m = 350.0
+scene-range_too_short = The range { $range_m } m of image point { $x_px }, { $y_px } does not reach height { $height_m } m.
+    .do = Check the height and the column.
+
+# $names = ["annotation/s1a-iw1.xml", "annotation/s1a-iw2.xml"]
+scene-several_in_folder = The folder holds several scenes: { $names }.
+    .do = Give one of these files.
+
+scene-radar_delays = Delays of the atmosphere and tides of the earth are left to range offset and clock.
+
+# $n = 9
+scene-bursts = { $n } bursts: lines between them are taken twice, and no RPC fits the whole image.
+
+# $n = 9
+# $lines = 1501
+# $rows = 13508
+scene-burst_lines = { $n } bursts of { $lines } lines do not make { $rows } lines.
+    .do = Get the file again.
+
+scene-no_ground_range = The table of ground ranges is empty.
+    .do = Get the file again.
+
+scene-ground_range_origins = The origin of ground ranges changes along the image, which is not supported.

@@ -130,3 +130,19 @@ scene-contradicts_other = La géométrie de cette scène ({ $model }) contredit 
 scene-pair_contradicts = Les scènes { $first } et { $second } se contredisent ; laquelle est fausse est ambigu.
 
 scene-no_place = { $name }, point { $point } : aucun des { $n } points n'a de position.
+
+scene-no_ground_found = Aucun point au sol pour { $n } points image de la scène radar, à la hauteur { $height_m } m.
+
+scene-range_too_short = La distance { $range_m } m du point image { $x_px }, { $y_px } n'atteint pas la hauteur { $height_m } m.
+
+scene-several_in_folder = Le dossier contient plusieurs scènes : { $names }.
+
+scene-radar_delays = Les retards de l'atmosphère et les marées terrestres restent au décalage de distance et d'horloge.
+
+scene-bursts = { $n } bursts : des lignes sont prises deux fois, et aucun RPC ne décrit l'image entière.
+
+scene-burst_lines = { $n } bursts de { $lines } lignes ne font pas { $rows } lignes.
+
+scene-no_ground_range = La table des distances au sol est vide.
+
+scene-ground_range_origins = L'origine des distances au sol change dans l'image ; ce n'est pas pris en charge.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -30,10 +30,8 @@ from raybundle.ties.block import TieBlock, block_of_tracks, flat_points
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.precise import PreciseBlock, refine
 from raybundle.workflows.scenes.geometry import (
-    ATTITUDE_RAD,
-    USUAL_BIAS_M,
-    bias_stated,
     camera_of_scene,
+    kind_of_scene,
     middle_of_scene,
 )
 from raybundle.workflows.scenes.images import SceneImage, ScenePixels
@@ -67,14 +65,12 @@ class SceneSet:
 
     def notices(self) -> tuple[Notice, ...]:
         """What is assumed about them."""
-        found: list[Notice] = []
-        silent = [s.name for s in self.images if s.rpc is not None and not bias_stated(s)]
-        orbits = [s.name for s in self.images if s.rpc is None]
-        if silent:
-            found.append(Notice(code="scene_prior.rpc", values={"sigma_m": USUAL_BIAS_M}, ids=tuple(silent)))
-        if orbits:
-            found.append(Notice(code="scene_prior.orbit", values={"sigma_rad": ATTITUDE_RAD}, ids=tuple(orbits)))
-        return tuple(found)
+        found: dict[str, tuple[Mapping[str, float], list[str]]] = {}
+        for s in self.images:
+            kind, model = kind_of_scene(s)
+            if assumed := kind.assumed(model):
+                found.setdefault(assumed[0], (assumed[1], []))[1].append(s.name)
+        return tuple(Notice(code=code, values=dict(v), ids=tuple(names)) for code, (v, names) in found.items())
 
 
 def with_cameras(block: Block, cameras: Sequence[Camera], place: Local) -> Block:

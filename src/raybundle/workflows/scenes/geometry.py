@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -13,15 +14,12 @@ from raybundle.matching.strips import Strips
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.places import Local
 from raybundle.scenes.bias import BiasKind
+from raybundle.scenes.kinds import scene_kinds
+from raybundle.scenes.kinds.rpc import RpcSensor
 from raybundle.scenes.rpc_fit import fit_rpc
-from raybundle.scenes.sensor import LineSensor, RpcSensor, scene_camera
-from raybundle.scenes.trajectory import CorrectionModel
+from raybundle.scenes.sensor import SceneSensor, scene_camera
 from raybundle.workflows.scenes.images import SceneImage
 
-USUAL_BIAS_M, USUAL_RAND_M = 20.0, 2.0
-"""Standard deviations of an RPC that states none: common to the scene, and changing within it."""
-ATTITUDE_RAD = 2e-5
-"""Standard deviation of a rigorous scene's attitude: 12 m on the ground from 600 km."""
 GRID = 24
 """Points along each side of a scene by which common ground is judged."""
 LEAST_COMMON = 0.01
@@ -48,46 +46,26 @@ def middle_of_scene(image: SceneImage) -> Array:
     middle = np.array([[image.width_px / 2, image.height_px / 2]])
     if image.rpc is not None:
         return image.rpc.localise(middle, float(image.rpc.ground_offset[2]))[0]
-    assert image.line is not None
-    return image.line.localise(middle, np.zeros(1))[0]
+    assert image.rigorous is not None
+    return image.rigorous.localise(middle, np.zeros(1))[0]
 
 
-def sensor_of(image: SceneImage, place: Local, bias: BiasKind) -> RpcSensor | LineSensor:
-    """The sensor of a scene: its RPC with a bias, or where there is none its orbit and a corrected attitude."""
-    size = image.width_px, image.height_px
-    if image.rpc is not None:
-        return RpcSensor(image.rpc, place, size, bias, image.model)
-    assert image.line is not None
-    return LineSensor(image.line, place, CorrectionModel(position_degree=-1, attitude_degree=0), 0.0, image.model)
+def kind_of_scene(image: SceneImage) -> tuple[type[SceneSensor], Any]:
+    """The kind of a scene and its geometry: the RPC where it has one, else the rigorous model."""
+    model = image.rpc or image.rigorous
+    return next(k for k in scene_kinds.values() if isinstance(model, k.geometry)), model
+
+
+def sensor_of(image: SceneImage, place: Local, bias: BiasKind) -> SceneSensor:
+    """The sensor of a scene: its RPC with a bias, or where there is none its rigorous model as it begins."""
+    kind, model = kind_of_scene(image)
+    return kind.begun(model, place, (image.width_px, image.height_px), image.model, bias=bias)
 
 
 def camera_of_scene(image: SceneImage, place: Local, bias: BiasKind) -> Camera:
     """The camera of a scene; what its vendor states is the prior of its parameters, else what is usual."""
     sensor = sensor_of(image, place, bias)
-    if isinstance(sensor, LineSensor):
-        return scene_camera(image.name, sensor, sigma=dict.fromkeys(sensor.symbols, ATTITUDE_RAD))
-    stated = sensor.priors()
-    gsd = np.linalg.norm(sensor.rpc.pixel_on_ground(), axis=1)
-    usual = {s: (USUAL_BIAS_M if s[1] == "0" else USUAL_RAND_M) / float(gsd[int(s[0] == "B")]) for s in sensor.symbols}
-    return scene_camera(image.name, sensor, sigma={**usual, **stated})
-
-
-def bias_stated(image: SceneImage) -> bool:
-    """Whether the vendor states how wrong the scene may be."""
-    return image.rpc is not None and bool(image.rpc.err_bias_m)
-
-
-def prior_px(sensor: RpcSensor | LineSensor) -> Array:
-    """Standard deviation (2,) [px] in x and y of the shift that the stated priors allow."""
-    if isinstance(sensor, RpcSensor):
-        found = sensor.rpc.bias_sigma_px()
-        if found is None:
-            found = USUAL_BIAS_M / np.linalg.norm(sensor.rpc.pixel_on_ground(), axis=1)
-        return found
-    middle = np.array([sensor.size_px], float) / 2
-    ground = sensor.localise(middle, sensor.height_m, sensor.defaults)
-    by = sensor.observe(ground, sensor.defaults).by_parameters[0]
-    return np.sqrt(((by * ATTITUDE_RAD) ** 2).sum(axis=1))
+    return scene_camera(image.name, sensor, sigma=sensor.usual_priors())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -124,15 +102,12 @@ class SceneView:
 def view_of_scene(image: SceneImage, place: Local) -> SceneView:
     """The view of a scene."""
     sensor = sensor_of(image, place, "shift")
-    if isinstance(sensor, RpcSensor):
-        middle, reach = float(sensor.rpc.ground_offset[2]), float(sensor.rpc.ground_scale[2])
-        return SceneView(
-            name=image.name, sensor=sensor, heights=(middle - reach, middle + reach), prior_px=prior_px(sensor)
-        )
-    # an orbit ends with its scene: an RPC stands for it where points beyond the edge are asked for
-    fit = fit_rpc(sensor.scene.localise, sensor.size_px, GROUND_M)
-    near = RpcSensor(fit.rpc, place, sensor.size_px, "shift", image.model)
-    return SceneView(name=image.name, sensor=near, heights=GROUND_M, prior_px=prior_px(sensor))
+    rpc = image.rpc
+    if rpc is None:  # an orbit ends with its scene: an RPC stands for it where points beyond the edge are asked for
+        assert image.rigorous is not None
+        rpc = fit_rpc(image.rigorous.localise, sensor.size_px, GROUND_M).rpc
+    near = RpcSensor(rpc, place, sensor.size_px, "shift", image.model)
+    return SceneView(name=image.name, sensor=near, heights=sensor.heights_m or GROUND_M, prior_px=sensor.prior_px())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

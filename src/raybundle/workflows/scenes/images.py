@@ -16,14 +16,15 @@ from raybundle.io.photos.photo import LIMIT_PIXELS, shown
 from raybundle.io.photos.windows import Windows
 from raybundle.io.reading.files import as_utf8
 from raybundle.io.reading.tiff import is_tiff, tiff_tags
-from raybundle.io.scenes import Scene, read_scene, remarks_of, rpc_of_image, scene_formats
+from raybundle.io.scenes import Scene, read_scene, remarks_of, scene_formats
 from raybundle.matching.features import FeatureMethod, Features
 from raybundle.matching.refine import smoothed
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.scenes.rpc_image import rpc_of_image
 
 if TYPE_CHECKING:
-    from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.rpc import Rpc
+    from raybundle.scenes.sensor import Rigorous
 
 RPC_TAG = 50844
 HEAD_BYTES = 4096
@@ -65,9 +66,9 @@ class SceneImage:
         return self.scene.rpc
 
     @property
-    def line(self) -> LineScene | None:
+    def rigorous(self) -> Rigorous | None:
         """The rigorous model, used where there is no RPC."""
-        return self.scene.line
+        return self.scene.rigorous
 
     @property
     def geometry_key(self) -> str:
@@ -209,14 +210,14 @@ def scene_of_size(scene: Scene, width: int, height: int, path: Path) -> Scene:
         )
     if scene.rpc is not None:
         scene = replace(scene, rpc=rpc_of_image(scene.rpc, width, height, path))
-    elif scene.line is not None and (scene.line.width_px, scene.line.height_px) != (width, height):
+    elif scene.rigorous is not None and (scene.rigorous.width_px, scene.rigorous.height_px) != (width, height):
         raise InputError(
             "scene.other_size",
             width_px=width,
             height_px=height,
             model=model,
-            model_width_px=scene.line.width_px,
-            model_height_px=scene.line.height_px,
+            model_width_px=scene.rigorous.width_px,
+            model_height_px=scene.rigorous.height_px,
             file=path,
         )
     return replace(scene, width_px=width, height_px=height)

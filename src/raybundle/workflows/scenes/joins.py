@@ -15,9 +15,8 @@ from raybundle.matching.features import FeatureMethod
 from raybundle.matching.strips import APART_PX, FARTHEST, RATIO
 from raybundle.matching.verify import FEWEST
 from raybundle.numerics.arrays import Array, Index
-from raybundle.scenes.sensor import LineSensor, RpcSensor
+from raybundle.scenes.sensor import SceneSensor
 from raybundle.ties.points import FeatureStore
-from raybundle.workflows.scenes.geometry import prior_px
 
 FEATURE_PX = 1.0
 """Distance between a measured image point and the feature that it comes from."""
@@ -109,14 +108,14 @@ def _in_scene(
     from scipy.spatial import KDTree
 
     camera = block.cameras[int(block.images.camera[i])]
-    sensor = cast("RpcSensor | LineSensor", camera.scene)
+    sensor = cast("SceneSensor", camera.scene)
     seen = sensor.observe(block.points.xyz[points], camera.parameters)
     inside = ((seen.xy_px > 0) & (seen.xy_px < np.array(sensor.size_px))).all(axis=1)
     if inside.sum() < FEWEST:
         return None
     points, vectors, expected = points[inside], vectors[inside], seen.xy_px[inside]
     per_metre = float(np.median(np.linalg.norm(seen.by_point[inside], axis=1)))
-    radius = min(STRIP * float(prior_px(sensor).max()) + STRIP * POSITION_M * per_metre, MOST_PX)
+    radius = min(STRIP * float(sensor.prior_px().max()) + STRIP * POSITION_M * per_metre, MOST_PX)
     features = store.of(k)
     own = method.vectors(features.descriptors)
     near = KDTree(features.xy_px).query_ball_point(expected, radius)

@@ -25,9 +25,8 @@ from raybundle.placing.marks import (
     drop_unseen_checks,
     without_empty_control,
 )
-from raybundle.scenes.sensor import RpcSensor, SceneSensor
+from raybundle.scenes.sensor import SceneSensor
 from raybundle.workflows.scenes.block import SceneSet, joined, with_cameras
-from raybundle.workflows.scenes.geometry import prior_px
 from raybundle.workflows.scenes.images import SceneImage
 
 if TYPE_CHECKING:
@@ -184,18 +183,16 @@ def check_marks(block: Block, images: Sequence[SceneImage], first: int, mark_px:
         if len(rows) < 2:
             continue
         sensor = cast("SceneSensor", block.cameras[int(block.images.camera[i])].scene)
-        if isinstance(sensor, RpcSensor):
-            try:
-                ids = [p.ids[k] for k in o.point[rows].tolist()]
-                sensor.rpc.check_near(sensor.place.geographic_from_block(p.xyz[o.point[rows]]), ids)
-            except InputError as error:
-                details = [error.message] if error.message else ()
-                raise InputError("scene.control_far_away", details=details, file=image.path) from None
+        try:
+            sensor.check_near(p.xyz[o.point[rows]], [p.ids[k] for k in o.point[rows].tolist()])
+        except InputError as error:
+            details = [error.message] if error.message else ()
+            raise InputError("scene.control_far_away", details=details, file=image.path) from None
         seen = sensor.observe(p.xyz[o.point[rows]], sensor.defaults)
         apart = o.xy_px[rows] - seen.xy_px
         own = np.sqrt(mark_px**2 + ((seen.by_point * p.sigma[o.point[rows]][:, None]) ** 2).sum(axis=2))
         shift = np.median(apart, axis=0)
-        limit = np.maximum(BELIEVED * prior_px(sensor), LEAST_PX)  # pyright: ignore[reportArgumentType]
+        limit = np.maximum(BELIEVED * sensor.prior_px(), LEAST_PX)
         dx, dy = shift.tolist()
         if (np.abs(shift) > limit).any():
             raise InputError(

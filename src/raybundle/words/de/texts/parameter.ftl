@@ -128,6 +128,10 @@ parameter-shift_z = Versatz von Z
 
 parameter-sphere_radius = Radius der Kugel
 
+parameter-range_offset = Verschiebung der Entfernung: Laufzeit des Signals, Uhr
+
+parameter-range_rate = Änderung der Verschiebung mit der Entfernung
+
 parameter-thin_prism_x = dünnes Prisma in x
 
 parameter-thin_prism_y = dünnes Prisma in y

@@ -54,6 +54,8 @@ report_scenes-model = { $strip ->
         *[no] Bahn und Lage
     }
 
+report_scenes-range_doppler = Bahn, Entfernung und Doppler
+
 report_scenes-along_track = in Flugrichtung
 
 report_scenes-trend = Die mittlere Verbesserung ändert sich mit der Zeile (Wahrscheinlichkeit durch Zufall unter { PERCENT($level) } %):

@@ -137,6 +137,10 @@ parameter-shift_z = shift of Z
 
 parameter-sphere_radius = radius of the sphere
 
+parameter-range_offset = range offset: delay of the signal, clock
+
+parameter-range_rate = change of the range offset along the range
+
 parameter-thin_prism_x = thin prism in x
 
 parameter-thin_prism_y = thin prism in y

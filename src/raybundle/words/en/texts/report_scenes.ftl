@@ -63,6 +63,8 @@ report_scenes-model = { $strip ->
         *[no] orbit and attitude
     }
 
+report_scenes-range_doppler = orbit, range and Doppler
+
 report_scenes-along_track = along track
 
 # $level = 0.001

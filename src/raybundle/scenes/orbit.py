@@ -1,0 +1,105 @@
+"""An orbit by its state vectors: polynomials through the nearest of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+
+NEAREST = 8
+"""State vectors through which the orbit's polynomial runs."""
+BEYOND = 0.5
+"""Steps of the table by which an image may end before or after it."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Orbit:
+    """State vectors in the frame that turns with the body."""
+
+    times: Array
+    """(n,) [s]"""
+    positions: Array
+    """(n, 3) [m]"""
+    velocities: Array
+    """(n, 3) [m/s]"""
+    joint: bool = True
+    """Whether velocities are derivatives of the positions; else the file means an interpolation of each by itself"""
+
+    def __post_init__(self) -> None:
+        """Refuse tables that are none."""
+        if len(self.times) < 4 or not len(self.times) == len(self.positions) == len(self.velocities):
+            raise InputError("trajectory.count", table="ephemeris", times=len(self.times), n=len(self.positions))
+        step = np.diff(self.times)
+        if not (step > 0).all():
+            k = int(np.argmin(step))
+            times = self.times[k : k + 2].tolist()
+            raise InputError(
+                "trajectory.time_order", table="ephemeris", time_s=times[1], entry=k + 2, before_s=times[0]
+            )
+
+    @staticmethod
+    def of_inertial(
+        times: Array, positions: Array, velocities: Array, axes: Array, omega: Array, *, joint: bool = True
+    ) -> Orbit:  # fmt: skip
+        """State vectors that stand in an inertial frame.
+
+        axes   (n, 3, 3) rotations from it to the body
+        omega  (n, 3) angular velocity of the body in it [rad/s]
+        """
+        moving = velocities - np.cross(omega, positions)
+        return Orbit(
+            times=times,
+            positions=np.einsum("nij,nj->ni", axes, positions),
+            velocities=np.einsum("nij,nj->ni", axes, moving),
+            joint=joint,
+        )
+
+    @property
+    def cover(self) -> tuple[float, float]:
+        """Times between which the orbit is known: those of the table, and half a step more."""
+        step = BEYOND * float(np.median(np.diff(self.times)))
+        return float(self.times[0]) - step, float(self.times[-1]) + step
+
+    @cached_property
+    def _pieces(self) -> tuple[Array, Array, Array, Array]:
+        """Middle, half length (k,) and coefficients (k, q, 3), twice, of positions and velocities by intervals."""
+        n = len(self.times)
+        m = min(NEAREST, n)
+        first = np.clip(np.arange(n - 1) - m // 2 + 1, 0, n - m).astype(np.int32)
+        at = self.times[first[:, None] + np.arange(m)]
+        middle, half = (at[:, 0] + at[:, -1]) / 2, (at[:, -1] - at[:, 0]) / 2
+        u = (at - middle[:, None]) / half[:, None]
+        power = np.arange(2 * m if self.joint else m)
+        values = u[..., None] ** power
+        rows, start = first[:, None] + np.arange(m), self.positions[first][:, None]
+        P, V = self.positions[rows] - start, self.velocities[rows] * half[:, None, None]
+        if self.joint:
+            slopes = power * u[..., None] ** np.maximum(power - 1, 0)
+            P = np.linalg.solve(np.concatenate([values, slopes], axis=1), np.concatenate([P, V], axis=1))
+            V = P[:, 1:] * power[1:, None]
+        else:
+            P, V = np.linalg.solve(values, P), np.linalg.solve(values, V)
+        P[:, :1] += start
+        return middle, half, P, V
+
+    def at(self, t: Array) -> tuple[Array, Array, Array]:
+        """Position, velocity, acceleration (n, 3) at times (n,)."""
+        k = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, len(self.times) - 2)
+        middle, half, c, s = self._pieces
+        u, h = (t - middle[k]) / half[k], half[k]
+        P = np.stack([polynomial(c[k, :, axis], u)[0] for axis in range(3)], axis=1)
+        V, A = np.moveaxis(np.array([polynomial(s[k, :, axis], u) for axis in range(3)]), 0, 2)
+        return P, V / h[:, None], A / (h * h)[:, None]
+
+
+def polynomial(c: Array, x: Array) -> tuple[Array, Array]:
+    """Values and slopes (n,) at x (n,) of polynomials with coefficients (n, k) by rising powers."""
+    value, slope = np.zeros(len(x)), np.zeros(len(x))
+    for k in range(c.shape[1] - 1, -1, -1):
+        slope = slope * x + value
+        value = value * x + c[:, k]
+    return value, slope
