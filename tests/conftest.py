@@ -1,8 +1,11 @@
-"""Where the public data sets are."""
+"""Where the public data sets are, and what all tests of a process share."""
 
 import atexit
+import ctypes
+import gc
 import os
 import shutil
+import sys
 import tempfile
 from pathlib import Path
 
@@ -14,6 +17,15 @@ from tests import slow
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[2] / "shared/data"))
 
 
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
+"""Hundreds of processes begin within the tests: each would compile the package anew."""
+if hasattr(ctypes.CDLL(None) if sys.platform == "linux" else None, "mallopt"):
+    ctypes.CDLL(None).mallopt(-3, 1 << 20)  # M_MMAP_THRESHOLD
+    ctypes.CDLL(None).mallopt(-8, 2)  # M_ARENA_MAX
+    """Arrays of a megabyte go back to the system once a test is over."""
+gc.disable()
+"""While tests are collected nothing becomes garbage; what is collected is never looked at again, see below."""
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 """Tests run side by side: threads within small matrices only stand in each other's way."""
 os.environ["RAYBUNDLE_CAMERAS"] = str(Path(__file__).parent / "no-cameras")
@@ -49,6 +61,11 @@ def pytest_collection_modifyitems(items):
     for item in items:
         if item.nodeid in SLOW:
             item.add_marker(pytest.mark.long)
+
+
+def pytest_collection_finish():
+    gc.freeze()
+    gc.enable()
 
 
 @pytest.fixture(scope="session")
