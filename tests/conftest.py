@@ -9,6 +9,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import psutil
 import pytest
 from hypothesis import HealthCheck, settings
 
@@ -20,10 +21,6 @@ DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[2]
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
 """Hundreds of processes begin within the tests: each would compile the package anew."""
-if hasattr(ctypes.CDLL(None) if sys.platform == "linux" else None, "mallopt"):
-    ctypes.CDLL(None).mallopt(-3, 1 << 20)  # M_MMAP_THRESHOLD
-    ctypes.CDLL(None).mallopt(-8, 2)  # M_ARENA_MAX
-    """Arrays of a megabyte go back to the system once a test is over."""
 gc.disable()
 """While tests are collected nothing becomes garbage; what is collected is never looked at again, see below."""
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -66,6 +63,22 @@ def pytest_collection_modifyitems(items):
 def pytest_collection_finish():
     gc.freeze()
     gc.enable()
+
+
+TRIM = getattr(ctypes.CDLL(None), "malloc_trim", None) if sys.platform == "linux" else None
+GROWN = 50e6
+"""Bytes more than after the last time, with which memory is given back"""
+_resident = [0]
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(item, nextitem):
+    """Give memory back to the system after the last test of a file, where the process has grown."""
+    process = psutil.Process()
+    if TRIM and (nextitem is None or nextitem.path != item.path) and process.memory_info().rss > _resident[0] + GROWN:
+        gc.collect()
+        TRIM(0)
+        _resident[0] = process.memory_info().rss
 
 
 @pytest.fixture(scope="session")
