@@ -49,7 +49,7 @@ demo: setup
 	$(BIN)/raybundle demo --set demo_data/portal --out demo
 
 test: setup-dev
-	$(BIN)/python -m pytest -n 2 -m "not long and not bench"
+	$(BIN)/python -m pytest -n 2 --dist loadfile -m "not long and not bench"
 
 test-long: setup-dev
 	$(BIN)/python -m pytest -n 2 -m "long and not bench"

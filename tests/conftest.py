@@ -1,11 +1,15 @@
-"""Where the public data sets are."""
+"""Where the public data sets are, and what all tests of a process share."""
 
 import atexit
+import ctypes
+import gc
 import os
 import shutil
+import sys
 import tempfile
 from pathlib import Path
 
+import psutil
 import pytest
 from hypothesis import HealthCheck, settings
 
@@ -14,6 +18,11 @@ from tests import slow
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[2] / "shared/data"))
 
 
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
+"""Hundreds of processes begin within the tests: each would compile the package anew."""
+gc.disable()
+"""While tests are collected nothing becomes garbage; what is collected is never looked at again, see below."""
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 """Tests run side by side: threads within small matrices only stand in each other's way."""
 os.environ["RAYBUNDLE_CAMERAS"] = str(Path(__file__).parent / "no-cameras")
@@ -49,6 +58,27 @@ def pytest_collection_modifyitems(items):
     for item in items:
         if item.nodeid in SLOW:
             item.add_marker(pytest.mark.long)
+
+
+def pytest_collection_finish():
+    gc.freeze()
+    gc.enable()
+
+
+TRIM = getattr(ctypes.CDLL(None), "malloc_trim", None) if sys.platform == "linux" else None
+GROWN = 50e6
+"""Bytes more than after the last time, with which memory is given back"""
+_resident = [0]
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(item, nextitem):
+    """Give memory back to the system after the last test of a file, where the process has grown."""
+    process = psutil.Process()
+    if TRIM and (nextitem is None or nextitem.path != item.path) and process.memory_info().rss > _resident[0] + GROWN:
+        gc.collect()
+        TRIM(0)
+        _resident[0] = process.memory_info().rss
 
 
 @pytest.fixture(scope="session")

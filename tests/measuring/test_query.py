@@ -45,6 +45,13 @@ def test_a_distance_has_the_sigma_of_both_ends_together(result):
     assert found.unit == "m"
 
 
+@pytest.fixture(scope="module")
+def thirty():
+    """Simulations with their adjustments, the same for every quantity."""
+    made = [simulation(seed=seed + 500) for seed in range(30)]
+    return [(m, adjust(m.observed)) for m in made]
+
+
 @pytest.mark.parametrize(
     ("quantity", "count"),
     [
@@ -59,11 +66,9 @@ def test_a_distance_has_the_sigma_of_both_ends_together(result):
         ("to_line", 4),
     ],
 )
-def test_sigmas_are_true_and_derivatives_right(quantity, count):
+def test_sigmas_are_true_and_derivatives_right(thirty, quantity, count):
     square, freedom = 0.0, 0
-    for seed in range(30):
-        made = simulation(seed=seed + 500)
-        found = adjust(made.observed)
+    for made, found in thirty:
         points = names_of(made.observed, 5)[:count]
         answer, true = ask(found, quantity, points), value_of(made.truth, quantity, points)
         e = np.array(answer.values) - true

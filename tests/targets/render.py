@@ -81,6 +81,18 @@ def fine_grid(width, height):
     return np.stack(np.meshgrid(x, y), axis=-1)
 
 
+def fine_pattern(pattern, H, width, height, rows=256):
+    """A pattern of plane points (..., 2) at the fine samples of a picture, some rows at a time."""
+    G, x = np.linalg.inv(H), (np.arange(width * FINE) + 0.5) / FINE
+    fine = np.empty((height * FINE, width * FINE), np.float32)
+    for first in range(0, len(fine), rows):
+        strip = fine[first : first + rows]
+        y = ((np.arange(first, first + len(strip)) + 0.5) / FINE)[:, None]
+        w = x * G[2, 0] + y * G[2, 1] + G[2, 2]
+        strip[:] = pattern(np.stack([(x * G[i, 0] + y * G[i, 1] + G[i, 2]) / w for i in (0, 1)], axis=-1))
+    return fine
+
+
 def to_plane(H, xy):
     """Plane points and samples per unit of the plane, at pixel positions (..., 2)."""
     G = np.linalg.inv(H)
@@ -144,11 +156,13 @@ def shot(
     centre = rng.uniform(-0.5, 0.5, 2) + size / 2
     H = plane_view(radius, tilt, rng.uniform(0, 2 * np.pi), rng.uniform(0, 2 * np.pi), centre)
     xy = fine_grid(size, size)
-    q, scale = to_plane(H, xy)
-    seen = q * [1, -1]  # codes run counter-clockwise as seen, and the rows of an image run downwards
     if mirrored(H):
         raise ValueError("the plane is seen from behind")
-    fine = ring_pattern(seen, scale, ring, bits, code, hidden)
+    fine = np.empty(xy.shape[:2])
+    for first in range(0, len(fine), 256):  # positions and distances of all take hundreds of megabytes
+        q, scale = to_plane(H, xy[first : first + 256])
+        seen = q * [1, -1]  # codes run counter-clockwise as seen, and the rows of an image run downwards
+        fine[first : first + 256] = ring_pattern(seen, scale, ring, bits, code, hidden)
     fine = 1 - fine if inverse else fine
     c, C = ellipse_of(H)
     if cover is not None:

@@ -13,7 +13,7 @@ from raybundle.targets.lattice import lattices
 from raybundle.targets.marks import detect, forms, target
 from raybundle.targets.saddle import CornerOptions, fit_corners
 from tests.conftest import DATA
-from tests.targets.render import F, ellipse_of, expose, fine_grid, to_plane
+from tests.targets.render import F, ellipse_of, expose, fine_pattern
 
 
 def told(marks):
@@ -34,8 +34,7 @@ def view(pattern, middle, scale, *, size=(420, 340), tilt=0.0, azimuth=0.0, turn
     offset = np.array([0, 0, F / scale]) - axes[:, :2] @ middle
     K = np.array([[F, 0, size[0] / 2 + 0.2], [0, F, size[1] / 2 - 0.3], [0, 0, 1]])
     H = K @ np.column_stack([axes[:, :2], offset])
-    q, _ = to_plane(H, fine_grid(*size))
-    return expose(pattern(q).astype(np.float32), np.random.default_rng(seed), **light), H
+    return expose(fine_pattern(pattern, H, *size), np.random.default_rng(seed), **light), H
 
 
 def seen(H, points):

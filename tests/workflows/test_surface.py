@@ -22,15 +22,9 @@ from tests.workflows.half_portal import NAMES, PORTAL, half_portal
 
 
 @pytest.fixture(scope="module")
-def half(tmp_path_factory):
-    """The block of three photographs at half their size, and the folder of these."""
-    return half_portal(tmp_path_factory.mktemp("half"))
-
-
-@pytest.fixture(scope="module")
-def found(half, tmp_path_factory):
-    """Its surface, every fourth pixel."""
-    work = tmp_path_factory.mktemp("surface") / "work"
+def found(half, copy_of_surface, tmp_path_factory):
+    """Surface of the three photographs, every fourth pixel."""
+    work = copy_of_surface(tmp_path_factory.mktemp("surface") / "s") / "work"
     return measured(half / "block", work, SurfaceOptions(density=4), photos=[half], jobs=1), work
 
 

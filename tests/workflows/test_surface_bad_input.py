@@ -25,14 +25,8 @@ from raybundle.surfaces.photographs import photographs_there
 from raybundle.words import headline
 from raybundle.workflows.photograph_contents import contents_of, other_contents
 from tests.messages import failed
-from tests.workflows.half_portal import half_portal
 
 BOX = (-0.6, -0.4, 0.5, 0.5)
-
-
-@pytest.fixture(scope="module")
-def half(tmp_path_factory):
-    return half_portal(tmp_path_factory.mktemp("half"))
 
 
 def picture(kind, shape, rng):

@@ -5,15 +5,9 @@ import pytest
 
 from raybundle.commands.surface import surface
 from raybundle.pipeline.store import Folder
-from tests.workflows.half_portal import half_portal
 
 BOX = (-0.4, -0.3, 0.3, 0.4)
 WRITTEN = ("points.ply", "heights.tif", "heights_sigma.tif")
-
-
-@pytest.fixture(scope="module")
-def half(tmp_path_factory):
-    return half_portal(tmp_path_factory.mktemp("half"))
 
 
 @pytest.mark.parametrize(

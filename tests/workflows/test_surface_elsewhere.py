@@ -20,16 +20,10 @@ from raybundle.surfaces.heights.resampling import difference
 from tests.barriers import HELD, kill_where_held
 from tests.cli.reported import reported, values_of
 from tests.pipeline.machines import Machines
-from tests.workflows.half_portal import half_portal
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="processes are killed as on POSIX systems")
 ROOT = Path(__file__).parents[2]
 BOX = ("-0.6", "-0.4", "0.5", "0.5")
-
-
-@pytest.fixture(scope="module")
-def half(tmp_path_factory):
-    return half_portal(tmp_path_factory.mktemp("half"))
 
 
 def words(half, out, *more):

@@ -24,7 +24,6 @@ from raybundle.surfaces.product_grids import Grids, area_of_points
 from raybundle.words import COMMAND_LINE, Reader, headline, reading
 from raybundle.workflows.rectify import grid_over
 from tests.cli.reported import reported, values_of
-from tests.workflows.half_portal import half_portal
 
 pytest.importorskip("rasterio")
 
@@ -33,14 +32,9 @@ CAUTIONS = ("up is ambiguous", "the only scale bar is checked by nothing", "cont
 RELATIVE, CHOSEN = "heights are relative", "what was chosen"
 
 
-@pytest.fixture(scope="module")
-def half(tmp_path_factory):
-    return half_portal(tmp_path_factory.mktemp("half"))
-
-
 def result_of(half, folder, notices):
     """A result of the three photographs of which this is told."""
-    adjusted = rb.adjust(read_block(half / "block"))
+    adjusted = rb.adjust(read_block(half / "given"))
     record = Record(title="North front", client="Monument office", object="Portal")
     write_result(replace(adjusted, notices=notices), folder, report="none", record=record)
     return folder
@@ -60,7 +54,8 @@ def warned(half, tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def measured(half, warned):
+def measured(half, warned, copy_of_surface):
+    copy_of_surface(warned / "surface")
     done = command.surface(
         warned, photos=(half,), density="4", dsm=0.05, thin=0.1, jobs=1, client="Somebody else",
         extent=None,

@@ -21,7 +21,7 @@ from raybundle.surfaces import product_grids
 from raybundle.surfaces.depths.rays import ReferenceRays
 from raybundle.surfaces.orthophoto_files import tiles_of
 from tests.messages import coded, refused
-from tests.workflows.half_portal import PORTAL, half_portal
+from tests.workflows.half_portal import PORTAL
 
 rasterio = pytest.importorskip("rasterio")
 laspy = pytest.importorskip("laspy")
@@ -31,15 +31,9 @@ ASKED = {"density": "4", "dsm": CELL, "ortho": PIXEL, "mesh": MESH, "las": True,
 
 
 @pytest.fixture(scope="module")
-def half(tmp_path_factory):
-    """The block of three photographs at half their size, and the folder of these."""
-    return half_portal(tmp_path_factory.mktemp("half"))
-
-
-@pytest.fixture(scope="module")
-def made(half, tmp_path_factory):
+def made(half, copy_of_surface, tmp_path_factory):
     """All products."""
-    out = tmp_path_factory.mktemp("made") / "s"
+    out = copy_of_surface(tmp_path_factory.mktemp("made") / "s")
     return surface(half / "block", out, photos=(half,), jobs=1, **ASKED), out
 
 

@@ -24,19 +24,14 @@ from raybundle.surfaces.state import SurfaceOptions, SurfaceState
 from raybundle.surfaces.tiles import tile_of_number
 from raybundle.surfaces.without_points import pointless
 from tests.messages import coded, refused
-from tests.workflows.half_portal import half_portal
 
 BOX = (-0.6, -0.4, 0.5, 0.5)
 
 
 @pytest.fixture(scope="module")
-def half(tmp_path_factory):
-    return half_portal(tmp_path_factory.mktemp("half"))
-
-
-@pytest.fixture(scope="module")
-def whole(half, tmp_path_factory):
-    return surface(half / "block", tmp_path_factory.mktemp("whole") / "s", photos=(half,), density="4", jobs=1)
+def whole(half, copy_of_surface, tmp_path_factory):
+    out = copy_of_surface(tmp_path_factory.mktemp("whole") / "s")
+    return surface(half / "block", out, photos=(half,), density="4", jobs=1)
 
 
 @pytest.fixture(scope="module")
