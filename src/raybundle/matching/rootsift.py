@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.matching.descriptors import directions, mutual_matches
 from raybundle.matching.features import CLEAR, Described, FeatureMethod, Features, register, spread
+from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
 
 CONTRAST = 0.015
@@ -35,36 +36,37 @@ HELD, SEARCHED = 4.0, 236.0
 float32 of four times its pixels and a third more for all octaves (`benchmarks/features_memory.py`)"""
 
 
+Found = tuple[Array, Callable[[Index], Features]]
+"""Features as (n, 4 or 5): place [px], scale [px], direction where it is known, strength; and how chosen ones are described."""
+
+
 class RootSift(FeatureMethod):
-    """OpenCV's detector, tile by tile, first without the octave of double size."""
+    """By the compiled kernels, or without them by OpenCV's detector; first without the octave of double size."""
 
     name = "rootsift"
-    version = 2
     codebook = "rootsift"
+
+    @property
+    def version(self) -> int:
+        """3 of the compiled kernels, 2 of OpenCV: neither takes up what the other has stored."""
+        return 2 if native.module() is None else 3
 
     def detect(self, grey: Array, count: int) -> Features:
         """At most `count` features, spread over the format.
 
-        The image is searched from half its size upwards, so that the first octave has the size of the image: a
-        quarter of the work, and the points that are left out are the least repeatable ones.  Where that gives
-        few points the octave of double size is searched too, and where that does not help, features of dark and hazy
-        photographs are taken down to their noise: they have no less of them, only weaker ones.
+        The image is searched from its own size downwards.  Where that gives few points the octave of double size is
+        searched too, and where that does not help, features of dark and hazy photographs are taken down to their
+        noise: they have no less of them, only weaker ones.
         """
-        h, w = grey.shape
-        tiles = _detect(grey, 2, count)
-        if sum(len(t.keypoints) for t in tiles) < FEW * count:
-            tiles = _detect(grey, 1, count)
+        search = _tiles if native.module() is None else _scale_space
+        table, described = search(grey, count, CONTRAST, doubled=False)
+        if len(table) < FEW * count:
+            table, described = search(grey, count, CONTRAST, doubled=True)
         weak = noise_contrast(grey) if low_contrast(grey) else CONTRAST
-        if weak < CONTRAST and sum(len(t.keypoints) for t in tiles) < FEW * count:
-            tiles = _detect(grey, 1, count, weak)
-        table = np.vstack([np.zeros((0, 5)), *(t.table for t in tiles)])
-        chosen = spread(table[:, :2], table[:, 4], count, w, h)
-        return Features(
-            xy_px=table[chosen, :2],
-            scale_px=table[chosen, 2],
-            angle=table[chosen, 3],
-            descriptors=_described(tiles, chosen),
-        )
+        if weak < CONTRAST and len(table) < FEW * count:
+            table, described = search(grey, count, weak, doubled=True)
+        h, w = grey.shape
+        return described(spread(table[:, :2], table[:, -1], count, w, h))
 
     def bytes_needed(self, pixels: float) -> float:
         """At most: where the finest octave is searched.
@@ -118,9 +120,28 @@ def noise_contrast(grey: Array) -> float:
     return 3 * TIMES * NOISE_GAIN * max(sigma, QUANTISED) / 255
 
 
-def _detect(grey: Array, reduction: int, count: int, contrast: float = CONTRAST) -> list[_Tile]:
-    """Points of the image reduced by a whole number, in the pixel frame of the full size; not yet described."""
+def _scale_space(grey: Array, count: int, contrast: float, *, doubled: bool) -> Found:
+    """By the compiled kernels: extrema are oriented and described from the levels where they were found."""
     h, w = grey.shape
+    space = native.required().search_features(np.ascontiguousarray(grey), contrast * 255 / 3, doubled)
+    table: Array = space.table()
+
+    def described(chosen: Index) -> Features:
+        owner, angle = space.orient(chosen)
+        rows = chosen[owner]
+        best = spread(table[rows, :2], table[rows, 3], count, w, h)
+        rows, angle = rows[best], angle[best]
+        return Features(
+            xy_px=table[rows, :2], scale_px=table[rows, 2], angle=angle, descriptors=space.describe(rows, angle)
+        )
+
+    return table, described
+
+
+def _tiles(grey: Array, count: int, contrast: float, *, doubled: bool) -> Found:
+    """By OpenCV, tile by tile, of the image itself or of one of half its size: OpenCV begins at double size."""
+    h, w = grey.shape
+    reduction = 1 if doubled else 2
     step = TILE_PX * reduction
     margin = OVERLAP_PX * reduction
     tiles: list[_Tile] = []
@@ -141,10 +162,20 @@ def _detect(grey: Array, reduction: int, count: int, contrast: float = CONTRAST)
             table[:, 2] *= reduction
             inner = (table[:, 0] >= x) & (table[:, 0] < x + step) & (table[:, 1] >= y) & (table[:, 1] < y + step)
             tiles.append(_Tile(tile, [found[k] for k in np.flatnonzero(inner)], table[inner]))
-    return tiles
+    table = np.vstack([np.zeros((0, 5)), *(t.table for t in tiles)])
+
+    def described(chosen: Index) -> Features:
+        return Features(
+            xy_px=table[chosen, :2],
+            scale_px=table[chosen, 2],
+            angle=table[chosen, 3],
+            descriptors=_descriptors(tiles, chosen),
+        )
+
+    return table, described
 
 
-def _described(tiles: Sequence[_Tile], chosen: Index) -> Array:
+def _descriptors(tiles: Sequence[_Tile], chosen: Index) -> Array:
     """Descriptors (n, 128) uint8 of the chosen ones of the points of all tiles: one in two is dropped undescribed."""
     result = np.zeros((len(chosen), 128), np.uint8)
     begin = 0
