@@ -34,8 +34,7 @@ static inline V load(const float* a) {
 }
 static inline void store(float* a, V v) { std::memcpy(a, &v, sizeof v); }
 
-constexpr float kSigma = 1.6f;    // of the first level of an octave [px]
-constexpr float kCamera = 0.5f;   // of the image itself [px]
+constexpr float kSigma = 1.8f;    // of the first level of an octave [px]
 constexpr float kReach = 3.5f;    // of a Gaussian filter, in its standard deviations
 constexpr int kSide = 16;         // columns beside a row, more than the widest filter reaches
 constexpr int kBorder = 5;        // pixels of a level in which nothing is found
@@ -262,8 +261,7 @@ static void search(const uint8_t* grey, int width, int height, float least, bool
     const double a = kSigma * std::exp2((l - 1.0) / kLevels), b = kSigma * std::exp2(double(l) / kLevels);
     filters.emplace_back(std::sqrt(b * b - a * a));
   }
-  const double camera = doubled ? 2.0 * kCamera : kCamera;
-  const Filter first(std::sqrt(double(kSigma) * kSigma - camera * camera));
+  const Filter first(kSigma);  // the image is taken as it is: with less of a filter fewer features are found again
   int w = doubled ? 2 * width - 1 : width, h = doubled ? 2 * height - 1 : height;
   double pixel = doubled ? 0.5 : 1.0;
   std::unique_ptr<float[]> base, next;
@@ -341,6 +339,7 @@ static void orient(const ScaleSpace& space, const int64_t* chosen, int64_t n, st
   static const Grid grid(kAcross, 9.0 / kAcross, 1.5, 4.5);
   float u[kAround], v[kAround], m[kAround], a[kAround];
   int32_t bin[kAround];
+  owner.resize(size_t(n)), angle.resize(size_t(n));
   for (int64_t i = 0; i < n; ++i) {
     const Extremum& e = space.extrema[size_t(chosen[i])];
     for (int k = 0; k < kAround; ++k) u[k] = e.sigma * grid.u[size_t(k)], v[k] = e.sigma * grid.v[size_t(k)];
@@ -356,15 +355,18 @@ static void orient(const ScaleSpace& space, const int64_t* chosen, int64_t n, st
     sum[0] = sum[kDirections], sum[1] = sum[kDirections + 1], sum[kDirections + 2] = sum[2], sum[kDirections + 3] = sum[3];
     for (int b = 0; b < kDirections; ++b) smooth[b + 1] = (sum[b] + sum[b + 4]) + 4 * (sum[b + 1] + sum[b + 3]) + 6 * sum[b + 2];
     smooth[0] = smooth[kDirections], smooth[kDirections + 1] = smooth[1];
-    const float bound = 0.8f * *std::max_element(smooth, smooth + kDirections);
-    const size_t before = owner.size();
+    const int top = int(std::max_element(smooth + 1, smooth + kDirections + 1) - smooth);
     for (int b = 1; b <= kDirections; ++b) {
       const float l = smooth[b - 1], c = smooth[b], r = smooth[b + 1];
-      if (!(c > l && c > r && c >= bound)) continue;
-      owner.push_back(i);
-      angle.push_back((b - 1 + 0.5 * double(l - r) / double(l - 2 * c + r)) * (kTurn / kDirections));
+      if (b != top && !(c > l && c > r && c >= 0.8f * smooth[top])) continue;
+      const float bend = l - 2 * c + r;
+      const double found = (b - 1 + (bend < 0 ? 0.5 * double(l - r) / double(bend) : 0.0)) * (kTurn / kDirections);
+      if (b == top) {
+        owner[size_t(i)] = i, angle[size_t(i)] = found;
+      } else {
+        owner.push_back(i), angle.push_back(found);
+      }
     }
-    if (owner.size() == before) owner.push_back(i), angle.push_back(0.0);
   }
 }
 

@@ -34,7 +34,8 @@ struct ScaleSpace {
 struct FeatureKernels {
   // Extrema stronger than `least` [grey levels] of an image (height, width), from its own size or from twice its size downwards.
   void (*search)(const uint8_t* grey, int width, int height, float least, bool doubled, ScaleSpace& found);
-  // Directions of the gradients around extrema [rad, clockwise in the pixel frame]: at least one for each of `chosen`.
+  // Directions of the gradients around extrema [rad, clockwise in the pixel frame]: the strongest of each of `chosen`, then
+  // all others of at least 0.8 of it, with the positions of their owners in `chosen`.
   void (*orient)(const ScaleSpace& space, const int64_t* chosen, int64_t n, std::vector<int64_t>& owner, std::vector<double>& angle);
   // Descriptors (n, 128) of extrema turned by `angle`.
   void (*describe)(const ScaleSpace& space, const int64_t* chosen, const double* angle, int64_t n, uint8_t* descriptors);

@@ -37,7 +37,7 @@ float32 of four times its pixels and a third more for all octaves (`benchmarks/f
 
 
 Found = tuple[Array, Callable[[Index], Features]]
-"""Features as (n, 4 or 5): place [px], scale [px], direction where it is known, strength; and how chosen ones are described."""
+"""Features as (n, 4 or 5): place [px], scale [px], direction where it is known, contrast; and how chosen ones are described."""
 
 
 class RootSift(FeatureMethod):
@@ -48,8 +48,8 @@ class RootSift(FeatureMethod):
 
     @property
     def version(self) -> int:
-        """3 of the compiled kernels, 2 of OpenCV: neither takes up what the other has stored."""
-        return 2 if native.module() is None else 3
+        """4 of the compiled kernels, 3 of OpenCV: neither takes up what the other has stored."""
+        return 3 if native.module() is None else 4
 
     def detect(self, grey: Array, count: int) -> Features:
         """At most `count` features, spread over the format.
@@ -59,14 +59,14 @@ class RootSift(FeatureMethod):
         noise: they have no less of them, only weaker ones.
         """
         search = _tiles if native.module() is None else _scale_space
-        table, described = search(grey, count, CONTRAST, doubled=False)
-        if len(table) < FEW * count:
-            table, described = search(grey, count, CONTRAST, doubled=True)
-        weak = noise_contrast(grey) if low_contrast(grey) else CONTRAST
-        if weak < CONTRAST and len(table) < FEW * count:
-            table, described = search(grey, count, weak, doubled=True)
+        weak = min(noise_contrast(grey), CONTRAST) if low_contrast(grey) else CONTRAST
+        for contrast, doubled in dict.fromkeys([(CONTRAST, False), (weak, False), (weak, True)]):
+            table, described = search(grey, count, contrast, doubled=doubled)
+            if len(table) >= FEW * count:
+                break
+        used = np.arange(len(table))
         h, w = grey.shape
-        return described(spread(table[:, :2], table[:, -1], count, w, h))
+        return described(used[spread(table[used, :2], table[used, -1], count, w, h)])
 
     def bytes_needed(self, pixels: float) -> float:
         """At most: where the finest octave is searched.
@@ -122,15 +122,13 @@ def noise_contrast(grey: Array) -> float:
 
 def _scale_space(grey: Array, count: int, contrast: float, *, doubled: bool) -> Found:
     """By the compiled kernels: extrema are oriented and described from the levels where they were found."""
-    h, w = grey.shape
     space = native.required().search_features(np.ascontiguousarray(grey), contrast * 255 / 3, doubled)
-    table: Array = space.table()
+    table: Array = space.table() * [1, 1, 1, 3 / 255]
 
     def described(chosen: Index) -> Features:
-        owner, angle = space.orient(chosen)
-        rows = chosen[owner]
-        best = spread(table[rows, :2], table[rows, 3], count, w, h)
-        rows, angle = rows[best], angle[best]
+        owner, angle = space.orient(chosen)  # further directions of an extremum come after those of all
+        order = np.argsort(owner[:count], kind="stable")
+        rows, angle = chosen[owner[order]], angle[order]
         return Features(
             xy_px=table[rows, :2], scale_px=table[rows, 2], angle=angle, descriptors=space.describe(rows, angle)
         )
@@ -157,7 +155,7 @@ def _tiles(grey: Array, count: int, contrast: float, *, doubled: bool) -> Found:
             found = sorted(_sift(contrast).detect(tile, None), key=lambda k: -k.response)[: 4 * count]
             if not found:
                 continue
-            table = np.array([(*k.pt, k.size / 2, np.radians(k.angle), k.response) for k in found])
+            table = np.array([(*k.pt, k.size / 2, np.radians(k.angle), 3 * k.response) for k in found])
             table[:, :2] = (table[:, :2] + 0.5) * reduction + [x0, y0]
             table[:, 2] *= reduction
             inner = (table[:, 0] >= x) & (table[:, 0] < x + step) & (table[:, 1] >= y) & (table[:, 1] < y + step)
