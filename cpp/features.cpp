@@ -40,6 +40,7 @@ constexpr int kSide = 16;         // columns beside a row, more than the widest 
 constexpr int kBorder = 5;        // pixels of a level in which nothing is found
 constexpr int kSmallest = 2 * kBorder + 3;
 constexpr int kMove = 2;          // pixels from an extremum to the place where its parabola has one
+constexpr int kAside = kMove + 2;     // rows and columns about an extremum that are looked at
 constexpr int kStrip = 1024;      // columns of a strip: its rows stay in the cache
 constexpr float kEdge = 10.0f;    // ratio of curvatures of an edge
 constexpr float kGrey = 256.0f;   // units of a level in a grey level
@@ -133,6 +134,19 @@ struct Octave {
   float least;
 };
 
+// Weights of n values at ..., -1, 0, 1, ... in the polynomial through them, and in its slope (Lagrange).
+template <int n> struct Through {
+  float value[n], slope[n];
+  explicit Through(float x) {
+    for (int i = 0; i < n; ++i) {
+      float product = 1, sum = 0;
+      for (int j = 0; j < n; ++j)
+        if (j != i) sum = sum * (x - float(j - n / 2)) + product, product *= x - float(j - n / 2), sum /= float(i - j), product /= float(i - j);
+      value[i] = product, slope[i] = sum;
+    }
+  }
+};
+
 // The place and value of the extremum of a parabola through 27 differences; false for edges, weak ones and those that move away.
 static bool refine(const std::array<Rows, kDifferences>& D, int x, int y, int level, float least, Extremum& e) {
   int X = x, Y = y, L = level;
@@ -149,12 +163,32 @@ static bool refine(const std::array<Rows, kDifferences>& D, int x, int y, int le
     const float a = yy * ss - ys * ys, b = xs * ys - xy * ss, c = xy * ys - yy * xs;  // cofactors
     const float det = xx * a + xy * b + xs * c;
     if (!(std::abs(det) > 1e-12f)) return false;
-    const float dx = -(a * gx + b * gy + c * gs) / det;
-    const float dy = -(b * gx + (xx * ss - xs * xs) * gy + (xy * xs - xx * ys) * gs) / det;
-    const float ds = -(c * gx + (xy * xs - xx * ys) * gy + (xx * yy - xy * xy) * gs) / det;
+    const float bc = xx * ss - xs * xs, bs = xy * xs - xx * ys, cc = xx * yy - xy * xy;
+    float dx = -(a * gx + b * gy + c * gs) / det;
+    float dy = -(b * gx + bc * gy + bs * gs) / det;
+    float ds = -(c * gx + bs * gy + cc * gs) / det;
     if (std::max({std::abs(dx), std::abs(dy), std::abs(ds)}) < 0.6f) {
-      const float value = v + 0.5f * (gx * dx + gy * dy + gs * ds), trace = xx + yy, area = xx * yy - xy * xy;
-      if (!(std::abs(value) > least) || !(trace * trace * kEdge < (kEdge + 1) * (kEdge + 1) * area)) return false;
+      const float value = v + 0.5f * (gx * dx + gy * dy + gs * ds), trace = xx + yy;
+      if (!(std::abs(value) > least) || !(trace * trace * kEdge < (kEdge + 1) * (kEdge + 1) * cc)) return false;
+      // the parabola draws places to the middle of a pixel or away from it; the polynomial through all differences does not
+      for (int step = 0; step < 3; ++step) {
+        const Through<3> s(ds);
+        const Through<5> p(dx), q(dy);
+        float ex = 0, ey = 0, es = 0;
+        for (int l = 0; l < 3; ++l)
+          for (int j = 0; j < 5; ++j) {
+            const float* row = D[size_t(L + l - 1)].row(Y + j - 2) + X - 2;
+            float sum = 0, slope = 0;
+            for (int i = 0; i < 5; ++i) sum += p.value[i] * row[i], slope += p.slope[i] * row[i];
+            ex += s.value[l] * q.value[j] * slope;
+            ey += s.value[l] * q.slope[j] * sum;
+            es += s.slope[l] * q.value[j] * sum;
+          }
+        dx -= (a * ex + b * ey + c * es) / det;
+        dy -= (b * ex + bc * ey + bs * es) / det;
+        ds -= (c * ex + bs * ey + cc * es) / det;
+      }
+      if (!(std::max({std::abs(dx), std::abs(dy), std::abs(ds)}) < 1.0f)) return false;
       e = {float(X) + dx, float(Y) + dy, kSigma * std::exp2((float(L) + ds) / kLevels), std::abs(value), L};
       return true;
     }
@@ -193,7 +227,7 @@ static void strip(const Octave& o, const Filter* first, const std::vector<Filter
   std::array<int, kGaussians> lag;
   lag[0] = first ? first->radius : 0;
   for (int l = 1; l < kGaussians; ++l) lag[size_t(l)] = lag[size_t(l - 1)] + filters[size_t(l)].radius;
-  const int last = lag[kGaussians - 1], beside = last + kMove + 2;
+  const int last = lag[kGaussians - 1], beside = last + kAside;
   const int x0 = std::max(0, begin - beside), x1 = std::min(w, end + beside), columns = x1 - x0;
   const size_t stride = size_t((columns + kBlock - 1) / kBlock * kBlock);
   Rows image;
@@ -201,13 +235,13 @@ static void strip(const Octave& o, const Filter* first, const std::vector<Filter
   std::array<Rows, kDifferences> D;
   if (first) image.reset(2 * lag[0] + 1, stride);
   for (int l = 0; l < kGaussians; ++l) G[size_t(l)].reset(l + 1 < kGaussians ? 2 * filters[size_t(l + 1)].radius + 1 : 1, stride);
-  for (int l = 0; l < kDifferences; ++l) D[size_t(l)].reset(last - lag[size_t(l + 1)] + 2 * (kMove + 1) + 1, stride);
+  for (int l = 0; l < kDifferences; ++l) D[size_t(l)].reset(last - lag[size_t(l + 1)] + 2 * kAside + 1, stride);
   std::vector<float> buffer(stride + 2 * kSide);
   float* line = buffer.data() + kSide;
   std::vector<uint8_t> marks(stride + 8, 0);
   const int low = std::max(begin, kBorder) - x0, high = std::min(end, w - kBorder) - x0;
 
-  for (int t = 0; t < h + last + kMove + 1; ++t) {
+  for (int t = 0; t < h + last + kAside; ++t) {
     if (t < h) o.source.read(t, x0, x1, (first ? image : G[0]).row(t));
     if (first && t >= lag[0] && t - lag[0] < h) smooth(image, t - lag[0], h, columns, *first, line, G[0].row(t - lag[0]), nullptr);
     for (int l = 1; l < kGaussians; ++l) {
@@ -229,7 +263,7 @@ static void strip(const Octave& o, const Filter* first, const std::vector<Filter
         for (int x = begin; x < end; x += 2) *to++ = out[x - x0];
       }
     }
-    const int y = t - last - kMove - 1;
+    const int y = t - last - kAside;
     if (y < kBorder || y >= h - kBorder || low >= high) continue;
     for (int l = 1; l <= kLevels; ++l) {
       const Rows& mine = D[size_t(l)];

@@ -37,7 +37,7 @@ float32 of four times its pixels and a third more for all octaves (`benchmarks/f
 
 
 Found = tuple[Array, Callable[[Index], Features]]
-"""Features as (n, 4 or 5): place [px], scale [px], direction where it is known, contrast; and how chosen ones are described."""
+"""Features (n, 4 or 5): place [px], scale [px], direction where it is known, contrast; how chosen ones are described."""
 
 
 class RootSift(FeatureMethod):
