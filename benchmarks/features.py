@@ -211,7 +211,9 @@ def judged(case: Case, repeat: int) -> dict[str, Any]:
 
     @cache
     def grey(k: int) -> Array:
-        return case.change(cv2.imread(str(files[k]), cv2.IMREAD_GRAYSCALE))
+        read = cv2.imread(str(files[k]), cv2.IMREAD_GRAYSCALE)
+        assert read is not None
+        return case.change(read)
 
     found: dict[tuple[int, str], Features] = {}
     seconds: dict[str, list[float]] = {how: [] for how in WITHOUT}

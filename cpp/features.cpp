@@ -101,17 +101,19 @@ static void smooth(const Rows& from, int y, int h, int w, const Filter& f, float
   }
 }
 
-// What an octave is made from: the image, or every second pixel of the octave before.
+// What an octave is made from: the image, or every second pixel of a level of the octave before.
 struct Source {
-  const uint8_t* grey;  // null where an octave came before
-  const float* base;
-  int width, height;  // of the octave
-  bool doubled;       // the image is half as large
+  const uint8_t* grey;     // null where an octave came before
+  const uint16_t* before;  // that level, which has every pixel or, of the octave of double size, every second one
+  int row, step;           // its width, and its pixels from one that is taken to the next
+  int width, height;       // of the octave
+  bool doubled;            // the image is half as large
 
   // Columns from `begin` to `end` of row y.
   void read(int y, int begin, int end, float* out) const {
     if (!grey) {
-      std::copy(base + size_t(y) * width + begin, base + size_t(y) * width + end, out);
+      const uint16_t* p = before + size_t(y) * size_t(step) * size_t(row);
+      for (int x = begin; x < end; ++x) out[x - begin] = float(p[x * step]) / kGrey;
     } else if (!doubled) {
       const uint8_t* p = grey + size_t(y) * width;
       for (int x = begin; x < end; ++x) out[x - begin] = float(p[x]);
@@ -126,8 +128,6 @@ struct Source {
 
 struct Octave {
   Source source;
-  double pixel;     // of the image, in a pixel of the octave
-  float* next;      // every second pixel of level kLevels
   Level* levels;    // of kLevels
   int32_t number;   // of the first of them
   int thinned;      // of the octave's pixels the levels have every first or every second
@@ -258,10 +258,6 @@ static void strip(const Octave& o, const Filter* first, const std::vector<Filter
         else
           for (int x = 0; x < (end - begin + 1) / 2; ++x) to[x] = uint16_t(int(kGrey * p[2 * x] + 0.5f));
       }
-      if (l == kLevels && o.next && y % 2 == 0) {
-        float* to = o.next + size_t(y / 2) * size_t((w + 1) / 2) + begin / 2;
-        for (int x = begin; x < end; x += 2) *to++ = out[x - x0];
-      }
     }
     const int y = t - last - kAside;
     if (y < kBorder || y >= h - kBorder || low >= high) continue;
@@ -298,20 +294,20 @@ static void search(const uint8_t* grey, int width, int height, float least, bool
   const Filter first(kSigma);  // the image is taken as it is: with less of a filter fewer features are found again
   int w = doubled ? 2 * width - 1 : width, h = doubled ? 2 * height - 1 : height;
   double pixel = doubled ? 0.5 : 1.0;
-  std::unique_ptr<float[]> base, next;
+  Source source{grey, nullptr, 0, 0, w, h, doubled};
   for (bool here = true; std::min(w, h) >= kSmallest; here = false) {
-    const int thinned = here && doubled ? 2 : 1, half_w = (w + 1) / 2, half_h = (h + 1) / 2;
-    next.reset(std::min(half_w, half_h) >= kSmallest ? new float[size_t(half_w) * size_t(half_h)] : nullptr);
+    const int thinned = here && doubled ? 2 : 1;
     const size_t number = space.levels.size();
     for (int l = 0; l < kLevels; ++l) {
       Level level{(w + thinned - 1) / thinned, (h + thinned - 1) / thinned, pixel * thinned, nullptr};
       level.values.reset(new uint16_t[size_t(level.width) * size_t(level.height)]);
       space.levels.push_back(std::move(level));
     }
-    const Octave o{{here ? grey : nullptr, base.get(), w, h, doubled}, pixel, next.get(), &space.levels[number], int32_t(number), thinned, least};
+    const Octave o{source, &space.levels[number], int32_t(number), thinned, least};
     for (int x = 0; x < w; x += kStrip) strip(o, here ? &first : nullptr, filters, x, std::min(w, x + kStrip), space.extrema);
-    base = std::move(next);
-    w = half_w, h = half_h, pixel *= 2;
+    const Level& last = space.levels.back();
+    w = (w + 1) / 2, h = (h + 1) / 2, pixel *= 2;
+    source = {nullptr, last.values.get(), last.width, 2 / thinned, w, h, false};
   }
 }
 

@@ -36,7 +36,7 @@ def octaves(grey, *, doubled=False):
         for sigma in step:
             G.append(smooth(G[-1], sigma))
         yield np.array(G), pixel
-        first, pixel = G[LEVELS][::2, ::2], 2 * pixel
+        first, pixel = np.floor(256 * G[LEVELS][::2, ::2] + 0.5) / 256, 2 * pixel
 
 
 def weights(n, x):
@@ -88,7 +88,7 @@ def search(grey, least, *, doubled=False):
     table, where = [], []
     for G, pixel in octaves(grey, doubled=doubled):
         D = np.diff(G, axis=0)
-        found = ((maximum_filter(D, 3) == D) & (least < 2 * D)) | ((minimum_filter(D, 3) == D) & (2 * D < -least))
+        found = ((maximum_filter(D, 3) == D) & (least < 2 * D)) | ((minimum_filter(D, 3) == D) & (-least > 2 * D))
         found[:, :BORDER], found[:, -BORDER:], found[:, :, :BORDER], found[:, :, -BORDER:] = [False] * 4
         found[[0, -1]] = False
         thinned = 2 if pixel == 0.5 else 1

@@ -182,12 +182,12 @@ def test_the_same_features_with_every_instruction_set(tmp_path):
 
 
 def test_without_kernels_opencv_finds_the_features(monkeypatch):
-    """Its own version, so that neither takes up what the other has stored, and the same kind of descriptors."""
+    """Under a key of its own, so that neither takes up what the other has stored; the same kind of descriptors."""
     grey = texture(300, 400, 13)
-    ours, version = RootSift().detect(grey, 500), RootSift().version
+    ours, content = RootSift().detect(grey, 500), RootSift().content
     monkeypatch.setattr(native, "module", lambda: None)
     theirs = RootSift().detect(grey, 500)
-    assert RootSift().version != version
+    assert RootSift().content != content
     near = np.linalg.norm(ours.xy_px[:, None] - theirs.xy_px[None], axis=2)
     i, j = np.nonzero(near < 0.3)
     alike = (np.abs(ours.scale_px[i] / theirs.scale_px[j] - 1) < 0.15) & (

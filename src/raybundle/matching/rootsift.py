@@ -31,49 +31,52 @@ OVERLAP_PX = 96
 FEW = 0.6
 """Below this share of the wanted features the finest octave is searched as well."""
 
+LARGEST = 60e6
+"""Pixels of a photograph that may be searched at double size; soft ones of more have features in wide octaves."""
+LEVELS, FINEST = 10.5, 6.5
+"""Bytes of memory for a pixel of a photograph by the compiled kernels: levels in 16 bits, three of each octave; and of
+those of double size every second pixel (`benchmarks/features_memory.py`)"""
 HELD, SEARCHED = 4.0, 236.0
-"""Bytes of memory for a pixel of a photograph, and for one of the part that is searched at a time: 11 pictures in
-float32 of four times its pixels and a third more for all octaves (`benchmarks/features_memory.py`)"""
-
+"""The same by OpenCV, and for a pixel of the part that is searched at a time: 11 pictures in float32 of four times its
+pixels and a third more for all octaves"""
 
 Found = tuple[Array, Callable[[Index], Features]]
-"""Features (n, 4 or 5): place [px], scale [px], direction where it is known, contrast; how chosen ones are described."""
+"""Features (n, 4 or 5): place [px], scale [px], direction where it is known, contrast; and their descriptions."""
 
 
 class RootSift(FeatureMethod):
     """By the compiled kernels, or without them by OpenCV's detector; first without the octave of double size."""
 
     name = "rootsift"
+    version = 3
     codebook = "rootsift"
 
     @property
-    def version(self) -> int:
-        """4 of the compiled kernels, 3 of OpenCV: neither takes up what the other has stored."""
-        return 3 if native.module() is None else 4
+    def content(self) -> tuple[object, ...]:
+        """With the detector: features by OpenCV are others than those by the compiled kernels."""
+        return *super().content, detector()
 
     def detect(self, grey: Array, count: int) -> Features:
         """At most `count` features, spread over the format.
 
-        The image is searched from its own size downwards.  Where that gives few points the octave of double size is
-        searched too, and where that does not help, features of dark and hazy photographs are taken down to their
-        noise: they have no less of them, only weaker ones.
+        The image is searched from its own size downwards.  Where that gives few points, features of dark and hazy
+        photographs are taken down to their noise: they have no less of them, only weaker ones.  Where that does not
+        help, or is not needed, the octave of double size is searched too.
         """
         search = _tiles if native.module() is None else _scale_space
         weak = min(noise_contrast(grey), CONTRAST) if low_contrast(grey) else CONTRAST
-        for contrast, doubled in dict.fromkeys([(CONTRAST, False), (weak, False), (weak, True)]):
-            table, described = search(grey, count, contrast, doubled=doubled)
-            if len(table) >= FEW * count:
-                break
-        used = np.arange(len(table))
+        table, described = search(grey, count, CONTRAST, doubled=False)
+        for doubled in (False, True):
+            if len(table) < FEW * count and (grey.size <= LARGEST if doubled else weak < CONTRAST):
+                del described  # and what it holds
+                table, described = search(grey, count, weak, doubled=doubled)
         h, w = grey.shape
-        return described(used[spread(table[used, :2], table[used, -1], count, w, h)])
+        return described(spread(table[:, :2], table[:, -1], count, w, h))
 
     def bytes_needed(self, pixels: float) -> float:
-        """At most: where the finest octave is searched.
-
-        A sharp photograph of a few megapixels takes a quarter of it; from some 20 on they take nearly the same, as a
-        part of twice the side is then searched at half its size.
-        """
+        """At most: where the octave of double size is searched too."""
+        if native.module() is not None:
+            return LEVELS * pixels + FINEST * min(pixels, LARGEST)
         return HELD * pixels + SEARCHED * min(pixels, float(TILE_PX + 2 * OVERLAP_PX) ** 2)
 
     def vectors(self, descriptors: Array) -> Array:
@@ -87,6 +90,11 @@ class RootSift(FeatureMethod):
     def shared(self, first: Array, second: Array) -> int:
         """By the stored bytes."""
         return len(mutual_matches(first, second, CLEAR)[0])
+
+
+def detector() -> str:
+    """What finds the features here."""
+    return "OpenCV" if native.module() is None else "compiled kernels"
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,7 +131,7 @@ def noise_contrast(grey: Array) -> float:
 def _scale_space(grey: Array, count: int, contrast: float, *, doubled: bool) -> Found:
     """By the compiled kernels: extrema are oriented and described from the levels where they were found."""
     space = native.required().search_features(np.ascontiguousarray(grey), contrast * 255 / 3, doubled)
-    table: Array = space.table() * [1, 1, 1, 3 / 255]
+    table = space.table() * np.array([1, 1, 1, 3 / 255])
 
     def described(chosen: Index) -> Features:
         owner, angle = space.orient(chosen)  # further directions of an extremum come after those of all
