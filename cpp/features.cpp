@@ -311,8 +311,7 @@ static void search(const uint8_t* grey, int width, int height, float least, bool
   }
 }
 
-// Gradients at places around an extremum, at the nearest pixel of each.
-constexpr int kPatch = 400;
+constexpr int kPatch = 400;  // places at most at which gradients are taken
 
 // Angles of gradients [rad], to 2e-4.
 static inline float angle_of(float y, float x) {
@@ -323,7 +322,8 @@ static inline float angle_of(float y, float x) {
   return y < 0 ? -r : r;
 }
 
-// Magnitudes, weighted, and angles of the gradients at n places (u, v) relative to an extremum in pixels of its level.
+// Magnitudes, weighted, and angles of the gradients at n places (u, v) relative to an extremum in pixels of its level, each
+// at the nearest pixel.
 static void gradients(const Level& level, const Extremum& e, const float* u, const float* v, const float* weight, int n, float* magnitude,
                       float* angle) {
   int32_t at[kPatch];

@@ -151,7 +151,7 @@ nb::tuple fit_corners(Image image, Const xy, Const u, Const v, Const band, Const
   return nb::make_tuple(values, cofactor, variance, ended);
 }
 
-constexpr int kLongestSide = 1 << 24;  // pixels, of which a float holds every one
+constexpr size_t kLongestSide = 1 << 23, kMostPixels = 1u << 31;  // a float holds every place, 32 bits every pixel
 
 // Of each extremum: x and y in the pixel frame of the image, scale [px], strength [grey levels].
 Doubles table_of(const ScaleSpace& space) {
@@ -165,7 +165,7 @@ Doubles table_of(const ScaleSpace& space) {
 }
 
 ScaleSpace* search_features(ByteRows grey, double least, bool doubled) {
-  if (grey.shape(0) > kLongestSide || grey.shape(1) > kLongestSide || !(least > 0)) throw std::invalid_argument("an image is too large, or no limit is given");
+  if (grey.shape(0) > kLongestSide || grey.shape(1) > kLongestSide || grey.size() >= kMostPixels || !(least > 0)) throw std::invalid_argument("an image is too large, or no limit is given");
   nb::gil_scoped_release release;
   auto found = std::make_unique<ScaleSpace>();
   feature_kernels().search(grey.data(), int(grey.shape(1)), int(grey.shape(0)), float(least), doubled, *found);

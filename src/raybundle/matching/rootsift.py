@@ -76,7 +76,7 @@ class RootSift(FeatureMethod):
     def bytes_needed(self, pixels: float) -> float:
         """At most: where the octave of double size is searched too."""
         if native.module() is not None:
-            return LEVELS * pixels + FINEST * min(pixels, LARGEST)
+            return max(LEVELS * pixels, (LEVELS + FINEST) * min(pixels, LARGEST))
         return HELD * pixels + SEARCHED * min(pixels, float(TILE_PX + 2 * OVERLAP_PX) ** 2)
 
     def vectors(self, descriptors: Array) -> Array:
