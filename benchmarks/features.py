@@ -211,7 +211,7 @@ def judged(case: Case, repeat: int) -> dict[str, Any]:
 
     @cache
     def grey(k: int) -> Array:
-        read = cv2.imread(str(files[k]), cv2.IMREAD_GRAYSCALE)
+        read = cv2.imread(str(files[k]), cv2.IMREAD_GRAYSCALE | cv2.IMREAD_IGNORE_ORIENTATION)
         assert read is not None
         return case.change(read)
 

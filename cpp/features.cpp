@@ -24,7 +24,7 @@ constexpr int kLanes = kBytes / 4;
 typedef float V;
 constexpr int kLanes = 1;
 #endif
-constexpr int kTogether = 4;                  // vectors whose sums are formed side by side
+constexpr int kTogether = 4;                  // vectors that are summed side by side
 constexpr int kBlock = kTogether * kLanes;    // columns of a step
 
 static inline V load(const float* a) {
@@ -147,7 +147,7 @@ template <int n> struct Through {
   }
 };
 
-// The place and value of the extremum of a parabola through 27 differences; false for edges, weak ones and those that move away.
+// The place and strength of an extremum; false for edges, weak ones, and where the parabola of its differences lies elsewhere.
 static bool refine(const std::array<Rows, kDifferences>& D, int x, int y, int level, float least, Extremum& e) {
   int X = x, Y = y, L = level;
   for (int turn = 0; turn < 5; ++turn) {
