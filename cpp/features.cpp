@@ -34,7 +34,7 @@ static inline V load(const float* a) {
 }
 static inline void store(float* a, V v) { std::memcpy(a, &v, sizeof v); }
 
-constexpr float kSigma = 1.8f;    // of the first level of an octave [px]
+constexpr float kSigma = 1.6f;    // of the first level of an octave [px]
 constexpr float kReach = 3.5f;    // of a Gaussian filter, in its standard deviations
 constexpr int kSide = 16;         // columns beside a row, more than the widest filter reaches
 constexpr int kBorder = 5;        // pixels of a level in which nothing is found

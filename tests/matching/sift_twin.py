@@ -6,7 +6,7 @@ Of equal differences the kernel takes one, the twin all.
 import numpy as np
 from scipy.ndimage import correlate1d, maximum_filter, minimum_filter
 
-SIGMA, LEVELS, BORDER = 1.8, 3, 5
+SIGMA, LEVELS, BORDER = 1.6, 3, 5
 
 
 def smooth(image, sigma):
