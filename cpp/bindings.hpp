@@ -34,5 +34,5 @@ inline void require(bool fine, const char* what) {
   if (!fine) throw std::invalid_argument(what);
 }
 
-void bind_images(nb::module_& m);    // descriptors, windows, dots, corners
+void bind_images(nb::module_& m);    // features, descriptors, windows, dots, corners
 void bind_surfaces(nb::module_& m);  // approximate depths, refinement

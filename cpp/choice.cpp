@@ -3,6 +3,7 @@
 #include <string>
 
 #include "corners.hpp"
+#include "features.hpp"
 #include "imaging.hpp"
 #include "problem.hpp"
 #include "surface.hpp"
@@ -42,6 +43,7 @@ const Kernels& kernels() { return RB_WIDEST(table); }
 const ImagingKernels& imaging_kernels() { return RB_WIDEST(imaging); }
 const TargetKernels& target_kernels() { return RB_WIDEST(targets); }
 const CornerKernels& corner_kernels() { return RB_WIDEST(corners); }
+const FeatureKernels& feature_kernels() { return RB_WIDEST(features); }
 const SweepKernels& sweep_kernels() { return RB_WIDEST(sweep); }
 const SurfaceKernels& surface_kernels() { return RB_WIDEST(surface); }
 

@@ -1,9 +1,10 @@
-// Python bindings of kernels on image contents: descriptors, windows, dots, corners.
+// Python bindings of kernels on image contents: features, descriptors, windows, dots, corners.
 #include <algorithm>
 #include <cmath>
 
 #include "bindings.hpp"
 #include "corners.hpp"
+#include "features.hpp"
 #include "imaging.hpp"
 #include "targets.hpp"
 
@@ -150,9 +151,66 @@ nb::tuple fit_corners(Image image, Const xy, Const u, Const v, Const band, Const
   return nb::make_tuple(values, cofactor, variance, ended);
 }
 
+constexpr size_t kLongestSide = 1 << 23, kMostPixels = 1u << 31;  // a float holds every place, 32 bits every pixel
+
+// Of each extremum: x and y in the pixel frame of the image, scale [px], strength [grey levels].
+Doubles table_of(const ScaleSpace& space) {
+  auto table = make({space.extrema.size(), 4});
+  double* t = table.data();
+  for (const Extremum& e : space.extrema) {
+    const double pixel = space.levels[size_t(e.level)].pixel;
+    *t++ = e.x * pixel + 0.5, *t++ = e.y * pixel + 0.5, *t++ = e.sigma * pixel, *t++ = e.strength;
+  }
+  return table;
+}
+
+ScaleSpace* search_features(ByteRows grey, double least, bool doubled) {
+  if (grey.shape(0) > kLongestSide || grey.shape(1) > kLongestSide || grey.size() >= kMostPixels || !(least > 0)) throw std::invalid_argument("an image is too large, or no limit is given");
+  nb::gil_scoped_release release;
+  auto found = std::make_unique<ScaleSpace>();
+  feature_kernels().search(grey.data(), int(grey.shape(1)), int(grey.shape(0)), float(least), doubled, *found);
+  return found.release();
+}
+
+void check_chosen(const ScaleSpace& space, const Longs& chosen) {
+  for (size_t i = 0; i < chosen.size(); ++i)
+    if (chosen.data()[i] < 0 || size_t(chosen.data()[i]) >= space.extrema.size()) throw std::invalid_argument("there is no such extremum");
+}
+
+nb::tuple orient_features(const ScaleSpace& space, Longs chosen) {
+  check_chosen(space, chosen);
+  std::vector<int64_t> owner;
+  std::vector<double> angle;
+  {
+    nb::gil_scoped_release release;
+    feature_kernels().orient(space, chosen.data(), int64_t(chosen.size()), owner, angle);
+  }
+  auto o = array<int64_t>({owner.size()});
+  auto a = make({angle.size()});
+  std::copy(owner.begin(), owner.end(), o.data());
+  std::copy(angle.begin(), angle.end(), a.data());
+  return nb::make_tuple(o, a);
+}
+
+Bytes describe_features(const ScaleSpace& space, Longs chosen, Const angle) {
+  check_chosen(space, chosen);
+  const double* a = angle.data();
+  if (angle.size() != chosen.size() || !std::all_of(a, a + angle.size(), [](double v) { return std::abs(v) <= 7; }))
+    throw std::invalid_argument("not as many directions as extrema, or directions beyond a turn");
+  auto descriptors = array<uint8_t>({chosen.size(), size_t(kDescriptor)});
+  uint8_t* d = descriptors.data();
+  {
+    nb::gil_scoped_release release;
+    feature_kernels().describe(space, chosen.data(), a, int64_t(chosen.size()), d);
+  }
+  return descriptors;
+}
+
 }  // namespace
 
 void bind_images(nb::module_& m) {
+  nb::class_<ScaleSpace>(m, "ScaleSpace").def("table", &table_of).def("orient", &orient_features).def("describe", &describe_features);
+  m.def("search_features", &search_features);
   m.def("best_matches", [](Floats a, Floats b) { return best(a, b, imaging_kernels().best); });
   m.def("best_matches_of_bytes", [](ByteRows a, ByteRows b) {
     if (a.shape(1) % 4 || a.shape(1) > kLongestBytes) throw std::invalid_argument("descriptors of bytes have a length that is no multiple of 4, or too large");

@@ -249,6 +249,7 @@ def test_doctor(capsys):
     report = json.loads(capsys.readouterr().out)
     assert report["required"]["numpy"]
     assert set(report["native"]) == {"available", "instruction_set", "remark"}
+    assert report["features"]["rootsift"].startswith("compiled" if report["native"]["available"] else "OpenCV")
     assert "sensor models" in report["optional"]["sympy"]["brings"]
     assert run("doctor") == 0
     out = capsys.readouterr().out

@@ -65,6 +65,7 @@ def command(as_json: bool) -> int:  # noqa: FBT001  (a flag of the command line)
 
 def examine() -> dict[str, Any]:
     """What is installed; None for what is not."""
+    from raybundle.matching.rootsift import detector
     from raybundle.numerics import native
 
     return {
@@ -77,6 +78,7 @@ def examine() -> dict[str, Any]:
             "instruction_set": native.instruction_set(),
             "remark": _native_remark(native.available()),
         },
+        "features": {"rootsift": detector()},
         "required": {name: _usable(name) for name in REQUIRED},
         "optional": {
             name: {"version": _usable(name), "brings": brings, "install": install}
@@ -117,6 +119,7 @@ def _lines(found: dict[str, Any]) -> list[str]:
         f"Python {found['python']} at {sys.prefix}",
         f"{found['platform']}, {found['processors']} processors",
         f"native kernels: {'yes, ' + native['instruction_set'] if native['available'] else 'no'}. {native['remark']}",
+        f"features: RootSIFT by {found['features']['rootsift']}",
         "",
         "required",
     ]

@@ -23,9 +23,13 @@ class Reduced(FeatureMethod):
     def __init__(self, method: FeatureMethod) -> None:
         self.method = method
         self.name = method.name + SUFFIX
-        self.version = method.version
         self.upright = method.upright
         self.codebook = method.codebook
+
+    @property
+    def content(self) -> tuple[object, ...]:
+        """That of the method, under the name of the reduced one."""
+        return self.name, *self.method.content[1:]
 
     def detect(self, grey: Array, count: int) -> Features:
         """At most `count` features, as many as a photograph of that size has."""

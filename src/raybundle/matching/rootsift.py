@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.matching.descriptors import directions, mutual_matches
 from raybundle.matching.features import CLEAR, Described, FeatureMethod, Features, register, spread
+from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
 
 CONTRAST = 0.015
@@ -30,48 +31,52 @@ OVERLAP_PX = 96
 FEW = 0.6
 """Below this share of the wanted features the finest octave is searched as well."""
 
+LARGEST = 60e6
+"""Pixels of a photograph that may be searched at double size; soft ones of more have features in wide octaves."""
+LEVELS, FINEST = 10.5, 6.5
+"""Bytes of memory for a pixel of a photograph by the compiled kernels: levels in 16 bits, three of each octave; and of
+those of double size every second pixel (`benchmarks/features_memory.py`)"""
 HELD, SEARCHED = 4.0, 236.0
-"""Bytes of memory for a pixel of a photograph, and for one of the part that is searched at a time: 11 pictures in
-float32 of four times its pixels and a third more for all octaves (`benchmarks/features_memory.py`)"""
+"""The same by OpenCV, and for a pixel of the part that is searched at a time: 11 pictures in float32 of four times its
+pixels and a third more for all octaves"""
+
+Found = tuple[Array, Callable[[Index], Features]]
+"""Features (n, 4 or 5): place [px], scale [px], direction where it is known, contrast; and their descriptions."""
 
 
 class RootSift(FeatureMethod):
-    """OpenCV's detector, tile by tile, first without the octave of double size."""
+    """By the compiled kernels, or without them by OpenCV's detector; first without the octave of double size."""
 
     name = "rootsift"
-    version = 2
+    version = 3
     codebook = "rootsift"
+
+    @property
+    def content(self) -> tuple[object, ...]:
+        """With the detector: features by OpenCV are others than those by the compiled kernels."""
+        return *super().content, detector()
 
     def detect(self, grey: Array, count: int) -> Features:
         """At most `count` features, spread over the format.
 
-        The image is searched from half its size upwards, so that the first octave has the size of the image: a
-        quarter of the work, and the points that are left out are the least repeatable ones.  Where that gives
-        few points the octave of double size is searched too, and where that does not help, features of dark and hazy
-        photographs are taken down to their noise: they have no less of them, only weaker ones.
+        The image is searched from its own size downwards.  Where that gives few points, features of dark and hazy
+        photographs are taken down to their noise: they have no less of them, only weaker ones.  Where that does not
+        help, or is not needed, the octave of double size is searched too.
         """
+        search = _tiles if native.module() is None else _scale_space
+        weak = min(noise_contrast(grey), CONTRAST) if low_contrast(grey) else CONTRAST
+        table, described = search(grey, count, CONTRAST, doubled=False)
+        for doubled in (False, True):
+            if len(table) < FEW * count and (grey.size <= LARGEST if doubled else weak < CONTRAST):
+                del described  # and what it holds
+                table, described = search(grey, count, weak, doubled=doubled)
         h, w = grey.shape
-        tiles = _detect(grey, 2, count)
-        if sum(len(t.keypoints) for t in tiles) < FEW * count:
-            tiles = _detect(grey, 1, count)
-        weak = noise_contrast(grey) if low_contrast(grey) else CONTRAST
-        if weak < CONTRAST and sum(len(t.keypoints) for t in tiles) < FEW * count:
-            tiles = _detect(grey, 1, count, weak)
-        table = np.vstack([np.zeros((0, 5)), *(t.table for t in tiles)])
-        chosen = spread(table[:, :2], table[:, 4], count, w, h)
-        return Features(
-            xy_px=table[chosen, :2],
-            scale_px=table[chosen, 2],
-            angle=table[chosen, 3],
-            descriptors=_described(tiles, chosen),
-        )
+        return described(spread(table[:, :2], table[:, -1], count, w, h))
 
     def bytes_needed(self, pixels: float) -> float:
-        """At most: where the finest octave is searched.
-
-        A sharp photograph of a few megapixels takes a quarter of it; from some 20 on they take nearly the same, as a
-        part of twice the side is then searched at half its size.
-        """
+        """At most: where the octave of double size is searched too."""
+        if native.module() is not None:
+            return max(LEVELS * pixels, (LEVELS + FINEST) * min(pixels, LARGEST))
         return HELD * pixels + SEARCHED * min(pixels, float(TILE_PX + 2 * OVERLAP_PX) ** 2)
 
     def vectors(self, descriptors: Array) -> Array:
@@ -85,6 +90,11 @@ class RootSift(FeatureMethod):
     def shared(self, first: Array, second: Array) -> int:
         """By the stored bytes."""
         return len(mutual_matches(first, second, CLEAR)[0])
+
+
+def detector() -> str:
+    """What finds the features here."""
+    return "OpenCV" if native.module() is None else "compiled kernels"
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,9 +128,26 @@ def noise_contrast(grey: Array) -> float:
     return 3 * TIMES * NOISE_GAIN * max(sigma, QUANTISED) / 255
 
 
-def _detect(grey: Array, reduction: int, count: int, contrast: float = CONTRAST) -> list[_Tile]:
-    """Points of the image reduced by a whole number, in the pixel frame of the full size; not yet described."""
+def _scale_space(grey: Array, count: int, contrast: float, *, doubled: bool) -> Found:
+    """By the compiled kernels: extrema are oriented and described from the levels where they were found."""
+    space = native.required().search_features(np.ascontiguousarray(grey), contrast * 255 / 3, doubled)
+    table = space.table() * np.array([1, 1, 1, 3 / 255])
+
+    def described(chosen: Index) -> Features:
+        owner, angle = space.orient(chosen)  # further directions of an extremum come after those of all
+        order = np.argsort(owner[:count], kind="stable")
+        rows, angle = chosen[owner[order]], angle[order]
+        return Features(
+            xy_px=table[rows, :2], scale_px=table[rows, 2], angle=angle, descriptors=space.describe(rows, angle)
+        )
+
+    return table, described
+
+
+def _tiles(grey: Array, count: int, contrast: float, *, doubled: bool) -> Found:
+    """By OpenCV, tile by tile, of the image itself or of one of half its size: OpenCV begins at double size."""
     h, w = grey.shape
+    reduction = 1 if doubled else 2
     step = TILE_PX * reduction
     margin = OVERLAP_PX * reduction
     tiles: list[_Tile] = []
@@ -136,15 +163,25 @@ def _detect(grey: Array, reduction: int, count: int, contrast: float = CONTRAST)
             found = sorted(_sift(contrast).detect(tile, None), key=lambda k: -k.response)[: 4 * count]
             if not found:
                 continue
-            table = np.array([(*k.pt, k.size / 2, np.radians(k.angle), k.response) for k in found])
+            table = np.array([(*k.pt, k.size / 2, np.radians(k.angle), 3 * k.response) for k in found])
             table[:, :2] = (table[:, :2] + 0.5) * reduction + [x0, y0]
             table[:, 2] *= reduction
             inner = (table[:, 0] >= x) & (table[:, 0] < x + step) & (table[:, 1] >= y) & (table[:, 1] < y + step)
             tiles.append(_Tile(tile, [found[k] for k in np.flatnonzero(inner)], table[inner]))
-    return tiles
+    table = np.vstack([np.zeros((0, 5)), *(t.table for t in tiles)])
+
+    def described(chosen: Index) -> Features:
+        return Features(
+            xy_px=table[chosen, :2],
+            scale_px=table[chosen, 2],
+            angle=table[chosen, 3],
+            descriptors=_descriptors(tiles, chosen),
+        )
+
+    return table, described
 
 
-def _described(tiles: Sequence[_Tile], chosen: Index) -> Array:
+def _descriptors(tiles: Sequence[_Tile], chosen: Index) -> Array:
     """Descriptors (n, 128) uint8 of the chosen ones of the points of all tiles: one in two is dropped undescribed."""
     result = np.zeros((len(chosen), 128), np.uint8)
     begin = 0

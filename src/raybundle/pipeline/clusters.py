@@ -30,6 +30,7 @@ from urllib.parse import urlsplit
 
 from raybundle.errors import InputError, phrase
 from raybundle.io.reading.trees import read_json
+from raybundle.numerics import native
 from raybundle.pipeline.store import Folder, store_at, writing
 
 SCHEDULER = "scheduler.json"
@@ -193,7 +194,7 @@ def _context(cluster: Cluster) -> ssl.SSLContext:
 @lru_cache
 def signature() -> str:
     """What this raybundle is: version, and a sum over its programs and what its digits depend on beside them."""
-    total = hashlib.sha256(platform.python_version().rpartition(".")[0].encode())
+    total = hashlib.sha256(f"{platform.python_version().rpartition('.')[0]} {native.available()}".encode())
     for name in MATTERS:
         total.update(f"{name} {metadata.version(name)}\n".encode())
     home = Path(__file__).parents[1]

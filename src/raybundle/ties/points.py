@@ -36,7 +36,7 @@ MOST_MASKED = 8.0
 
 def feature_key(photo: Photo, method: FeatureMethod, count: int, mask: str = "") -> str:
     """What the features of a photograph depend on; `mask`: the content of its mask."""
-    return key_of("features", photo.sha256, method.name, method.version, count, *([mask] if mask else []))
+    return key_of("features", photo.sha256, *method.content, count, *([mask] if mask else []))
 
 
 def feature_count(photo: Photo, most: int) -> int:

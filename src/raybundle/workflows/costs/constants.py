@@ -12,7 +12,7 @@ import msgspec
 
 from raybundle.io.user_folders import made_again_folder
 
-REVISION = 2
+REVISION = 3
 """Raised with every change of what is measured; constants of another are measured again"""
 SWEEPS = ("up", "down", "covariances", "statistics")
 """Kinds of tasks of an adjustment in parts, as they are distinguished here"""

@@ -111,7 +111,7 @@ def find_scene_features(
     counts = [min(most, max(500, int(s.width_px * s.height_px / PIXELS_EACH))) for s in images]
     tasks = [
         Task(
-            key=key_of("scene_features", VERSION, s.sha256, method.name, method.version, n),
+            key=key_of("scene_features", VERSION, s.sha256, *method.content, n),
             function=f"{__name__}:scene_features_of", name=s.name, cost=s.width_px * s.height_px / PIXELS_A_SECOND,
             options=SceneFeaturesTask(scene=_file(s), method=method.name, count=n),
         )

@@ -62,8 +62,8 @@ report_tables-table = { $name ->
     }
 
 report_tables-kernel = { $native ->
-        [yes] nativer Rechenkern
-        *[no] NumPy (ohne nativen Rechenkern: langsamer, gleiche Ergebnisse)
+        [yes] nativer Rechenkern, auch für RootSIFT
+        *[no] NumPy (ohne nativen Rechenkern: langsamer, gleiche Ergebnisse aus gleichen Bildpunkten), RootSIFT von OpenCV
     }
 
 report_tables-not_installed = nicht installiert

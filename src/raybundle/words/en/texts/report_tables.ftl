@@ -73,8 +73,8 @@ report_tables-table = { $name ->
 
 # $native = true
 report_tables-kernel = { $native ->
-        [yes] native
-        *[no] NumPy (no native kernel: slower, same results)
+        [yes] native, RootSIFT by the native kernel
+        *[no] NumPy (no native kernel: slower, same results from the same image points), RootSIFT by OpenCV
     }
 
 report_tables-not_installed = not installed
