@@ -12,6 +12,7 @@ from raybundle.planning.simulate import measured
 from raybundle.scenes.kinds.range_doppler import RangeDopplerSensor, side_looking
 from raybundle.scenes.orbit import Orbit
 from raybundle.scenes.sensor import scene_camera, view_of
+from tests.messages import refused
 from tests.truth.mixed_blocks import PLACE, MonteCarlo, block_of, control_table
 from tests.truth.radar_blocks import radar_camera
 
@@ -133,3 +134,32 @@ def test_range_offset_and_orbit_of_one_scene_are_named_as_not_separable():
     held = replace(free, estimate=("dt", "dr"))
     alone = adjust(replace(block, cameras=(held,)))
     assert not [n for n in alone.notices if n.data.code == "correlation"]
+
+
+def test_points_on_the_other_side_of_the_track_are_no_points_of_the_scene():
+    scene = side_looking((15.0, 46.0, 200.0))
+    seen = scene.localise(np.array([[2000.0, 2000.0], [300.0, 3500.0]]), 200.0)
+    other = replace(scene, side=-scene.side)
+    with refused("scene.wrong_side", n=2, side="left"):
+        other.project(seen)
+
+
+@pytest.mark.parametrize("factor", [-1.0, 0.0, 2.0])
+def test_velocities_that_positions_contradict_are_refused(factor):
+    orbit = side_looking((15.0, 46.0, 200.0)).orbit
+    with refused("trajectory.velocity_contradicts"):
+        replace(orbit, velocities=factor * orbit.velocities)
+
+
+@pytest.mark.parametrize(
+    ("change", "code"),
+    [
+        ({"width_px": 0}, "cell.not_positive"), ({"height_px": -5}, "cell.not_positive"),
+        ({"range_coefficients": np.zeros((1, 0))}, "value.zero"),
+        ({"burst_y": np.array([0.0, 2000.0]), "burst_times": np.array([-0.5, -0.5])}, "line_scene.times_not_monotonic"),
+        ({"burst_y": np.array([0.0, 2000.0]), "burst_times": np.array([0.1, -0.5])}, "line_scene.times_not_monotonic"),
+    ],
+)  # fmt: skip
+def test_tables_that_are_no_radar_scene_are_refused(change, code):
+    with refused(code):
+        replace(side_looking((15.0, 46.0, 200.0)), **change)

@@ -242,11 +242,12 @@ def interior_of(
         return found, (), None
     parts = [i for i in parts if i.free]
     keys = [i.camera if i.image is None else f"{i.camera}/{i.image}" for i in parts]
-    C = [[None if a != b else result.precision.interior[a] for b in keys] for a in keys]
-    if len(keys) == 2:
-        between = result.covariance(*(f"camera:{key}" for key in keys))
-        C[0][1], C[1][0] = between, between.T
-    return found, tuple(s for i in parts for s in i.free), np.block(C) if keys else np.zeros((0, 0))
+    known = [result.precision.interior[key] for key in keys]
+    if len(keys) < 2:
+        return found, parts[0].free if parts else (), known[0] if known else np.zeros((0, 0))
+    between = result.covariance(*(f"camera:{key}" for key in keys))
+    C = np.block([[known[0], between], [between.T, known[1]]])
+    return found, tuple(s for i in parts for s in i.free), C
 
 
 def _interior(a: Adjustment, i: InteriorResult) -> Interior:

@@ -92,6 +92,14 @@ def board_block(
     A print is truer in its plane (some 0.05 mm) than it is flat (1 mm).  Free points need views that see the same
     points in different parts of the format; the adjustment states whether they are determined.
     """
+    m = len(views)
+    for name, shape in (("view", (m,)), ("row", (m,)), ("column", (m,)), ("weight", (m,)), ("xy_px", (m, 2))):
+        values: Array = getattr(views, name)
+        if np.shape(values) != shape:
+            raise InputError(
+                "block.shape", block="board", name=name, shape=[*shape], type=type(values).__name__,
+                found=[*np.shape(values)],
+            )  # fmt: skip
     for name, number in (("spacing", views.spacing), ("sigma_px", sigma_px)):
         if not 0 < number < np.inf:
             raise InputError("cell.not_positive", column=name, value=f"{number:g}")

@@ -46,8 +46,9 @@ def transform_block(block: Block, by: SimilarityTransform, *, observed: Literal[
     if np.linalg.det(by.rotation) < 0:
         raise InputError("transform.rotation_mirrored")
     if observed == "stay":
-        window = None if block.points.window is None else by.scale * block.points.window
-        points = replace(block.points, xyz=by.points(block.points.xyz), window=window)
+        sizes = {name: getattr(block.points, name) for name in ("window", "sigma_curvature")}
+        scaled = {name: None if size is None else by.scale * size for name, size in sizes.items()}
+        points = replace(block.points, xyz=by.points(block.points.xyz), **scaled)
         return replace(block, images=block.images.transformed(by), points=points)
     if by.is_identity:
         return block

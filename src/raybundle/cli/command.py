@@ -6,7 +6,6 @@ import contextlib
 import difflib
 import io
 import json
-import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, cast
@@ -25,7 +24,6 @@ FACTS, HELP_ALL, JSON, QUIET, VERBOSE = (
 )
 GRAVE = {"fault": "faults", "warning": "warnings", "note": "notes", "left out": "left_out"}
 """Words with which a line begins that states what is wrong, and their names in JSON"""
-NEGATIVE = re.compile(r"-[0-9.][0-9.eE+-]*")
 NOT_KEPT = 4
 """Exit status where something that was asked for, a tolerance or an accuracy, is not kept"""
 NEAR = 0.6
@@ -47,12 +45,8 @@ class Command(click.Command):
         own = {name for p in self.params for name in p.opts}
         files = any(_is_file(p) for p in self.params)
         self.params += [o for o in shared_options(files=files) if own.isdisjoint(o.opts)]
-
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """As click does; a negative number is none of its options where numbers stand without one."""
         if any(isinstance(p, click.Argument) and isinstance(p.type, click.FloatRange) for p in self.params):
-            args = [f" {a}" if NEGATIVE.fullmatch(a) else a for a in args]
-        return super().parse_args(ctx, args)
+            self.context_settings = {**self.context_settings, "ignore_unknown_options": True}  # -5 is a number
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Those of most use, where the command has many; all with --help-all."""

@@ -14,6 +14,8 @@ NEAREST = 8
 """State vectors through which the orbit's polynomial runs."""
 BEYOND = 0.5
 """Steps of the table by which an image may end before or after it."""
+CONTRADICTING = 0.1
+"""Share by which velocities may differ from those of the positions: a chord of a tenth of a turn is 2 % short."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -40,6 +42,16 @@ class Orbit:
             raise InputError(
                 "trajectory.time_order", table="ephemeris", time_s=times[1], entry=k + 2, before_s=times[0]
             )
+        # by the chord; an orbit bends by far less from one entry to the next
+        chord = np.diff(self.positions, axis=0) / step[:, None]
+        mean = (self.velocities[1:] + self.velocities[:-1]) / 2
+        off, speed = np.linalg.norm(chord - mean, axis=1), np.linalg.norm(chord, axis=1)
+        if not (off <= CONTRADICTING * speed).all():
+            k = int(np.argmax(np.nan_to_num(off / np.maximum(speed, 1e-300), nan=np.inf)))
+            raise InputError(
+                "trajectory.velocity_contradicts",
+                table="ephemeris", entry=k + 1, moved=float(speed[k]), stated=float(np.linalg.norm(mean[k])),
+            )  # fmt: skip
 
     @staticmethod
     def of_inertial(

@@ -70,6 +70,8 @@ def _check_shapes(block: Block) -> None:
         "points": {"role": (p,), "xyz": (p, 3), "sigma": (p, 3)},
         "observations": {"image": (m,), "point": (m,), "xy_px": (m, 2), "cov_px2": (m, 3)},
     }
+    figures = ("window", "misfit", "relief", "sigma_curvature")
+    shapes["points"] |= {name: (p,) for name in figures if getattr(block.points, name) is not None}
     held: dict[str, Any] = {name: getattr(block, name) for name in shapes} | dict(block.tables)
     for name, table in block.tables.items():
         first: Any = getattr(table, next(table.cells())[0])
@@ -166,7 +168,9 @@ def _check_numbers(block: Block) -> None:
             )  # fmt: skip
     for name in ("window", "misfit", "relief", "sigma_curvature"):
         figures: Array | None = getattr(points, name)
-        for k in () if figures is None else np.flatnonzero(figures <= 0)[:1].tolist():
+        if figures is None:
+            continue
+        for k in np.flatnonzero(figures <= 0)[:1].tolist():
             value = f"{figures[k]:g}"
             raise InputError("cell.not_positive", file="points.csv", line=k + 2, column=name, value=value)
     sigma = points.sigma

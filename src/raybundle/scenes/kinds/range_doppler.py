@@ -92,6 +92,9 @@ class RangeDoppler:
 
     def __post_init__(self) -> None:
         """Refuse tables that do not fit each other."""
+        for name, size in (("width_px", self.width_px), ("height_px", self.height_px)):
+            if size < 1:
+                raise InputError("cell.not_positive", column=name, value=str(size))
         if not (self.line_s and self.pixel_m):
             raise InputError("value.zero", column="pixel_m" if self.line_s else "line_s")
         for name, table, values in (
@@ -99,7 +102,9 @@ class RangeDoppler:
         ):  # fmt: skip
             if len(table) < 1 or len(table) != len(values) or not (np.diff(table) > 0).all():
                 raise InputError("line_scene.table_order", table=name, n=len(table))
-        if not self.seconds > 0:
+        if np.ndim(self.range_coefficients) != 2 or not np.any(self.range_coefficients[:, 1:], axis=1).all():
+            raise InputError("value.zero", column="range")
+        if not self.seconds > 0 or not (np.diff(self.burst_times) * np.sign(self.line_s) > 0).all():
             raise InputError("line_scene.times_not_monotonic")
         ends = self.time(np.array([0.5, self.height_px - 0.5]))
         first, last, (start, end) = float(ends.min()), float(ends.max()), self.orbit.cover
@@ -262,6 +267,7 @@ class RangeDoppler:
                 last_line=float(self.line(t[k : k + 1], None)[0]), lines=self.height_px,
             )  # fmt: skip
         _, F_t, r, r_t, F_X, F_c, u, by_orbit = self._condition(X, t, given)
+        self._check_side(X, t, given)
         t_X, t_c = -F_X / F_t[:, None], -F_c / F_t[:, None]
         r_X, r_c = u + r_t[:, None] * t_X, by_orbit + r_t[:, None] * t_c
         image_t, from_middle = t - given.dt, r - self.middle_range_m
@@ -278,6 +284,12 @@ class RangeDoppler:
         columns = [both(r_c, t_c), dt[..., None], rest[0][..., None], rest[1][..., None]]
         by_parameters = np.concatenate(columns, axis=2)[:, :, : len(given.symbols)]
         return Observed(xy_px=np.stack([x, y], axis=1), by_point=both(r_X, t_X), by_parameters=by_parameters)
+
+    def _check_side(self, X: Array, t: Array, given: _Corrections) -> None:
+        """Ranges are the same on both sides of the track: raises InputError where all points lie on the wrong one."""
+        P, V, _ = given.pose(t)
+        if len(X) and (self.side * np.sum(np.cross(V, P) * (X - P), axis=1) < 0).all():
+            raise InputError("scene.wrong_side", n=len(X), side="right" if self.side > 0 else "left")
 
     def _condition(self, X: Array, t: Array, given: _Corrections) -> tuple[Array, ...]:
         """F = d . V - f |d|, dF/dt, |d|, d|d|/dt (n,), dF by point (n, 3) and orbit (n, c), d|d| by both at fixed t."""

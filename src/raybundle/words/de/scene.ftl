@@ -234,3 +234,10 @@ scene-no_ground_range = Die Tabelle der Bodenentfernungen ist leer.
     .do = Die Datei erneut beschaffen.
 
 scene-ground_range_origins = Der Ursprung der Bodenentfernungen wechselt im Bild; das wird nicht unterstützt.
+
+scene-wrong_side = Die Radarszene blickt nach { $side ->
+    [right] rechts
+   *[left] links
+  } der Bahn, aber alle { $n } Punkte liegen auf der anderen Seite.
+    .why = Entfernungen und Zeiten sind auf beiden Seiten gleich.
+    .do = Die Blickrichtung der Szene oder die Koordinaten korrigieren.

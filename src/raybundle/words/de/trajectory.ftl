@@ -60,3 +60,6 @@ trajectory-degree = { $name } = { $degree } ist nicht möglich.
 
 trajectory-parameter_count = Die Korrekturparameter haben die Dimension ({ $shape }); nötig sind { $needed }.
     .do = Für jeden Parameter einen Wert angeben.
+
+trajectory-velocity_contradicts = Tabelle { $table }, Eintrag { $entry }: Geschwindigkeit { NUM($stated, digits: 4) } m/s; die Positionen ändern sich um { NUM($moved, digits: 4) } m/s.
+    .do = Einheiten, Vorzeichen und Spalten der Geschwindigkeiten prüfen.

@@ -346,3 +346,12 @@ scene-no_ground_range = The table of ground ranges is empty.
     .do = Get the file again.
 
 scene-ground_range_origins = The origin of ground ranges changes along the image, which is not supported.
+
+# $n = 12
+# $side = "right"
+scene-wrong_side = The radar scene looks to the { $side ->
+    [right] right
+   *[left] left
+  } of its track, but all { $n } points lie on the other side.
+    .why = Ranges and times are the same on both sides.
+    .do = Correct the look direction of the scene, or the coordinates.

@@ -92,3 +92,10 @@ trajectory-degree = { $name } = { $degree } is not possible.
 # $shape = [9]
 trajectory-parameter_count = Correction parameters have shape ({ $shape }); { $needed } are needed.
     .do = Give one value for each parameter.
+
+# $table = "ephemeris"
+# $entry = 3
+# $moved = 7590
+# $stated = 12
+trajectory-velocity_contradicts = Table { $table }, entry { $entry }: velocity { NUM($stated, digits: 4) } m/s; positions change by { NUM($moved, digits: 4) } m/s.
+    .do = Check units, signs and columns of the velocities.

@@ -146,3 +146,8 @@ scene-burst_lines = { $n } bursts de { $lines } lignes ne font pas { $rows } lig
 scene-no_ground_range = La table des distances au sol est vide.
 
 scene-ground_range_origins = L'origine des distances au sol change dans l'image ; ce n'est pas pris en charge.
+
+scene-wrong_side = La scène radar regarde à { $side ->
+    [right] droite
+   *[left] gauche
+  } de sa trajectoire, mais les { $n } points se trouvent de l'autre côté.

@@ -39,3 +39,5 @@ trajectory-gap = La table { $table } a une lacune de { $gap_s } s dans l'image, 
 trajectory-degree = { $name } = { $degree } n'est pas possible.
 
 trajectory-parameter_count = Les paramètres de correction sont de forme ({ $shape }) ; il en faut { $needed }.
+
+trajectory-velocity_contradicts = Table { $table }, entrée { $entry } : vitesse { NUM($stated, digits: 4) } m/s ; les positions changent de { NUM($moved, digits: 4) } m/s.
