@@ -184,7 +184,7 @@ def counted(desk, quantity, limit):
 def test_limits_select_what_is_beyond_them(client, desk):
     found = {c["name"]: c for c in client.get("/api/criteria").json()["criteria"]}
     assert list(found) == ["w", "sigma", "rays", "redundancy"]
-    for name, limit in (("w", 2.5), ("sigma", found["sigma"]["middle"]), ("redundancy", 0.4), ("rays", 3)):
+    for name, limit in (("w", 1.5), ("sigma", found["sigma"]["middle"]), ("redundancy", 0.4), ("rays", 3)):
         s = client.get("/api/selection", params={"by": name, "limit": limit}).json()
         assert s["observations"] == counted(desk, name, limit) > 0
         assert s["observations"] == len(s["rows"])
@@ -196,12 +196,12 @@ def test_limits_select_what_is_beyond_them(client, desk):
 
 
 def test_all_beyond_a_limit_are_one_action_sent_twice_too(client, studio, project, desk):
-    given = {"id": "once", "author": "A", "by": "w", "limit": 2.5}
+    given = {"id": "once", "author": "A", "by": "w", "limit": 1.5}
     rows = client.get("/api/selection", params=given).json()["rows"]
     first, second = (client.post("/api/reject", json=given).json() for _ in range(2))
     assert first["seq"] == second["seq"]
     assert sorted(first["state"]["rejected"]) == sorted(rows)
-    assert first["command"].split() == ["raybundle", "mark", "reject", "--w", "2.5", "--", str(project)]
+    assert first["command"].split() == ["raybundle", "mark", "reject", "--w", "1.5", "--", str(project)]
     assert [e.verb for e in entries_of(journal_path(project))] == ["reject_beyond"]
     assert client.get("/api/selection", params=given).json()["observations"] == 0
     adjusted(client, studio)

@@ -50,6 +50,7 @@ def _rays(camera: Camera, xy_px: Array) -> Array:
         direction = model.ray(image, values)
         g = np.abs(np.stack(model.condition(*image, *direction, *values))).max(axis=0)
     lost = ~(g < 1e-6 * abs(values[0])) | ~model.in_front(direction, image, values)
+    lost &= np.isfinite(image).all(axis=0)  # what has no place has no ray
     if lost.any():
         start = _nearest_direction(model, image[:, lost], values)
         with np.errstate(all="ignore"):
@@ -91,8 +92,12 @@ def intersect_linear(origin: Array, direction: Array, point: Index, count: int) 
 
     origin, direction  (m, 3) in object space, unit length; point (m,) which point each ray belongs to
     Minimises the distances of the point from its rays.  The eigenvalue ratio is sin^2 of about half the angle
-    between the rays: 0 where they are parallel; such points get the foot of a slightly damped system.
+    between the rays: 0 where they are parallel; such points get the foot of a slightly damped system.  Rays that are no
+    numbers, as of a lens without inverse there, take no part.
     """
+    known = np.isfinite(direction).all(axis=1) & np.isfinite(origin).all(axis=1)
+    if not known.all():
+        origin, direction, point = origin[known], direction[known], point[known]
     P = np.eye(3) - direction[:, :, None] * direction[:, None, :]
     rays = np.bincount(point, minlength=count)
     A = np.zeros((count, 9))
