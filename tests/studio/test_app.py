@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 from raybundle.measuring.journal import entries_of, journal_path
+from raybundle.measuring.snap import REACH_PX
 from raybundle.studio.serve import listening
 from raybundle.words import headline
 from tests.studio.conftest import LIVE
@@ -233,7 +234,8 @@ def test_snapping_brings_a_click_to_the_picture_or_says_why_not(client, desk):
         for dx in range(-8, 9, 2):
             given = {"image": image, "x": x + dx, "y": y, "kind": "auto", "point": "n", "reach": reach}
             near = client.post("/api/snap", json=given).json()
-            assert "why" in near or np.hypot(near["x"] - x - dx, near["y"] - y) <= reach
+            most = max(reach, REACH_PX) if near.get("how") == "ellipse" else reach  # within a dot its centre is meant
+            assert "why" in near or np.hypot(near["x"] - x - dx, near["y"] - y) <= most
     for wrong in ({"x": "a"}, {"x": -5.0}, {"kind": "star"}, {"image": "nowhere"}, {"reach": -1}, {"reach": "far"}):
         given = {"image": image, "x": 8.0, "y": 6.0, "kind": "auto", "point": "n"} | wrong
         assert client.post("/api/snap", json=given).status_code == 409
