@@ -10,20 +10,7 @@
 namespace raybundle {
 namespace RB_ARCH {
 
-#if defined(__GNUC__)
-#if defined(__AVX512F__)
-constexpr int kBytes = 64;
-#elif defined(__AVX2__)
-constexpr int kBytes = 32;
-#else
-constexpr int kBytes = 16;
-#endif
-typedef float V __attribute__((vector_size(kBytes)));
-constexpr int kLanes = kBytes / 4;
-#else
-typedef float V;
-constexpr int kLanes = 1;
-#endif
+#include "lanes.inl"
 constexpr int kTogether = 4;                  // vectors that are summed side by side
 constexpr int kBlock = kTogether * kLanes;    // columns of a step
 

@@ -15,20 +15,7 @@
 namespace raybundle {
 namespace RB_ARCH {
 
-#if defined(__GNUC__)
-#if defined(__AVX512F__)
-constexpr int kBytes = 64;
-#elif defined(__AVX2__)
-constexpr int kBytes = 32;
-#else
-constexpr int kBytes = 16;
-#endif
-typedef float V __attribute__((vector_size(kBytes)));
-constexpr int kLanes = kBytes / 4;
-#else
-typedef float V;
-constexpr int kLanes = 1;
-#endif
+#include "lanes.inl"
 constexpr int kRows = 6, kWide = 2 * kLanes;
 
 // Doubles in vectors with sums of their own: without them a sum waits for each of its terms.
