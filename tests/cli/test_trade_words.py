@@ -9,6 +9,7 @@ from click.testing import CliRunner
 from tests.cli.walk import commands
 
 from raybundle.cli import frequent
+from raybundle.cli.command import Command
 from raybundle.cli.main import COMMANDS, TASKS, cli
 from raybundle.cli.trade_words import TRADE_WORDS
 
@@ -88,6 +89,15 @@ def test_the_short_help_of_a_command_shows_ten_options(words):
     assert short.rstrip().endswith(f"{len(shown) - 10} more options: --help-all")
     assert all(p.opts[0] in whole for p in shown)
     assert "--help-all" not in whole
+
+
+def test_the_help_is_the_same_whatever_context_came_first():
+    ask = click.Option(["--ask"])
+    first, second = (Command("ask", params=[ask], callback=print) for _ in range(2))
+    first.get_params(click.Context(first))
+    shown = [CliRunner().invoke(c, ["--help"]).output for c in (first, second)]
+    assert shown[0] == shown[1]
+    assert "  -h, --help" in shown[0]
 
 
 def test_no_long_help_without_a_short_one():

@@ -48,6 +48,10 @@ class Command(click.Command):
         if any(isinstance(p, click.Argument) and isinstance(p.type, click.FloatRange) for p in self.params):
             self.context_settings = {**self.context_settings, "ignore_unknown_options": True}  # -5 is a number
 
+    def get_help_option_names(self, ctx: click.Context) -> list[str]:
+        """The same in each context: click keeps the option that it makes for the first."""
+        return list(COMMAND_SETTINGS["help_option_names"])
+
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Those of most use, where the command has many; all with --help-all."""
         shown = OPTIONS.get(_name(ctx))
