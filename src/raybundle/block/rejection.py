@@ -109,6 +109,8 @@ def counts(rejections: Iterable[Rejection | None]) -> dict[RejectionKind, int]:
     return dict(sorted(found.items(), key=lambda pair: -pair[1]))
 
 
-def words(rejections: Iterable[Rejection | None]) -> tuple[str, ...]:
+def words(rejections: Rejections) -> tuple[str, ...]:
     """Empty, or the reason: the column `rejected` of observations.csv."""
+    if rejections.count(None) == len(rejections):
+        return ("",) * len(rejections)
     return tuple("" if r is None else str(r) for r in rejections)

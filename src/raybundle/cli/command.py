@@ -48,7 +48,7 @@ class Command(click.Command):
         if any(isinstance(p, click.Argument) and isinstance(p.type, click.FloatRange) for p in self.params):
             self.context_settings = {**self.context_settings, "ignore_unknown_options": True}  # -5 is a number
 
-    def get_help_option_names(self, ctx: click.Context) -> list[str]:
+    def get_help_option_names(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - as click calls it
         """The same in each context: click keeps the option that it makes for the first."""
         return list(COMMAND_SETTINGS["help_option_names"])
 

@@ -20,10 +20,12 @@ def natural(name: str) -> NaturalKey:
 
 
 def _number(digits: str) -> tuple[int, str]:
-    plain = "".join(str(int(d)) for d in digits).lstrip("0")  # digits of other scripts as well
+    plain = (digits if digits.isascii() else "".join(str(int(d)) for d in digits)).lstrip("0")
     return len(plain), plain
 
 
 def natural_order(names: tuple[str, ...] | list[str]) -> list[int]:
     """Positions of names in natural order."""
+    if all(map(str.isdecimal, names)) and all(map(str.isascii, names)):
+        return sorted(range(len(names)), key=lambda k: (*_number(names[k]), names[k]))
     return sorted(range(len(names)), key=lambda k: natural(names[k]))

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from raybundle.numerics.arrays import Index
+from raybundle.numerics.arrays import Array, Index
 
 
 def rows_of_each(owner: Index, count: int) -> list[Index]:
@@ -17,6 +17,14 @@ def rows_of_each(owner: Index, count: int) -> list[Index]:
     order = np.argsort(owner, kind="stable")
     bounds = np.searchsorted(owner[order], np.arange(count + 1)).tolist()
     return [order[a:b] for a, b in pairwise(bounds)]
+
+
+def rows_of_largest(values: Array, most: int) -> Index:
+    """Positions (k,) of the largest, in falling order, equal ones as they stand; at most so many.  No NaN."""
+    if most >= len(values):
+        return np.argsort(-values, kind="stable")
+    at = np.flatnonzero(values >= np.partition(values, len(values) - most)[len(values) - most])
+    return at[np.argsort(-values[at], kind="stable")][:most]
 
 
 def distinct(numbers: Index) -> Index:

@@ -11,8 +11,9 @@ import numpy as np
 from raybundle.adjustment.evaluation.cell_means import normalised_residuals
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rows import rows_of_largest
 from raybundle.report.figures.svg import spread_rows
-from raybundle.report.view import View, rms
+from raybundle.report.view import View
 
 
 def normalised(view: View) -> Array:
@@ -58,7 +59,7 @@ def spread_vectors(tests: Array, most: int) -> Index:
     if len(tests) <= most:
         return np.arange(len(tests))
     size = np.nan_to_num(np.abs(tests).max(axis=1))
-    large = np.argsort(-size, kind="stable")[:20]
+    large = rows_of_largest(size, 20)
     return np.unique(np.concatenate([large, spread_rows(len(tests), most - 20)]))
 
 
@@ -111,26 +112,31 @@ class ImageRow:
 def image_rows(view: View, tests: Array) -> list[ImageRow]:
     """One row for each image with observations, in the order of the block."""
     o, s = view.given.observations, view.adjustment.image_observations
-    order = np.argsort(o.image, kind="stable")
-    starts = np.searchsorted(o.image[order], np.arange(len(view.given.images) + 1))
-    rows: list[ImageRow] = []
-    for i in np.flatnonzero(np.diff(starts)):
-        mine = order[starts[i] : starts[i + 1]]
-        good = mine[view.used[mine]]
-        t = np.abs(tests[good])
-        r = s.redundancy[good]
-        rows.append(
-            ImageRow(
-                image=int(i),
-                count=len(good),
-                rejected=len(mine) - len(good),
-                rms_px=np.array([rms(s.residuals_px[good, k]) for k in (0, 1)]),
-                ratio=rms(t),
-                largest=float(np.nanmax(t)) if np.isfinite(t).any() else math.nan,
-                redundancy=float(np.nanmean(r)) if np.isfinite(r).any() else math.nan,
-            )
+    n, used = len(view.given.images), view.used
+    image, t, r = o.image[used], np.abs(tests[used]), s.redundancy[used]
+
+    def mean(values: Array) -> Array:
+        each = values.reshape(len(image), -1)
+        known = np.isfinite(each)
+        count = np.bincount(image, known.sum(axis=1), n)
+        with np.errstate(invalid="ignore"):
+            return np.bincount(image, np.where(known, each, 0).sum(axis=1), n) / count
+
+    largest = np.full(n, math.nan)
+    order = np.argsort(image, kind="stable")
+    count, given = np.bincount(image, minlength=n), np.bincount(o.image, minlength=n)
+    first = np.flatnonzero(np.diff(image[order], prepend=-1))
+    if len(order):
+        largest[image[order[first]]] = np.fmax.reduceat(np.fmax(*t.T)[order], first)
+    rms_px = np.sqrt(np.stack([mean(v**2) for v in s.residuals_px[used].T], axis=1))
+    ratio, redundancy = np.sqrt(mean(t**2)), mean(r)
+    return [
+        ImageRow(
+            image=i, count=int(count[i]), rejected=int(given[i] - count[i]), rms_px=rms_px[i], ratio=float(ratio[i]),
+            largest=float(largest[i]), redundancy=float(redundancy[i]),
         )
-    return rows
+        for i in np.flatnonzero(given).tolist()
+    ]  # fmt: skip
 
 
 def rows_of_images(view: View) -> list[Index]:

@@ -21,7 +21,7 @@ from raybundle.io.folders import check_place, names_in, new_folder
 from raybundle.io.ids import check_ids_of
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
-from raybundle.io.table_files import SUFFIXES, TableFormat, new_table_file, table_file
+from raybundle.io.table_files import SUFFIXES, Named, TableFormat, new_table_file, table_file
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
@@ -150,7 +150,12 @@ def written_folder(
 
 def _readable(column: Sequence[str] | Array) -> Sequence[str] | Array:
     """A column whose names are those of the block that stands beside it."""
-    return column if isinstance(column, np.ndarray) else tuple(map(readable, column))
+    if isinstance(column, np.ndarray):
+        return column
+    if isinstance(column, Named):
+        return Named(tuple(map(readable, column.ids)), column.at)
+    new = {name: readable(name) for name in set(column)}
+    return tuple(map(new.__getitem__, column))
 
 
 def _written(value: Any) -> Any:

@@ -39,19 +39,21 @@ def check_differences(a: Adjustment) -> tuple[Index, Array]:
     """
     rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CHECK).astype(np.int32)
     difference = a.adjusted.points.xyz[rows] - a.given.points.xyz[rows]
-    known = a.given.points.is_check[rows] & (used_rays(a)[rows, None] > 0) & _determined(a)[rows]
+    if not len(rows):
+        return rows, difference
+    known = a.given.points.is_check[rows] & (used_rays(a)[rows, None] > 0) & _determined(a, rows)
     return rows, np.where(known, difference, np.nan)
 
 
-def _determined(a: Adjustment) -> Mask:
-    """(p, 3) coordinates that no open part of the datum moves beyond STILL of their standard deviation in a radian."""
+def _determined(a: Adjustment, rows: Index) -> Mask:
+    """(k, 3) coordinates of these points that no open part of the datum moves beyond STILL of their std in a radian."""
     if not a.datum_defect:
-        return np.ones((len(a.given.points), 3), bool)
+        return np.ones((len(rows), 3), bool)
     if a.handle.work is None or a.precision is None:
-        return np.zeros((len(a.given.points), 3), bool)
-    datum = a.handle.work.datum
-    moves = np.linalg.norm(point_generators(a.handle.work.state.xyz, datum.centre, datum.extent) @ datum.basis, axis=2)
-    return np.isfinite(moves) & (moves <= STILL * np.nan_to_num(a.precision.object_point_std))
+        return np.zeros((len(rows), 3), bool)
+    datum, xyz = a.handle.work.datum, a.handle.work.state.xyz[rows]
+    moves = np.linalg.norm(point_generators(xyz, datum.centre, datum.extent) @ datum.basis, axis=2)
+    return np.isfinite(moves) & (moves <= STILL * np.nan_to_num(a.precision.object_point_std[rows]))
 
 
 def with_check_notice(a: Adjustment) -> Adjustment:
@@ -64,7 +66,7 @@ def open_notice(a: Adjustment) -> Notice | None:
     """Which coordinates of check points are not compared, as the datum leaves them open; None where all are."""
     rows = np.flatnonzero(np.asarray(a.given.points.role) == Role.CHECK)
     seen = a.given.points.is_check[rows] & (used_rays(a)[rows, None] > 0)
-    lost = (seen & ~_determined(a)[rows]).sum(axis=0)
+    lost = (seen & ~_determined(a, rows)).sum(axis=0)
     if not lost.any():
         return None
     axes = [axis for axis, gone in zip("XYZ", lost, strict=True) if gone]

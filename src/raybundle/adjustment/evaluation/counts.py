@@ -35,7 +35,7 @@ def counts(a: Adjustment) -> Counts:
     o, used = a.given.observations, a.image_observations.used
     return Counts(
         images_given=len(a.given.images),
-        images_used=len(np.unique(o.image[used])),
+        images_used=int(np.count_nonzero(np.bincount(o.image[used]))),
         points_given=len(a.given.points),
         points_used=int(np.count_nonzero(used_rays(a))),
         image_observations_given=len(o),

@@ -20,6 +20,7 @@ from raybundle.adjustment.system.normals import Normals
 from raybundle.adjustment.system.transformation import transformation
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.rows import rows_of_largest
 from raybundle.platforms.station import sensor_from_object, station_partials
 from raybundle.sensors.model import ProjectionDiverged
 
@@ -157,7 +158,7 @@ def suspects(
     """
     system = work.system
     size = np.nan_to_num(np.abs(statistics.t[system.rows]))
-    chosen = np.argsort(-size.max(axis=1), kind="stable")[:SUSPECTS]
+    chosen = rows_of_largest(size.max(axis=1), SUSPECTS)
     chosen = chosen[size[chosen].max(axis=1) > critical]
     if not len(chosen):
         return ()

@@ -34,12 +34,18 @@ class ObservationStatistics:
     rejected: Rejections
     """(m,) None, or the reason; the adjustment took no notice of a rejected row."""
 
-    @property
-    def used(self) -> Mask:
-        """(m,) rows that took part."""
+    used: Mask = field(init=False, repr=False)
+    """(m,) rows that took part."""
+
+    def __post_init__(self) -> None:
+        """Find the rows that took part, once."""
         import numpy as np
 
-        return np.array([r is None for r in self.rejected], dtype=bool)
+        used = np.ones(len(self.rejected), bool)
+        if self.rejected.count(None) < len(used):
+            used[:] = [r is None for r in self.rejected]
+        used.flags.writeable = False
+        object.__setattr__(self, "used", used)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

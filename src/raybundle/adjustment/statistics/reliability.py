@@ -34,7 +34,7 @@ def image_statistics(
     does not): the test is decided by P Qvv P alone.
     """
     count = len(system.block.observations)
-    single = {"least_control", "rejected"}
+    single = {"least_control", "rejected", "used"}
     pairs = [f.name for f in fields(ObservationStatistics) if f.name not in single]
     made = {name: large.full((count, 2), np.nan) for name in (pairs if found is not None else pairs[:1])}
     made["least_control"] = large.full(count, np.nan)

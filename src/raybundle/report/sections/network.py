@@ -10,6 +10,7 @@ from raybundle.adjustment.records.figures import NetworkFigures
 from raybundle.adjustment.statistics.network import COMMON
 from raybundle.errors import Text, note, phrase
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.rows import rows_of_largest
 from raybundle.report.chapters import Occasion, chapter, section
 from raybundle.report.figures.network import angle_histogram, network_views, ray_histogram, roll_rose
 from raybundle.report.figures.residuals import image_columns
@@ -92,7 +93,7 @@ def _histograms(std: Array, unit: str) -> tuple[Figure, ...]:
 def _weakest(view: View) -> Table:
     assert view.std is not None
     size = np.sqrt(np.nansum(view.std**2, axis=1))
-    rows = np.argsort(-size, kind="stable")[:15]
+    rows = rows_of_largest(size, 15)
     network = view.adjustment.network
     angle = np.full(len(size), math.nan) if network is None else np.degrees(network.intersection_angle)
     decimals = column_decimals(view.std[rows])

@@ -9,6 +9,7 @@ import numpy as np
 from raybundle.adjustment.evaluation.cell_means import cell_means
 from raybundle.errors import Message, Text, note, phrase
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.rows import rows_of_largest
 from raybundle.numerics.statistics import ALPHA, CRITICAL_W, DELTA0, POWER
 from raybundle.report.chapters import section
 from raybundle.report.detectable import UNTESTED, controlled_share, detectable
@@ -176,7 +177,7 @@ def _weakest(view: View, mdb: Array, external: Array) -> Table:
     s, o = view.adjustment.image_observations, view.given.observations
     effect = np.nan_to_num(external, nan=-1.0)
     worst = effect.max(axis=1)
-    rows = np.argsort(-worst, kind="stable")[:WEAKEST].astype(np.int32)
+    rows = rows_of_largest(worst, WEAKEST).astype(np.int32)
     rows = rows[worst[rows] > 0]
     images, points = _names(view, rows)
     axis, at = effect[rows].argmax(axis=1), np.arange(len(rows))
@@ -200,7 +201,7 @@ def _largest(view: View) -> Table:
     a, o = view.adjustment, view.given.observations
     s = a.image_observations
     size = np.where(view.used, np.nan_to_num(np.abs(s.w)).max(axis=1), -1.0)
-    rows = np.argsort(-size, kind="stable")[:LARGEST].astype(np.int32)
+    rows = rows_of_largest(size, LARGEST).astype(np.int32)
     rows = rows[size[rows] > 0]
     images, points = _names(view, rows)
     decimals = column_decimals(np.sqrt(o.cov_px2[rows, :2])) + 1

@@ -14,6 +14,7 @@ from raybundle.errors import Text, note, phrase
 from raybundle.io.block.folder import angles_deg
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.natural import natural_order
+from raybundle.numerics.rows import rows_of_largest
 from raybundle.report.chapters import Occasion, chapter, section
 from raybundle.report.figures.svg import spread_rows
 from raybundle.report.fingerprint import fingerprints, versions
@@ -70,7 +71,7 @@ def printed_points(view: View, order: Index) -> Index:
     chosen = set(known[spread_rows(len(known), PRINTED // 2)].tolist())
     if view.std is not None:
         size = np.nan_to_num(np.square(view.std)).sum(axis=1)
-        chosen |= set(np.argsort(-size, kind="stable")[: PRINTED // 4].tolist())
+        chosen |= set(rows_of_largest(size, PRINTED // 4).tolist())
     rest = order[~np.isin(order, list(chosen))]
     chosen |= set(rest[spread_rows(len(rest), PRINTED - len(chosen))].tolist())
     return order[np.isin(order, list(chosen))]
@@ -88,6 +89,7 @@ def _points(view: View, rows: Index) -> Table:
     coarse = fine + round(math.log10(view.factor))
     angle = np.full(len(p), np.nan) if a.network is None else np.degrees(a.network.intersection_angle)
     shown = len(p) <= MOST_CORRELATED and a.precision is not None
+    role = {r: phrase("label.role_of", role=r.name.lower()) for r in Role}
     r = correlation_of(a.precision.object_points[rows]) if shown and a.precision is not None else np.zeros((0, 3))
     return table(
         (
@@ -98,7 +100,7 @@ def _points(view: View, rows: Index) -> Table:
             number(phrase("label.angle"), "°"),
         ),
         (
-            pick(rows, p.ids), [phrase("label.role_of", role=Role(int(r)).name.lower()) for r in p.role[rows]],
+            pick(rows, p.ids), [role[Role(int(r))] for r in p.role[rows]],
             *(cells(p.xyz[rows, k].tolist(), coarse) for k in range(3)),
             *(cells(std[rows, k].tolist(), fine) for k in range(3)),
             *(cells(r[:, k].tolist(), 2) for k in range(3) if shown),

@@ -6,6 +6,8 @@ import math
 import re
 from collections.abc import Iterable
 
+import numpy as np
+
 from raybundle.errors import Text
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import decimals_for
@@ -81,8 +83,8 @@ def plain(value: float, digits: int = 6) -> str:
 
 def column_decimals(sigmas: Array) -> int:
     """Decimals of a column, from its smaller standard deviations (lower five per cent)."""
-    good = sorted(float(s) for s in sigmas.ravel() if math.isfinite(s) and s > 0)
-    return decimals_for(good[len(good) // 20]) if good else 3
+    good = sigmas[np.isfinite(sigmas) & (sigmas > 0)]
+    return decimals_for(float(np.partition(good, len(good) // 20)[len(good) // 20])) if len(good) else 3
 
 
 def with_sigma(value: float, sigma: float) -> tuple[str, str]:
