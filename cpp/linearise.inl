@@ -160,124 +160,188 @@ static inline void hold(uint8_t held, double* x) {
       if (held & (1 << e)) x[e] = x[3 + e] = 0;
 }
 
-template <class M, Want W>
-static void linearise_lanes(const Problem& q, const State& s, const int64_t* row, int count, int64_t base, Chunk& out) {
-  constexpr int K = M::parameters, A = 5 + K;
-  alignas(64) double in[A][V], o[2 + 2 * A][V], measured[2][V], d[3][V];
-  const double* R[V];
+// What is compiled of each model; lanes that are not filled repeat the first one.
+struct Compiled {
+  int parameters;
+  bool explicit_image;
+  void (*by_image)(const double (*)[V], const double (*)[V], double (*)[V]);
+  void (*evaluate)(const double (*)[V], const double (*)[V], double (*)[V]);
+  void (*in_front)(const double (*)[V], const double (*)[V], bool*);
+};
+
+template <class M> static void in_front(const double (*in)[V], const double (*measured)[V], bool* front) {
+  constexpr int K = M::parameters;
   for (int l = 0; l < V; ++l) {
-    const int64_t i = row[l < count ? l : 0];
-    const int f = q.image[i];
-    R[l] = s.rotation + 9 * int64_t(f);
-    const double* C = s.centre + 3 * int64_t(f);
-    const double* P = s.xyz + 3 * int64_t(q.point[i]);
-    measured[0][l] = in[0][l] = q.xy[2 * i];
-    measured[1][l] = in[1][l] = q.xy[2 * i + 1];
-    for (int e = 0; e < 3; ++e) d[e][l] = P[e] - C[e];
-    const double* io = s.interior + int64_t(q.interior[f]) * q.interior_stride;
-    for (int e = 0; e < K; ++e) in[5 + e][l] = io[e];
+    const double P[3] = {in[2][l], in[3][l], in[4][l]}, xy[2] = {measured[0][l], measured[1][l]};
+    double own[K + 1];
+    for (int e = 0; e < K; ++e) own[e] = in[5 + e][l];
+    front[l] = Side<M>::in_front(P, xy, own);
+  }
+}
+
+static const Compiled* compiled() {
+#define RB_ENTRY(name) \
+  {models::name::parameters, models::name::explicit_image, &models::by_its_image<models::name>, &models::evaluated<models::name>, \
+   &in_front<models::name>},
+  static const Compiled table[] = {RB_MODELS(RB_ENTRY)};
+#undef RB_ENTRY
+  return table;
+}
+
+// Moves the image points of the lanes to where the condition holds; lost: lanes in which none does, at the measured one.
+static void onto_condition(const Compiled& m, double (*in)[V], const double (*measured)[V], double (*g)[V], bool* lost) {
+  double relative[V] = {};
+  for (int it = 0; it < 25; ++it) {
+    m.by_image(in, in + 5, g);
+    double worst = 0;
+    for (int l = 0; l < V; ++l) {
+      const double det = g[2][l] * g[5][l] - g[3][l] * g[4][l];
+      const double dx = (g[5][l] * g[0][l] - g[3][l] * g[1][l]) / det, dy = (g[2][l] * g[1][l] - g[4][l] * g[0][l]) / det;
+      const double size = std::abs(dx) + std::abs(dy), scale = std::abs(in[0][l]) + std::abs(in[1][l]) + 1;
+      if (!(size < 1e3 * scale) || !(det > 0)) {
+        lost[l] = true;
+        in[0][l] = measured[0][l];
+        in[1][l] = measured[1][l];
+        continue;
+      }
+      if (lost[l]) continue;
+      in[0][l] -= dx;
+      in[1][l] -= dy;
+      relative[l] = size / scale;
+      worst = std::max(worst, relative[l]);
+    }
+    if (worst < 1e-14) return;
   }
   for (int l = 0; l < V; ++l)
-    for (int e = 0; e < 3; ++e) in[2 + e][l] = R[l][3 * e] * d[0][l] + R[l][3 * e + 1] * d[1][l] + R[l][3 * e + 2] * d[2][l];
-
-  const bool direct = M::explicit_image || q.corrected[q.image[row[0]]] != 0;
-  bool lost[V] = {};
-  if (!direct) {
-    alignas(64) double g[6][V], relative[V] = {};
-    for (int it = 0; it < 25; ++it) {
-      models::by_its_image<M>(in, in + 5, g);
-      double worst = 0;
-      for (int l = 0; l < V; ++l) {
-        const double det = g[2][l] * g[5][l] - g[3][l] * g[4][l];
-        double dx = (g[5][l] * g[0][l] - g[3][l] * g[1][l]) / det, dy = (g[2][l] * g[1][l] - g[4][l] * g[0][l]) / det;
-        const double size = std::abs(dx) + std::abs(dy), scale = std::abs(in[0][l]) + std::abs(in[1][l]) + 1;
-        if (!(size < 1e3 * scale) || !(det > 0)) {
-          lost[l] = true;
-          in[0][l] = measured[0][l];
-          in[1][l] = measured[1][l];
-          continue;
-        }
-        if (lost[l]) continue;
-        in[0][l] -= dx;
-        in[1][l] -= dy;
-        relative[l] = size / scale;
-        worst = std::max(worst, relative[l]);
-      }
-      if (worst < 1e-14) break;
-      if (it == 24)
-        for (int l = 0; l < V; ++l)
-          if (!lost[l] && relative[l] > 1e-9) {
-            lost[l] = true;
-            in[0][l] = measured[0][l];
-            in[1][l] = measured[1][l];
-          }
+    if (!lost[l] && relative[l] > 1e-9) {
+      lost[l] = true;
+      in[0][l] = measured[0][l];
+      in[1][l] = measured[1][l];
     }
-  }
-  models::evaluated<M>(in, in + 5, o);
+}
 
+// Observations first ... first + count - 1, all of one model.
+template <Want W> static void linearise_lanes(const Compiled& m, const Problem& q, const State& s, int64_t first, int count, int64_t base, Chunk& out) {
+  const int K = m.parameters, A = 5 + K;
+  alignas(64) double in[5 + kMaxParameters][V], o[2 + 2 * (5 + kMaxParameters)][V], R[9][V], w[3][V], measured[2][V], v[2][V], weight[V];
+  alignas(64) int64_t row[V], image[V], point[V], interior[V];
+  for (int l = 0; l < V; ++l) {
+    row[l] = first + std::min(l, count - 1);
+    image[l] = q.image[row[l]];
+    point[l] = 3 * int64_t(q.point[row[l]]);
+    interior[l] = int64_t(q.interior[image[l]]) * q.interior_stride;
+  }
+  const auto gathered = [](const double* from, const int64_t* at, int64_t width, double* to) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) to[l] = from[width * at[l]];
+  };
+  for (int e = 0; e < 9; ++e) gathered(s.rotation + e, image, 9, R[e]);
+  for (int e = 0; e < 3; ++e) {
+    gathered(q.whiten.data() + e, row, 3, w[e]);
+    gathered(s.xyz + e, point, 1, o[e]);
+    gathered(s.centre + e, image, 3, o[3 + e]);
+  }
+  for (int e = 0; e < 2; ++e) {
+    gathered(q.xy.data() + e, row, 2, measured[e]);
+    std::copy_n(measured[e], V, in[e]);
+  }
+  for (int e = 0; e < K; ++e) gathered(s.interior + e, interior, 1, in[5 + e]);
+  for (int e = 0; e < 3; ++e)
+    for (int l = 0; l < V; ++l) o[e][l] -= o[3 + e][l];
+  for (int e = 0; e < 3; ++e)
+    for (int l = 0; l < V; ++l) in[2 + e][l] = R[3 * e][l] * o[0][l] + R[3 * e + 1][l] * o[1][l] + R[3 * e + 2][l] * o[2][l];
+
+  const bool direct = m.explicit_image || q.corrected[image[0]] != 0;
+  bool lost[V] = {}, front[V];
+  if (!direct) onto_condition(m, in, measured, o, lost);
+  m.in_front(in, measured, front);
+  if constexpr (W == Want::jacobian)
+    m.evaluate(in, in + 5, o);
+  else if (direct || std::any_of(lost, lost + V, [](bool l) { return l; }))
+    m.by_image(in, in + 5, o);
+  // lost: no image point fulfils the condition; the linearised one stands in until the state has moved
+  for (int c = 0; c < 2; ++c)
+    for (int l = 0; l < V; ++l) v[c][l] = direct || lost[l] ? -o[c][l] : in[c][l] - measured[c][l];
+  for (int l = 0; l < V; ++l) {
+    const double v0 = w[0][l] * v[0][l], v1 = w[1][l] * v[0][l] + w[2][l] * v[1][l];
+    v[0][l] = v0;
+    v[1][l] = v1;
+    weight[l] = 1;
+  }
   for (int l = 0; l < count; ++l) {
-    const int64_t i = row[l], n = i - base;
-    const int f = q.image[i];
-    const Pattern& pattern = q.patterns[q.pattern[f]];
-    double v[2], D[2][3 + K];
-    if (direct || lost[l]) {
-      // lost: no image point fulfils the condition; the linearised one stands in until the state has moved
-      for (int c = 0; c < 2; ++c) {
-        v[c] = -o[c][l];
-        for (int e = 0; e < 3 + K; ++e) D[c][e] = -o[2 + A * c + 2 + e][l];
-      }
-    } else {
-      const double a = o[2][l], b = o[3][l], c0 = o[2 + A][l], d0 = o[3 + A][l], det = a * d0 - b * c0;
-      v[0] = in[0][l] - measured[0][l];
-      v[1] = in[1][l] - measured[1][l];
-      for (int e = 0; e < 3 + K; ++e) {
-        const double g0 = o[4 + e][l], g1 = o[4 + A + e][l];
-        D[0][e] = -(d0 * g0 - b * g1) / det;
-        D[1][e] = -(a * g1 - c0 * g0) / det;
-      }
+    const int64_t n = first - base + l;
+    const double square = v[0][l] * v[0][l] + v[1][l] * v[1][l];
+    double rho = 0.5 * square;
+    if (s.huber > 0 && square > s.huber * s.huber) {
+      const double length = std::sqrt(square);
+      weight[l] = std::sqrt(s.huber / length);
+      rho = s.huber * (length - 0.5 * s.huber);
     }
     out.diverged[n] = lost[l];
-    const double P[3] = {in[2][l], in[3][l], in[4][l]};
-    out.behind[n] = !Side<M>::in_front(P, &q.xy[2 * i], s.interior + int64_t(q.interior[f]) * q.interior_stride);
-    const double* w = &q.whiten[3 * i];
-    const double v0 = w[0] * v[0], v1 = w[1] * v[0] + w[2] * v[1];
-    double weight = 1, rho = 0.5 * (v0 * v0 + v1 * v1);
-    if (s.huber > 0) {
-      const double length = std::sqrt(v0 * v0 + v1 * v1);
-      if (length > s.huber) {
-        weight = std::sqrt(s.huber / length);
-        rho = s.huber * (length - 0.5 * s.huber);
-      }
-    }
+    out.behind[n] = !front[l];
     out.rho[n] = rho;
-    out.v[2 * n] = weight * v0;
-    out.v[2 * n + 1] = weight * v1;
-    if constexpr (W == Want::jacobian) {
-      double full[2][6 + K];
-      for (int c = 0; c < 2; ++c) {
-        double T[3 + K];
-        if (c == 0)
-          for (int e = 0; e < 3 + K; ++e) T[e] = weight * w[0] * D[0][e];
-        else
-          for (int e = 0; e < 3 + K; ++e) T[e] = weight * (w[1] * D[0][e] + w[2] * D[1][e]);
-        const double px = in[2][l], py = in[3][l], pz = in[4][l];
-        for (int e = 0; e < 3; ++e) {
-          const double by = T[0] * R[l][e] + T[1] * R[l][3 + e] + T[2] * R[l][6 + e];
-          out.x[6 * n + 3 * c + e] = by;
-          full[c][e] = -by;
-        }
-        full[c][3] = py * T[2] - pz * T[1];
-        full[c][4] = pz * T[0] - px * T[2];
-        full[c][5] = px * T[1] - py * T[0];
-        for (int e = 0; e < K; ++e) full[c][6 + e] = T[3 + e];
-      }
-      hold(q.held[q.owner[i]], &out.x[6 * n]);
-      for (int c = 0; c < 2; ++c) {
-        double* j = &out.j[(2 * n + c) * out.stride];
-        for (int e : pattern.own) *j++ = full[c][e];
-        for (int e : pattern.shared) *j++ = full[c][e];
+    for (int c = 0; c < 2; ++c) out.v[2 * n + c] = weight[l] * v[c][l];
+  }
+  if constexpr (W == Want::value) return;
+
+  // partial derivatives of v by the point in the sensor's frame and by the parameters, whitened: T of x, then of y
+  alignas(64) double full[2][kMaxNode][V], x[2][3][V];
+  const double(*J[2])[V] = {o + 4, o + 4 + A};
+  alignas(64) double inverse[4][V];  // - (d g / d image)^-1; minus one where the condition itself is observed
+  for (int l = 0; l < V; ++l) {
+    inverse[0][l] = inverse[3][l] = -1;
+    inverse[1][l] = inverse[2][l] = 0;
+  }
+  for (int l = 0; l < V && !direct; ++l) {
+    const double a = o[2][l], b = o[3][l], c0 = o[2 + A][l], d0 = o[3 + A][l], by = lost[l] ? 0 : 1 / (a * d0 - b * c0);
+    inverse[0][l] = lost[l] ? -1 : -d0 * by;
+    inverse[1][l] = b * by;
+    inverse[2][l] = c0 * by;
+    inverse[3][l] = lost[l] ? -1 : -a * by;
+  }
+  alignas(64) double u[4][V];  // whitened by weight W times that
+  for (int l = 0; l < V; ++l) {
+    const double w0 = weight[l] * w[0][l], w1 = weight[l] * w[1][l], w2 = weight[l] * w[2][l];
+    u[0][l] = w0 * inverse[0][l];
+    u[1][l] = w0 * inverse[1][l];
+    u[2][l] = w1 * inverse[0][l] + w2 * inverse[2][l];
+    u[3][l] = w1 * inverse[1][l] + w2 * inverse[3][l];
+  }
+  for (int e = 0; e < 3 + K; ++e)
+    for (int c = 0; c < 2; ++c) {
+      double* to = full[c][3 + e];
+      RB_SIMD
+      for (int l = 0; l < V; ++l) to[l] = u[2 * c][l] * J[0][e][l] + u[2 * c + 1][l] * J[1][e][l];
+    }
+  for (int c = 0; c < 2; ++c) {
+    double(*T)[V] = full[c] + 3;
+    for (int e = 0; e < 3; ++e) {
+      RB_SIMD
+      for (int l = 0; l < V; ++l) {
+        x[c][e][l] = T[0][l] * R[e][l] + T[1][l] * R[3 + e][l] + T[2][l] * R[6 + e][l];
+        full[c][e][l] = -x[c][e][l];
       }
     }
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double t0 = T[0][l], t1 = T[1][l], t2 = T[2][l], px = in[2][l], py = in[3][l], pz = in[4][l];
+      T[0][l] = py * t2 - pz * t1;
+      T[1][l] = pz * t0 - px * t2;
+      T[2][l] = px * t1 - py * t0;
+    }
+  }
+  for (int l = 0; l < count; ++l) {
+    const int64_t n = first - base + l;
+    const Pattern& pattern = q.patterns[q.pattern[image[l]]];
+    const int *own = pattern.own.data(), *shared = pattern.shared.data(), owns = int(pattern.own.size()), shares = int(pattern.shared.size());
+    for (int c = 0; c < 2; ++c) {
+      for (int e = 0; e < 3; ++e) out.x[6 * n + 3 * c + e] = x[c][e][l];
+      const double* from = &full[c][0][l];
+      double* RB_RESTRICT j = &out.j[(2 * n + c) * out.stride];
+      for (int k = 0; k < owns; ++k) j[k] = from[own[k] * V];
+      for (int k = 0; k < shares; ++k) j[owns + k] = from[shared[k] * V];
+    }
+    hold(q.held[q.owner[first + l]], &out.x[6 * n]);
   }
 }
 
@@ -346,15 +410,6 @@ static void linearise_external(const Problem& q, const State& s, int64_t i, int6
   }
 }
 
-using Lanes = void (*)(const Problem&, const State&, const int64_t*, int, int64_t, Chunk&);
-
-template <Want W> static const Lanes* lanes_table() {
-#define RB_ENTRY(name) &linearise_lanes<models::name, W>,
-  static const Lanes table[] = {RB_MODELS(RB_ENTRY)};
-#undef RB_ENTRY
-  return table;
-}
-
 template <Want W> static void linearise(const Problem& q, const State& s, int64_t begin, int64_t end, Chunk& out) {
   int stride = 0;
   for (const Pattern& p : q.patterns) stride = std::max(stride, int(p.own.size() + p.shared.size()));
@@ -364,17 +419,16 @@ template <Want W> static void linearise(const Problem& q, const State& s, int64_
     out.at[i - begin] = nullptr;
     out.shared[i - begin] = int32_t(q.patterns[q.pattern[q.image[i]]].shared.size());
   }
-  const Lanes* table = lanes_table<W>();
-  int64_t row[V];
-  int64_t i = begin;
-  while (i < end) {
+  const Compiled* models = compiled();
+  for (int64_t i = begin; i < end;) {
     const int f = q.image[i], model = q.model[f], corrected = q.corrected[f];
     if (model < 0) {
       linearise_external(q, s, i++, begin, W, out);
       continue;
     }
-    int n = 0;
-    while (i < end && n < V && q.model[q.image[i]] == model && q.corrected[q.image[i]] == corrected) row[n++] = i++;
-    table[model](q, s, row, n, begin, out);
+    int n = 1;
+    while (i + n < end && n < V && q.model[q.image[i + n]] == model && q.corrected[q.image[i + n]] == corrected) ++n;
+    linearise_lanes<W>(models[model], q, s, i, n, begin, out);
+    i += n;
   }
 }
