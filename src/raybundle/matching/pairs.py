@@ -31,7 +31,7 @@ FEWEST_COMMON = 2
 """Verified neighbours in common that make a pair likely."""
 JOINING = 3
 """Times that parts are joined, each time with the parts that have come of the last."""
-PARTNERS = 3
+PARTNERS = 2
 """Neighbours below which an image's pairs are matched whatever a first look finds."""
 
 
