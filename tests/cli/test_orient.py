@@ -282,7 +282,7 @@ def test_status_of_a_run_that_failed_shows_what_is_done(orient, photos, tmp_path
     assert orient(photos).status == 3
     assert main(["status", str(tmp_path / "project")]) == 0
     lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()}
-    assert headline("stage_summary.matching", {"pairs": 3, "verified": 0}) in lines["matching"]
+    assert headline("stage_summary.matching", {"pairs": 3, "skipped": 0, "verified": 0}) in lines["matching"]
     assert "not done" in lines["start"]
 
 

@@ -15,6 +15,7 @@ from raybundle.matching.pairs import (
     joining_round,
     linked,
     nearby_pairs,
+    needed,
     outside_largest,
     parts_of,
     sequence_pairs,
@@ -120,6 +121,14 @@ def test_parts():
     parts = parts_of(rows((0, 1), (1, 2), (4, 5)), 6)
     assert len(set(parts.tolist())) == 3
     assert outside_largest(parts).tolist() == [3, 4, 5]
+
+
+def test_pairs_between_parts_and_of_images_with_few_neighbours_are_needed():
+    links = rows((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3), (3, 4))
+    asked = rows((0, 4), (1, 2), (2, 5), (4, 5))
+    assert needed(asked, links, 6).tolist() == [True, False, True, True]
+    assert needed(rows((0, 1)), rows(), 2).tolist() == [True]
+    assert needed(rows(), links, 6).tolist() == []
 
 
 def test_every_two_parts_have_their_turn():

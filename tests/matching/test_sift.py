@@ -108,6 +108,30 @@ def test_a_turned_smaller_paler_picture_has_the_same_features(degrees, scale, co
     assert np.median(np.abs(turned)) < np.radians(3)
 
 
+@pytest.mark.parametrize("count", [2500, 5000])
+def test_a_first_look_stops_what_has_nothing_in_common_and_changes_nothing_else(count):
+    """Descriptors without images: of some of both the same, of the rest none."""
+    rng = np.random.default_rng(count)
+
+    def described(common, place):
+        own = rng.gamma(0.6, 30.0, (count - len(common), 128))
+        rows = np.vstack([own[:place], common + rng.normal(0, 2.0, common.shape), own[place:]])
+        rows *= 400 / np.linalg.norm(rows, axis=1, keepdims=True)
+        return Described(
+            xy_px=np.zeros((count, 2)), descriptors=np.clip(rows, 0, 255).astype(np.uint8), size_px=(400, 400),
+            scale_px=np.linspace(2.0, 9.0, count),
+        )  # fmt: skip
+
+    method = feature_method("rootsift")
+    both = rng.gamma(0.6, 30.0, (60, 128))
+    for place in (0, count - 60):  # the strongest, and the widest
+        a, b = described(both, place), described(both, place)
+        found = method.match(a, b)
+        assert len(found) >= 60
+        assert (method.likely_matches(a, b) == found).all()
+    assert method.likely_matches(described(both[:0], 0), described(both[:0], 0)).shape == (0, 2)
+
+
 @pytest.mark.parametrize(
     "shape", [(0, 0), (0, 5), (1, 1), (1, 400), (400, 1), (2, 2), (12, 12), (13, 13), (13, 40), (17, 1100)]
 )

@@ -137,11 +137,26 @@ def test_words_are_learnt_where_a_method_brings_none(means, oracle, monkeypatch)
     assert {tuple(sorted((k, (k + 1) % RING))) for k in range(RING)} <= chosen
 
 
-def test_small_sets_are_matched_completely(means):
+def test_all_pairs_of_small_sets_are_looked_at(means, oracle):
     store = FeatureStore(means.store, ("features-00",) * ALL)
     chosen = pairs_of(means, [None] * ALL, store, feature_method("rootsift"), None)
     assert len(chosen.pairs) == len(all_pairs(ALL)) == ALL * (ALL - 1) // 2
+    assert oracle == [len(chosen.pairs)]
     assert not chosen.rounds
+    assert not chosen.whole
+
+
+def test_skipped_pairs_are_matched_after_all_where_photographs_lack_neighbours(means, oracle):
+    """A chain of photographs, each of which sees something in common with three others on each side, and a gap."""
+    steps = (*range(10), *range(40, 50), 70)
+    store = FeatureStore(means.store, tuple(f"features-{k:02d}" for k in steps))
+    chosen = pairs_of(means, [None] * len(steps), store, feature_method("rootsift"), None)
+    apart = {(i, j): steps[j] - steps[i] for i, j in chosen.pairs}
+    parts = {(i, j) for i, j in chosen.pairs if steps[i] // 30 != steps[j] // 30}
+    assert parts
+    assert chosen.whole == parts
+    inside = {p for p, d in apart.items() if d > REACH} - parts
+    assert inside, "there they stay skipped"
 
 
 @needs_portal

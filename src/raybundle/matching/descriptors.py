@@ -8,6 +8,8 @@ from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
 
 CHUNK = 2048
+RATIO = 0.85
+"""Of the distances to the nearest and the second, below which a match is a candidate (Lowe 2004)"""
 
 
 def best_matches(a: Array, b: Array) -> tuple[Index, Array, Array, Index]:
@@ -57,17 +59,24 @@ def directions(a: Array) -> Array:
     return v / np.maximum(np.linalg.norm(v, axis=1, keepdims=True), 1)
 
 
-def mutual_matches(a: Array, b: Array, ratio: float = 0.85, farthest: float = 0.8) -> tuple[Index, Array]:
+def mutual_matches(a: Array, b: Array, ratio: float = RATIO, farthest: float = 0.8) -> tuple[Index, Array]:
     """Matches (k, 2) of vectors, as `best_matches` takes them, and the distances (k,) of their directions.
 
-    ratio     the distance to the nearest must be smaller than this share of that to the second (Lowe 2004)
+    ratio     the distance to the nearest must be smaller than this share of that to the second
     farthest  largest distance of unit vectors
     """
+    matches, distance, following = nearest_matches(a, b, farthest)
+    good = distance < ratio * following
+    return matches[good], distance[good]
+
+
+def nearest_matches(a: Array, b: Array, farthest: float = 0.8) -> tuple[Index, Array, Array]:
+    """Pairs (k, 2) that are each other's nearest, their distances (k,), and those to the second nearest (k,)."""
     if len(a) < 2 or len(b) < 2:
-        return np.zeros((0, 2), np.int32), np.zeros(0)
+        return np.zeros((0, 2), np.int32), np.zeros(0), np.zeros(0)
     first, value, second, reverse = best_matches(a, b)
     distance = np.sqrt(np.maximum(2 - 2 * value.astype(float), 0))
     next_distance = np.sqrt(np.maximum(2 - 2 * second.astype(float), 0))
     rows = np.arange(len(a))
-    good = (reverse[first] == rows) & (distance < ratio * next_distance) & (distance < farthest)
-    return np.column_stack([rows[good], first[good]]).astype(np.int32), distance[good]
+    good = (reverse[first] == rows) & (distance < farthest)
+    return np.column_stack([rows[good], first[good]]).astype(np.int32), distance[good], next_distance[good]

@@ -7,7 +7,7 @@ makes it known.  A learned one names the packages that it needs, and may match t
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
@@ -66,6 +66,8 @@ class Described:
     """(n, k) uint8, as stored"""
     size_px: tuple[int, int]
     """width and height of the upright picture"""
+    scale_px: Array = field(default_factory=lambda: np.zeros(0))
+    """(n,) as of the features, by which a first look chooses"""
 
 
 def feature_number(width_px: int, height_px: int, most: int) -> int:
@@ -89,6 +91,8 @@ class FeatureMethod(ABC):
     """Packages beyond those that raybundle brings."""
     install: ClassVar[str] = ""
     """The command that installs them."""
+    looks: bool = False
+    """Whether `likely_matches` is another than `match`."""
     codebook: str = ""
     """Of the words for signatures that come with the package; empty: they are learnt from each set of photographs."""
 
@@ -115,6 +119,10 @@ class FeatureMethod(ABC):
     def match(self, first: Described, second: Described) -> Index:
         """Candidate matches (k, 2) of two images; unless a method knows better, mutual nearest neighbours."""
         return mutual_matches(self.vectors(first.descriptors), self.vectors(second.descriptors))[0]
+
+    def likely_matches(self, first: Described, second: Described) -> Index:
+        """The same, but none where a first look finds no more than chance gives; unless a method knows one, `match`."""
+        return self.match(first, second)
 
     def shared(self, first: Array, second: Array) -> int:
         """Descriptors, as stored, of two images that are alike without doubt: a rough and quick comparison."""

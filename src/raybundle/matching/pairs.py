@@ -1,4 +1,4 @@
-"""Which image pairs are worth matching: all of a small set, the likely ones of a large set, in rounds.
+"""Which image pairs are worth matching: of a small set all, the likely ones of a large set, in rounds.
 
 Pairs are rows (i, j), i < j, of one array.  Likely ones come from signatures, places and the sequence, and are ordered
 by how many features of wide surroundings two images share.  What has been matched shows where to go on: images with
@@ -16,7 +16,7 @@ from raybundle.matching.verify import STRONG
 from raybundle.numerics.arrays import Array, Index, Mask
 
 ALL = 60
-"""Images up to which all pairs are matched: 30 an image at most, and then nothing can be missed."""
+"""Images up to which all pairs are looked at: 30 an image at most."""
 EACH = 12
 """Pairs an image that are matched of larger sets: 24 partners for each, as many as overlap in a close flight."""
 FIRST, COMMON = 8, 10
@@ -31,6 +31,8 @@ FEWEST_COMMON = 2
 """Verified neighbours in common that make a pair likely."""
 JOINING = 3
 """Times that parts are joined, each time with the parts that have come of the last."""
+PARTNERS = 2
+"""Neighbours below which an image's pairs are matched whatever a first look finds."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -160,6 +162,12 @@ def parts_of(links: Index, count: int) -> Index:
 def outside_largest(parts: Index) -> Index:
     """Images that do not belong to the largest part."""
     return np.flatnonzero(parts != np.argmax(np.bincount(parts)))
+
+
+def needed(pairs: Index, links: Index, count: int) -> Mask:
+    """(m,) pairs (m, 2) that may join two parts, or give an image the neighbours that it lacks; links (k, 2)."""
+    parts, lacks = parts_of(links, count)[pairs], np.bincount(links.ravel(), minlength=count)[pairs] < PARTNERS
+    return (parts[:, 0] != parts[:, 1]) | lacks.any(axis=1)
 
 
 def joining_round(c: Candidates, parts: Index, most: int) -> Index:

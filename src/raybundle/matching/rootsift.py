@@ -9,8 +9,9 @@ from typing import Any
 import cv2
 import numpy as np
 
-from raybundle.matching.descriptors import directions, mutual_matches
-from raybundle.matching.features import CLEAR, Described, FeatureMethod, Features, register, spread
+from raybundle.matching.descriptors import RATIO, directions, mutual_matches, nearest_matches
+from raybundle.matching.features import CLEAR, ENOUGH, Described, FeatureMethod, Features, register, spread
+from raybundle.matching.signatures import widest
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
 
@@ -40,6 +41,11 @@ HELD, SEARCHED = 4.0, 236.0
 """The same by OpenCV, and for a pixel of the part that is searched at a time: 11 pictures in float32 of four times its
 pixels and a third more for all octaves"""
 
+LOOKED = 1250
+"""Features of a photograph that a first look compares: the strongest and, where those say nothing, the widest."""
+CLEAR_ONES, CLEAR_OF_ALL = 3, 5
+"""Matches by `CLEAR` below which two photographs are not matched, by the first look; or verified, by all features."""
+
 Found = tuple[Array, Callable[[Index], Features]]
 """Features (n, 4 or 5): place [px], scale [px], direction where it is known, contrast; and their descriptions."""
 
@@ -49,6 +55,7 @@ class RootSift(FeatureMethod):
 
     name = "rootsift"
     version = 3
+    looks = True
     codebook = "rootsift"
 
     @property
@@ -86,6 +93,19 @@ class RootSift(FeatureMethod):
     def match(self, first: Described, second: Described) -> Index:
         """Mutual nearest neighbours of the stored bytes."""
         return mutual_matches(first.descriptors, second.descriptors)[0]
+
+    def likely_matches(self, first: Described, second: Described) -> Index:
+        """Those of `match`; none where hardly one is clear, which of many features a part of them shows beforehand."""
+        a, b, none = first.descriptors, second.descriptors, np.zeros((0, 2), np.int32)
+        if min(len(a), len(b)) > ENOUGH:
+            clear = self.shared(a[:LOOKED], b[:LOOKED])
+            if clear < CLEAR_ONES:
+                clear += self.shared(*(f.descriptors[widest(f, LOOKED)] for f in (first, second)))
+            if clear < CLEAR_ONES:
+                return none
+        matches, distance, following = nearest_matches(a, b)
+        clear = int((distance < CLEAR * following).sum())
+        return matches[distance < RATIO * following] if clear >= CLEAR_OF_ALL else none
 
     def shared(self, first: Array, second: Array) -> int:
         """By the stored bytes."""

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.matching.features import Features
+from raybundle.matching.features import Described, Features
 from raybundle.numerics.arrays import Array, Index
 
 VERSION = 1
@@ -65,7 +65,7 @@ def words_of(samples: Sequence[Array], count: int = WORDS) -> Array:
     return cv2.kmeans(data, count, np.empty(0, np.int32), stop, 1, cv2.KMEANS_PP_CENTERS)[2]
 
 
-def widest(features: Features, count: int) -> Index:
+def widest(features: Features | Described, count: int) -> Index:
     """Positions of the features of the widest surroundings; of equal ones the strongest."""
     return np.argsort(-features.scale_px, kind="stable")[:count]
 

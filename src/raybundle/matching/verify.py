@@ -30,7 +30,7 @@ class VerifiedPair:
     matches: Index
     """(k, 2) feature positions, verified"""
     candidates: int
-    """matches before verification"""
+    """matches before verification; 0 where a first look found no more than chance gives"""
     geometry: Geometry
     planar_share: float
     """inliers of the best homography / inliers of the epipolar geometry"""

@@ -1,4 +1,4 @@
-"""The pairs of photographs that are matched: of small sets all, of large ones the likely ones, in rounds."""
+"""The pairs of photographs that are looked at and matched: of small sets all, of large ones the likely ones."""
 
 from __future__ import annotations
 
@@ -55,6 +55,8 @@ class Chosen:
     """i < j, sorted"""
     rounds: tuple[Round, ...] = ()
     """of a large set"""
+    whole: frozenset[tuple[int, int]] = frozenset()
+    """those of them that are matched whatever a first look finds"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -128,6 +130,8 @@ class Rounds:
     """(m, 2) i < j"""
     links: Index
     """(k, 2) those of them that strong matches verify"""
+    skipped: Index
+    """(k, 2) those of them that were not matched for what a first look found"""
 
     @property
     def count(self) -> int:
@@ -143,10 +147,12 @@ class Rounds:
     def match(self, pairs: Index) -> None:
         """Match pairs that are not matched yet."""
         names = np.sort(self.place[pairs], axis=1)
-        found = verified_pairs(self.means, self.photos, self.store, self.method, [(int(i), int(j)) for i, j in names])
+        found = verified_pairs(self.means, self.photos, self.store, self.method, _rows(names))
         good = choice.linked(np.array([len(p.matches) for p in found], np.int64))
         self.matched = choice.unique_pairs(self.matched, pairs)
         self.links = choice.unique_pairs(self.links, pairs[good])
+        if self.method.looks:
+            self.skipped = choice.unique_pairs(self.skipped, pairs[[not p.candidates for p in found]])
 
     def go_on(self, most: int) -> int:
         """Match pairs with linked neighbours in common until none is left or `most` pairs are matched; their number."""
@@ -171,32 +177,49 @@ class Rounds:
             self.match(choice.joining_round(c, parts, (most - len(self.matched)) // (choice.JOINING - turn)))
         return len(self.matched) - begun
 
+    def chosen(self, reported: tuple[Round, ...]) -> Chosen:
+        """The matched pairs by the order of names; skipped ones that the whole needs are matched after all."""
+        whole = self.skipped[choice.needed(self.skipped, self.links, self.count)]
+        rows = _rows(choice.unique_pairs(self.place[self.matched]))
+        return Chosen(pairs=rows, rounds=reported, whole=frozenset(_rows(choice.unique_pairs(self.place[whole]))))
+
+
+def _rows(pairs: Index) -> tuple[tuple[int, int], ...]:
+    return tuple((int(i), int(j)) for i, j in pairs)
+
 
 def pairs_of(
     means: Means, photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, positions: Array | None
 ) -> Chosen:
-    """The pairs to match; those of large sets are matched on the way, since each round depends on the last.
+    """The pairs to match; they are matched on the way, since what is needed beyond the first look depends on it.
 
     positions  (n, 3) where photographs were taken, NaN where not known; metres
     The choice depends neither on the number of jobs nor, but for neighbours in the sequence, on names.
     """
     n = len(photos)
+    none = np.zeros((0, 2), np.int64)
     if n <= ALL:
-        return Chosen(pairs=tuple((int(i), int(j)) for i, j in choice.all_pairs(n)))
+        pairs = choice.all_pairs(n)
+        if not method.looks:
+            return Chosen(pairs=_rows(pairs))
+        rounds = Rounds(
+            means=means, photos=photos, store=store, method=method, place=np.arange(n), keys=list(store.keys),
+            signatures=none, matched=none, links=none, skipped=none,
+        )  # fmt: skip
+        rounds.match(pairs)
+        return rounds.chosen(())
     place = np.array(sorted(range(n), key=lambda i: (store.keys[i], i)), np.int64)
     features = [store.keys[i] for i in place]
     keys, signatures = _signatures(means, features, method)
-    none = np.zeros((0, 2), np.int64)
     rounds = Rounds(
         means=means, photos=photos, store=store, method=method, place=place, keys=keys, signatures=signatures,
-        matched=none, links=none,
+        matched=none, links=none, skipped=none,
     )  # fmt: skip
     reported = [Round(why="likely", pairs=_begin(rounds, None if positions is None else positions[place]))]
     reported.append(Round(why="neighbours in common", pairs=rounds.go_on(choice.COMMON * n)))
     reported.append(Round(why="between parts", pairs=rounds.join(choice.EACH * n)))
     reported[1] = Round(why=reported[1].why, pairs=reported[1].pairs + rounds.go_on(choice.EACH * n))
-    names = choice.unique_pairs(place[rounds.matched])
-    return Chosen(pairs=tuple((int(i), int(j)) for i, j in names), rounds=tuple(reported))
+    return rounds.chosen(tuple(reported))
 
 
 def _begin(r: Rounds, positions: Array | None) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import overload
 
@@ -24,7 +24,7 @@ from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 
-VERIFICATION = 4
+VERIFICATION = 5
 """Raised with every change of what matching and verification give."""
 PIXELS_A_SECOND, PAIR_S = 25e6, 0.07
 """Of feature detection, and of matching a pair: for the order of tasks and the time that is left."""
@@ -204,10 +204,12 @@ class PairTask:
     features: tuple[str, str]
     """keys of their features"""
     method: str
+    whole: bool = False
+    """whatever a first look finds"""
 
 
 def pair_of(store: Folder, task: PairTask) -> Product:
-    """The task: one pair, matched and verified."""
+    """The task: one pair, matched and verified; or not matched where a first look finds no more than chance gives."""
     method = feature_method(task.method)
     xy: list[Array] = []
     described: list[Described] = []
@@ -215,10 +217,13 @@ def pair_of(store: Folder, task: PairTask) -> Product:
         f = features_from(store.held(key))
         xy.append(f.xy_px)
         described.append(
-            Described(xy_px=upright_from_stored(f.xy_px, photo), descriptors=f.descriptors, size_px=photo.upright_size)
-        )
+            Described(
+                xy_px=upright_from_stored(f.xy_px, photo), descriptors=f.descriptors, size_px=photo.upright_size,
+                scale_px=f.scale_px,
+            )
+        )  # fmt: skip
     sizes = [(p.width_px, p.height_px) for p in task.photos]
-    matches = method.match(described[0], described[1])
+    matches = (method.match if task.whole else method.likely_matches)(described[0], described[1])
     return arrays_of_pair(verify(0, 1, xy[0], xy[1], matches, sizes[0], sizes[1]))
 
 
@@ -238,15 +243,20 @@ def pair_from(first: int, second: int, product: Product) -> VerifiedPair:
 
 
 def verified_pairs(
-    means: Means, photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, pairs: Sequence[tuple[int, int]]
-) -> list[VerifiedPair]:
-    """Pairs, each matched and verified by itself; those that are kept already are not matched again."""
+    means: Means, photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod,
+    pairs: Sequence[tuple[int, int]], whole: Collection[tuple[int, int]] = (),
+) -> list[VerifiedPair]:  # fmt: skip
+    """Pairs, each matched and verified by itself; those that are kept already are not matched again.
+
+    whole  those of them that are matched whatever a first look finds
+    """
     tasks = [
         Task(
-            key=key_of("matching", VERIFICATION, method.name, store.keys[i], store.keys[j]),
+            key=key_of("matching", VERIFICATION, method.name, store.keys[i], store.keys[j], (i, j) in whole),
             function=f"{__name__}:pair_of", inputs=(store.keys[i], store.keys[j]), small=True, cost=PAIR_S,
             options=PairTask(
-                photos=(photos[i], photos[j]), features=(store.keys[i], store.keys[j]), method=method.name
+                photos=(photos[i], photos[j]), features=(store.keys[i], store.keys[j]), method=method.name,
+                whole=(i, j) in whole,
             ),
             name=f"{photos[i].name} and {photos[j].name}",
         )
@@ -258,10 +268,11 @@ def verified_pairs(
 
 
 def match_pairs(
-    means: Means, photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, pairs: Sequence[tuple[int, int]]
-) -> list[VerifiedPair]:
+    means: Means, photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod,
+    pairs: Sequence[tuple[int, int]], whole: Collection[tuple[int, int]] = (),
+) -> list[VerifiedPair]:  # fmt: skip
     """Matched and verified pairs, without the matches of those that chance makes among so many, or a mere turn."""
-    result = beyond_chance(verified_pairs(means, photos, store, method, pairs))
+    result = beyond_chance(verified_pairs(means, photos, store, method, pairs, whole))
     good = sum(1 for p in result if len(p.matches))
     if good and from_one_spot(result, photos, store):
         raise NoOrientation("tie_points.no_base", n=good)

@@ -44,7 +44,7 @@ def same_pictures(
     """
     twins: dict[int, set[int]] = {}
     for p in pairs:
-        if not _apart_px(p, photos, store) < APART_PX:
+        if p.geometry == "none" or not _apart_px(p, photos, store) < APART_PX:
             continue
         pair = still_and_moving(photos, store, method, p.first, p.second)
         if pair.still > SHARE * pair.matches and not pair.moving and pair.covered > COVERED:

@@ -3,9 +3,9 @@ stage_summary-adjustment = σ₀ { NUM($sigma0, decimals: 3) }.
 stage_summary-matching = { $pairs } { $pairs ->
         [one] Paar
         *[other] Paare
-    }, { $verified } bestätigt.
+    }, { $skipped } auf den ersten Blick verschieden, { $verified } bestätigt.
 
-stage_summary-matching_rounds = { $pairs } von { $of } Paaren: { $likely } wahrscheinliche, { $common } mit gemeinsamen Nachbarn, { $between } zwischen Teilen; { $verified } bestätigt.
+stage_summary-matching_rounds = { $pairs } von { $of } Paaren: { $likely } wahrscheinliche, { $common } mit gemeinsamen Nachbarn, { $between } zwischen Teilen; { $skipped } auf den ersten Blick verschieden, { $verified } bestätigt.
 
 stage_summary-photographs = { $n } { $n ->
         [one] Aufnahme

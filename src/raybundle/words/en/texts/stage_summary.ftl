@@ -2,19 +2,21 @@
 stage_summary-adjustment = sigma0 { NUM($sigma0, decimals: 3) }.
 
 # $pairs = 120
+# $skipped = 15
 # $verified = 98
 stage_summary-matching = { $pairs } { $pairs ->
         [one] pair
         *[other] pairs
-    }, { $verified } verified.
+    }, { $skipped } unlike at first look, { $verified } verified.
 
 # $pairs = 120
 # $of = 4950
 # $likely = 80
 # $common = 30
 # $between = 10
+# $skipped = 15
 # $verified = 98
-stage_summary-matching_rounds = { $pairs } of { $of } pairs: { $likely } likely, { $common } with common neighbours, { $between } between parts; { $verified } verified.
+stage_summary-matching_rounds = { $pairs } of { $of } pairs: { $likely } likely, { $common } with common neighbours, { $between } between parts; { $skipped } unlike, { $verified } verified.
 
 # $n = 40
 # $refused = 2

@@ -52,7 +52,7 @@ def match(i: Inputs, means: Means) -> Matched:
     """Each pair is matched by a task of its own; what stands still and what repeats is reported of them together."""
     chosen = pairs_of(means, i.photos, i.features, i.method, _positions(i.photos))
     try:
-        pairs = match_pairs(means, i.photos, i.features, i.method, chosen.pairs)
+        pairs = match_pairs(means, i.photos, i.features, i.method, chosen.pairs, chosen.whole)
     except NoOrientation as error:
         still = static_background(i.photos, i.features, i.method)
         if still is None:
@@ -101,14 +101,14 @@ def _put(state: OrientState, m: Matched) -> OrientState:
 
 def _outcome(state: OrientState) -> str:
     good = sum(1 for p in state.pairs if len(p.matches))
-    tried = len(state.pairs)
+    tried, skipped = len(state.pairs), sum(1 for p in state.pairs if not p.candidates)
     if not state.rounds:
-        return phrase("stage_summary.matching", pairs=tried, verified=good)
+        return phrase("stage_summary.matching", pairs=tried, skipped=skipped, verified=good)
     every = math.comb(len(state.photos), 2)
     likely, common, between = (r.pairs for r in state.rounds)
     return phrase(
         "stage_summary.matching_rounds", pairs=tried, of=every, likely=likely, common=common, between=between,
-        verified=good,
+        skipped=skipped, verified=good,
     )  # fmt: skip
 
 
