@@ -18,33 +18,6 @@ namespace RB_ARCH {
 #include "lanes.inl"
 constexpr int kRows = 6, kWide = 2 * kLanes;
 
-// Doubles in vectors with sums of their own: without them a sum waits for each of its terms.
-#if defined(__GNUC__)
-typedef double D __attribute__((vector_size(kBytes)));
-constexpr int kDoubles = kBytes / 8;
-#else
-typedef double D;
-constexpr int kDoubles = 1;
-#endif
-static inline D load(const double* a) {
-  D v;
-  std::memcpy(&v, a, sizeof v);
-  return v;
-}
-static inline void store(double* a, D v) { std::memcpy(a, &v, sizeof v); }
-static inline double summed(D v) {
-  double a[kDoubles], sum = 0;
-  std::memcpy(a, &v, sizeof v);
-  for (double x : a) sum += x;
-  return sum;
-}
-// Sum of a b over n values, a multiple of kDoubles.
-static inline double dot(const double* a, const double* b, int n) {
-  D sum = {};
-  for (int i = 0; i < n; i += kDoubles) sum += load(a + i) * load(b + i);
-  return summed(sum);
-}
-
 // sums (kRows, kWide) of products of kRows rows of a (stride k) and a panel of b (k, kWide).
 static inline void products(const float* a, int k, const float* panel, float* sums) {
   V acc[kRows][2] = {};
@@ -248,193 +221,396 @@ static void best_bytes(const uint8_t* a, int n, const uint8_t* b, int m, int k, 
   search(n, m, of, first, value, second, reverse);
 }
 
-#if defined(__GNUC__)
-typedef double Four __attribute__((vector_size(32)));
-typedef int32_t FourInts __attribute__((vector_size(16)));
-typedef uint16_t FourGreys __attribute__((vector_size(8)));
-static inline Four greys(const uint16_t* p) {
-#if defined(__AVX2__)  // compilers make four times as many instructions of the conversions below
-  return _mm256_cvtepi32_pd(_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p))));
-#endif
-  FourGreys g;
-  std::memcpy(&g, p, sizeof g);
-  return __builtin_convertvector(__builtin_convertvector(g, FourInts), Four);
+static inline V load(const float* a) {
+  V v;
+  std::memcpy(&v, a, sizeof v);
+  return v;
 }
+static inline void store(float* a, V v) { std::memcpy(a, &v, sizeof v); }
+
+// Coefficients of 1, t, t^2, t^3 in the weights of the four neighbours, cubic convolution (Keys 1981, a = -1/2).
+constexpr float kCubic[4][4] = {{0, 1, 0, 0}, {-0.5, 0, 0.5, 0}, {1, -2.5, 2, -0.5}, {-0.5, 1.5, -1.5, 0.5}};
+
+static inline double cubic(double t, int i) { return kCubic[0][i] + t * (kCubic[1][i] + t * (kCubic[2][i] + t * kCubic[3][i])); }
+static inline double slope(double t, int i) { return kCubic[1][i] + t * (2 * kCubic[2][i] + 3 * t * kCubic[3][i]); }
+
+#if defined(__GNUC__)
+typedef int32_t Whole __attribute__((vector_size(kBytes)));
+constexpr int kFours = kLanes / 4;  // groups of four lanes in a vector
+
+// Of each group of four: lanes a and b of x, lanes c and d of y.
+template <int a, int b, int c, int d> static inline V pick(V x, V y) {
+  [[maybe_unused]] constexpr int control = a | b << 2 | c << 4 | d << 6;
+#if defined(__AVX512F__)
+  return _mm512_shuffle_ps(x, y, control);
+#elif defined(__AVX2__)
+  return _mm256_shuffle_ps(x, y, control);
+#elif defined(__SSE2__)
+  return _mm_shuffle_ps(x, y, control);
 #else
-struct Four {
-  double a[4];
-  double operator[](int i) const { return a[i]; }
-};
-static inline Four operator*(const Four& x, const Four& y) { return {x.a[0] * y.a[0], x.a[1] * y.a[1], x.a[2] * y.a[2], x.a[3] * y.a[3]}; }
-static inline Four operator*(double x, const Four& y) { return {x * y.a[0], x * y.a[1], x * y.a[2], x * y.a[3]}; }
-static inline Four operator+(const Four& x, const Four& y) { return {x.a[0] + y.a[0], x.a[1] + y.a[1], x.a[2] + y.a[2], x.a[3] + y.a[3]}; }
-static inline Four greys(const uint16_t* p) { return {double(p[0]), double(p[1]), double(p[2]), double(p[3])}; }
+  return V{x[a], x[b], y[c], y[d]};
 #endif
-static inline double across(const Four& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
+}
 
-// Weights of the four neighbours for a fraction t, cubic convolution (Keys 1981, a = -1/2), and their derivatives.
-constexpr Four kCubic[4] = {{0, 1, 0, 0}, {-0.5, 0, 0.5, 0}, {1, -2.5, 2, -0.5}, {-0.5, 1.5, -1.5, 0.5}};
-static inline Four cubic(double t) { return kCubic[0] + t * (kCubic[1] + t * (kCubic[2] + t * kCubic[3])); }
-static inline Four cubic_slope(double t) { return kCubic[1] + t * (2.0 * kCubic[2] + (3.0 * t) * kCubic[3]); }
+// Of each group of four: the sums of a, b, c and d.
+static inline V across(V a, V b, V c, V d) {
+  const V x = pick<0, 1, 0, 1>(a, b) + pick<2, 3, 2, 3>(a, b), y = pick<0, 1, 0, 1>(c, d) + pick<2, 3, 2, 3>(c, d);
+  return pick<0, 2, 0, 2>(x, y) + pick<1, 3, 1, 3>(x, y);
+}
 
-// Value at x, y of the pixel frame (centre of the first pixel 0.5, 0.5), 2 px away from the border; gradient on request.
-static inline double sample(const Grey& g, double x, double y, double* gx = nullptr, double* gy = nullptr) {
-  x -= 0.5;
-  y -= 0.5;
-  const int ix = int(x), iy = int(y);  // both positive
-  const Four wx = cubic(x - ix), wy = cubic(y - iy);
-  const uint16_t* p = g.data + int64_t(iy - 1) * g.width + ix - 1;
-  const Four line[4] = {greys(p), greys(p + g.width), greys(p + 2 * int64_t(g.width)), greys(p + 3 * int64_t(g.width))};
-  const Four column = wy[0] * line[0] + wy[1] * line[1] + (wy[2] * line[2] + wy[3] * line[3]);
-  if (gx) {
-    const Four dy = cubic_slope(y - iy);
-    *gx = across(cubic_slope(x - ix) * column);
-    *gy = across(wx * (dy[0] * line[0] + dy[1] * line[1] + (dy[2] * line[2] + dy[3] * line[3])));
+// Sums of four vectors.
+static inline void sums(V a, V b, V c, V d, double* into) {
+  float each[kLanes];
+  store(each, across(a, b, c, d));
+  for (int i = 0; i < 4; ++i) {
+    into[i] = 0;
+    for (int k = 0; k < kFours; ++k) into[i] += each[4 * k + i];
   }
-  return across(wx * column);
+}
+
+// Four neighbouring grey values from each of these places on, after p, less `base`: small numbers are exact to more digits.
+static inline V greys(const uint16_t* p, const int32_t* place, float base) {
+#if defined(__SSE2__)
+  const auto at = [&](int i) { return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p + place[i])); };
+#if defined(__AVX512F__)
+  const __m128i low = _mm_unpacklo_epi64(at(0), at(4)), high = _mm_unpacklo_epi64(at(8), at(12));
+  return _mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_set_m128i(high, low))) - base;
+#elif defined(__AVX2__)
+  return _mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_unpacklo_epi64(at(0), at(4)))) - base;
+#else
+  return _mm_cvtepi32_ps(_mm_unpacklo_epi16(at(0), _mm_setzero_si128())) - base;
+#endif
+#else
+  const uint16_t* q = p + *place;
+  return V{float(q[0]), float(q[1]), float(q[2]), float(q[3])} - base;
+#endif
+}
+
+struct Repeated {
+  alignas(kBytes) float of[4][kLanes];
+};
+constexpr Repeated kRepeated = [] {
+  Repeated r{};
+  for (int k = 0; k < 4; ++k)
+    for (int i = 0; i < kLanes; ++i) r.of[k][i] = kCubic[k][i % 4];
+  return r;
+}();
+static inline V cubic(V t) {
+  const auto& k = kRepeated.of;
+  return load(k[0]) + t * (load(k[1]) + t * (load(k[2]) + t * load(k[3])));
+}
+
+// Four places, one of each group of four lanes, weighted: the sum of each group is to be formed.
+template <int lane> static inline V weighted(const uint16_t* p, int64_t width, const int32_t* place, V tx, V ty, float base) {
+  const V wx = cubic(pick<lane, lane, lane, lane>(tx, tx)), wy = cubic(pick<lane, lane, lane, lane>(ty, ty));
+  const auto line = [&](int j) { return greys(p + j * width, place + lane, base); };
+  return wx * ((pick<0, 0, 0, 0>(wy, wy) * line(0) + pick<1, 1, 1, 1>(wy, wy) * line(1)) +
+               (pick<2, 2, 2, 2>(wy, wy) * line(2) + pick<3, 3, 3, 3>(wy, wy) * line(3)));
+}
+
+// Grey values after p at places, at tx, ty of the way to their neighbours; two pixels and more away from the border.
+static inline V sample(const uint16_t* p, int64_t width, const int32_t* place, V tx, V ty, float base) {
+  p -= width + 1;
+  return across(weighted<0>(p, width, place, tx, ty, base), weighted<1>(p, width, place, tx, ty, base),
+                weighted<2>(p, width, place, tx, ty, base), weighted<3>(p, width, place, tx, ty, base));
+}
+static inline Whole floored(V x) {
+  const Whole i = __builtin_convertvector(x, Whole);
+  return i + (x < __builtin_convertvector(i, V));
+}
+static inline V real(Whole i) { return __builtin_convertvector(i, V); }
+#else
+static inline void sums(V a, V b, V c, V d, double* into) { into[0] = a, into[1] = b, into[2] = c, into[3] = d; }
+static inline V sample(const uint16_t* p, int64_t width, const int32_t* place, V tx, V ty, float base) {
+  p += *place - width - 1;
+  V sum = 0;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) sum += float(cubic(tx, i) * cubic(ty, j)) * (p[j * width + i] - base);
+  return sum;
+}
+typedef int32_t Whole;
+static inline Whole floored(V x) { return int32_t(std::floor(x)); }
+static inline V real(Whole i) { return float(i); }
+#endif
+static inline double summed(V v) {
+  double all[4];
+  sums(v, V{}, V{}, V{}, all);
+  return all[0];
+}
+// Sums over n values, a multiple of kLanes, of the products of a with four rows.
+static inline void products_of_four(const float* a, const float* rows, int n, double* into) {
+  V sum[4] = {};
+  for (int i = 0; i < n; i += kLanes)
+    for (int k = 0; k < 4; ++k) sum[k] += load(a + i) * load(rows + k * n + i);
+  sums(sum[0], sum[1], sum[2], sum[3], into);
 }
 
 static inline bool inside(const Grey& g, double x, double y) { return x >= 2.5 && y >= 2.5 && x <= g.width - 2.5 && y <= g.height - 2.5; }
 
 // Corners of the window u = (+-h, +-h) under p + B u.
 static bool window_inside(const Grey& g, const double* p, const double* B, double h) {
+  if (!(h * (std::abs(B[2]) + std::abs(B[3])) * g.width < 1e9)) return false;  // places are counted with 32 bit
   for (int a = -1; a <= 1; a += 2)
     for (int b = -1; b <= 1; b += 2)
       if (!inside(g, p[0] + h * (B[0] * a + B[1] * b), p[1] + h * (B[2] * a + B[3] * b))) return false;
   return true;
 }
 
-constexpr int kUnknowns = 10;  // shift, affine map, brightness, contrast, slope of the illumination in x and y
+constexpr int kLight = 4;     // brightness, contrast, slope of the illumination in x and y
+constexpr int kShape = 6;     // shift, affine map
+constexpr int kColumns = 8;   // and displacements as (u^2 + v^2) / 2 along x and y, which are not adjusted
+constexpr int kUnknowns = kLight + kShape;
 
-// L L' = N in place (lower); false where N is not positive definite beyond rounding.
-static bool cholesky(double N[kUnknowns][kUnknowns]) {
-  for (int i = 0; i < kUnknowns; ++i) {
-    const double whole = N[i][i];
+// L L' = N (lower) with the inverse of its diagonal; false where N, which had `taken` more on its diagonal before
+// unknowns were eliminated, is not positive definite beyond rounding.
+template <int n> static bool cholesky(const double N[n][n], const double* taken, double L[n][n], double* inverse) {
+  for (int i = 0; i < n; ++i)
     for (int j = 0; j <= i; ++j) {
       double s = N[i][j];
-      for (int k = 0; k < j; ++k) s -= N[i][k] * N[j][k];
+      for (int k = 0; k < j; ++k) s -= L[i][k] * L[j][k];
       if (i == j) {
-        if (!(s > 1e-9 * whole) || !(s > 0)) return false;
-        N[i][i] = std::sqrt(s);
+        if (!(s > 1e-9 * (N[i][i] + taken[i])) || !(s > 0)) return false;
+        L[i][i] = std::sqrt(s);
+        inverse[i] = 1 / L[i][i];
       } else {
-        N[i][j] = s / N[j][j];
+        L[i][j] = s * inverse[j];
       }
     }
-  }
   return true;
 }
 
-static void solve(const double L[kUnknowns][kUnknowns], double* b) {
-  for (int i = 0; i < kUnknowns; ++i) {
+template <int n> static void solve(const double L[n][n], const double* inverse, double* b) {
+  for (int i = 0; i < n; ++i) {
     for (int k = 0; k < i; ++k) b[i] -= L[i][k] * b[k];
-    b[i] /= L[i][i];
+    b[i] *= inverse[i];
   }
-  for (int i = kUnknowns - 1; i >= 0; --i) {
-    for (int k = i + 1; k < kUnknowns; ++k) b[i] -= L[k][i] * b[k];
-    b[i] /= L[i][i];
+  for (int i = n - 1; i >= 0; --i) {
+    for (int k = i + 1; k < n; ++k) b[i] -= L[k][i] * b[k];
+    b[i] *= inverse[i];
   }
 }
 
-// Arrays end with positions of weight 0, so that they fill vectors.
+// The reference window.  Arrays end with positions of weight 0, so that rows of whole vectors fit in.
+// The columns have what the light explains taken from them: of brightness, contrast and slopes the rest is free.
 struct Window {
-  int count;                                 // positions that count
-  int filled;                                // positions in an array
-  std::vector<double> u, v, w, T, G, J, WJ;  // J, WJ (kUnknowns, filled); WJ weighted
-  double total;
-};
+  int half, side, count, filled;  // positions that count, positions in an array
+  double total = 0;
+  std::vector<float> room;
+  std::vector<int32_t> place;  // of positions in the target
+  std::vector<uint8_t> part;  // of the window, by position
+  float *u, *v, *w, *T, *e, *tx, *ty, *g, *light, *column, *weighted;  // g (2, filled), light (kLight, filled), column and weighted (kColumns, filled)
+  float *patch, *line, *slopes;  // grey values with those around, (side + 3, row); between two lines of them, and the slope there
+  int row;
+  double contrast, level;               // of the grey values
+  float base;                           // near the mean of the target
+  double N[kColumns][kColumns];         // of the columns
+  double taken[kShape];
 
-// What the residuals e of a match show of displacements of its parts and of curvature: grey^2, displacements in the
-// target. L: factor of the normal matrix.
-static void judge(const Window& o, int side, const double* e, const double L[kUnknowns][kUnknowns], double square,
-                  double contrast, double mean, const double* B, double* found) {
-  double b[kParts * kParts][2] = {}, t[3] = {};
-  for (int i = 0; i < o.count; ++i) {
-    double* of = b[i / side * kParts / side * kParts + i % side * kParts / side];
-    const double gx = o.J[i], gy = o.J[o.filled + i], w = o.w[i];
-    of[0] += w * gx * e[i];
-    of[1] += w * gy * e[i];
-    t[0] += w * w * gx * gx;
-    t[1] += w * w * gx * gy;
-    t[2] += w * w * gy * gy;
-  }
-  double m[3] = {};
-  for (const auto& of : b) {
-    m[0] += of[0] * of[0];
-    m[1] += of[0] * of[1];
-    m[2] += of[1] * of[1];
-  }
-  // displacements as (u^2 + v^2) / 2 along x and y: less what the unknowns take of them
-  double a[2] = {}, s[2][2] = {}, h[2][kUnknowns] = {}, c[2][kUnknowns];
-  for (int i = 0; i < o.count; ++i) {
-    const double q = 0.5 * (o.u[i] * o.u[i] + o.v[i] * o.v[i]), x = q * o.J[i], y = q * o.J[o.filled + i], w = o.w[i];
-    a[0] -= w * x * e[i];
-    a[1] -= w * y * e[i];
-    s[0][0] += w * x * x;
-    s[0][1] += w * x * y;
-    s[1][1] += w * y * y;
-    for (int k = 0; k < kUnknowns; ++k) {
-      h[0][k] += x * o.WJ[k * o.filled + i];
-      h[1][k] += y * o.WJ[k * o.filled + i];
+  Window(int half, double sigma) : half(half), side(2 * half + 1), count(side * side) {
+    const auto whole = [](int n) { return (n + kLanes - 1) / kLanes * kLanes; };
+    filled = whole(count - side + whole(side)), row = whole(side + 3);
+    place.resize(size_t(filled));
+    const int rows = 9 + kLight + 2 * kColumns;
+    room.assign(size_t(rows) * filled + size_t(side + 5) * row + 4 * kLanes, 0.0f);
+    float* at = room.data();
+    while (reinterpret_cast<uintptr_t>(at) % (kLanes * sizeof(float))) ++at;
+    u = at, v = u + filled, w = v + filled, T = w + filled, e = T + filled, tx = e + filled, ty = tx + filled, g = ty + filled, light = g + 2 * filled;
+    column = light + kLight * filled, weighted = column + kColumns * filled, patch = weighted + kColumns * filled;
+    line = patch + (side + 3) * row, slopes = line + row + kLanes;
+    for (int i = 0; i < count; ++i) {
+      const double x = i % side - half, y = i / side - half;
+      u[i] = float(x), v[i] = float(y), w[i] = float(std::exp(-(x * x + y * y) / (2 * sigma * sigma)));
+      total += w[i];
+      part.push_back(uint8_t(i / side * kParts / side * kParts + i % side * kParts / side));
     }
   }
-  std::memcpy(c, h, sizeof c);
-  for (int i = 0; i < 2; ++i) {
-    solve(L, c[i]);
-    for (int k = 0; k < kUnknowns; ++k) a[i] += c[i][k] * dot(o.WJ.data() + k * o.filled, e, o.filled);
-    for (int j = i; j < 2; ++j)
-      for (int k = 0; k < kUnknowns; ++k) s[i][j] -= c[i][k] * h[j][k];
+
+  // Weighted mean to 0, weighted variance to 1; their scale, 0 where there is no contrast.
+  double normalise(float* a, double& mean) const {
+    V sum = {};
+    for (int i = 0; i < filled; i += kLanes) sum += load(w + i) * load(a + i);
+    mean = summed(sum) / total;
+    double square = 0;  // of few terms at a time: what the scale is wrong by goes into the residuals
+    for (int i = 0; i < filled;) {
+      sum = V{};
+      for (const int end = std::min(i + 4 * kLanes, filled); i < end; i += kLanes) {
+        const V x = load(a + i) - float(mean);
+        store(a + i, x);
+        sum += load(w + i) * x * x;
+      }
+      square += summed(sum);
+    }
+    const double scale = std::sqrt(square / total);
+    if (!(scale > 1e-6 * (1 + std::abs(mean)))) return 0;  // weights of neighbours make 1 but for rounding
+    const float inverse = float(1 / scale), less = float(1 / scale - inverse);
+    for (int i = 0; i < filled; i += kLanes) store(a + i, load(a + i) * inverse + load(a + i) * less);
+    return scale;
   }
-  const double bend[3] = {s[0][0], s[0][1], s[1][1]};
-  const double det = B[0] * B[3] - B[1] * B[2];
-  const double C[4] = {B[3] / det, -B[1] / det, -B[2] / det, B[0] / det};  // reference from target
-  const double grey = contrast * contrast;
-  found[0] = square / o.total * o.count / (o.count - kUnknowns) * grey;
-  found[1] = mean;
-  const auto in_target = [&](const double* s, double unit, double* to) {
-    to[0] = unit * (C[0] * (C[0] * s[0] + C[2] * s[1]) + C[2] * (C[0] * s[1] + C[2] * s[2]));
-    to[1] = unit * (C[0] * (C[1] * s[0] + C[3] * s[1]) + C[2] * (C[1] * s[1] + C[3] * s[2]));
-    to[2] = unit * (C[1] * (C[1] * s[0] + C[3] * s[1]) + C[3] * (C[1] * s[1] + C[3] * s[2]));
-  };
-  in_target(m, grey, found + 2);
-  in_target(t, 1, found + 5);
-  found[8] = grey * (C[0] * a[0] + C[2] * a[1]);
-  found[9] = grey * (C[1] * a[0] + C[3] * a[1]);
-  in_target(bend, grey, found + 10);
-  found[13] = 0.5 * (c[0][0] + c[1][1]);
-}
+
+  // Grey values less their mean, which is returned, and gradients: all positions are at the same place between the pixels.
+  double read(const Grey& image, const double* c) {
+    const int x = int(c[0] - 0.5), y = int(c[1] - 0.5), wide = side + 3;
+    float wx[4], wy[4], dx[4], dy[4];
+    for (int k = 0; k < 4; ++k) {
+      const double tx = c[0] - 0.5 - x, ty = c[1] - 0.5 - y;
+      wx[k] = float(cubic(tx, k)), wy[k] = float(cubic(ty, k)), dx[k] = float(slope(tx, k)), dy[k] = float(slope(ty, k));
+    }
+    int64_t sum = 0;
+    for (int j = 0; j < wide; ++j) {
+      const uint16_t* from = image.data + int64_t(y - half - 1 + j) * image.width + x - half - 1;
+      for (int i = 0; i < wide; ++i) patch[j * row + i] = float(from[i]), sum += from[i];
+    }
+    const float mean = float(sum / (wide * wide));
+    for (int i = 0; i < wide * row; i += kLanes) store(patch + i, load(patch + i) - mean);
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < row; i += kLanes) {
+        V value = {}, change = {};
+        for (int k = 0; k < 4; ++k) {
+          const V p = load(patch + (j + k) * row + i);
+          value += wy[k] * p, change += dy[k] * p;
+        }
+        store(line + i, value), store(slopes + i, change);
+      }
+      for (int i = 0; i < side; i += kLanes) {
+        V value = {}, along = {}, down = {};
+        for (int k = 0; k < 4; ++k) {
+          const V p = load(line + i + k);
+          value += wx[k] * p, along += dx[k] * p, down += wx[k] * load(slopes + i + k);
+        }
+        store(T + j * side + i, value), store(g + j * side + i, along), store(g + filled + j * side + i, down);
+      }
+    }
+    return mean;
+  }
+
+  // What belongs to the place c of the reference; false where it shows nothing.
+  bool take(const Grey& image, const double* c) {
+    const double base = read(image, c);
+    contrast = normalise(T, level);
+    if (contrast == 0) return false;
+    level += base;
+    const float back = float(1 / contrast), bright = float(level / contrast), unit = 1.0f / float(half);
+    const int n = filled;
+    for (int i = 0; i < n; i += kLanes) {
+      const V x = load(u + i), y = load(v + i), t = load(T + i), gx = load(g + i) * back, gy = load(g + n + i) * back;
+      const V bent = 0.5f * (x * x + y * y), lit = (t + bright) * unit;
+      const V of_light[kLight] = {V{} + 1.0f, t, x * lit, y * lit};
+      const V of_shape[kColumns] = {gx, gy, gx * x, gx * y, gy * x, gy * y, gx * bent, gy * bent};
+      store(g + i, gx), store(g + n + i, gy);
+      for (int k = 0; k < kLight; ++k) store(light + k * n + i, of_light[k]), store(weighted + k * n + i, load(w + i) * of_light[k]);
+      for (int k = 0; k < kColumns; ++k) store(column + k * n + i, of_shape[k]);
+    }
+    double M[kLight][kLight], L[kLight][kLight], inverse[kLight];
+    for (int k = 0; k < kLight; ++k) products_of_four(light + k * n, weighted, n, M[k]);
+    const double none[kLight] = {};
+    if (!cholesky<kLight>(M, none, L, inverse)) return false;
+    float less[kColumns][kLight];
+    for (int k = 0; k < kColumns; ++k) {
+      double b[kLight], x[kLight];
+      products_of_four(column + k * n, weighted, n, b);
+      std::copy_n(b, kLight, x);
+      solve<kLight>(L, inverse, x);
+      if (k < kShape) taken[k] = b[0] * x[0] + b[1] * x[1] + b[2] * x[2] + b[3] * x[3];
+      for (int r = 0; r < kLight; ++r) less[k][r] = float(x[r]);
+    }
+    for (int i = 0; i < n; i += kLanes) {
+      const V l0 = load(light + i), l1 = load(light + n + i), l2 = load(light + 2 * n + i), l3 = load(light + 3 * n + i), of = load(w + i);
+      for (int k = 0; k < kColumns; ++k) {
+        const V rest = load(column + k * n + i) - (less[k][0] * l0 + less[k][1] * l1 + less[k][2] * l2 + less[k][3] * l3);
+        store(column + k * n + i, rest), store(weighted + k * n + i, of * rest);
+      }
+    }
+    for (int k = 0; k < kColumns; ++k)
+      for (int j = 0; j <= k; j += 4) products_of_four(column + k * n, weighted + j * n, n, N[k] + j);
+    return true;
+  }
+
+  // Grey values of the target less those of the reference, both normalised; sums with the weighted columns and the
+  // weighted square sum; false where the target has no contrast.
+  bool compare(const Grey& target, const double* p, const double* B, double* with, double& square) {
+    const int x0 = int(p[0] - 0.5), y0 = int(p[1] - 0.5), n = filled;
+    const uint16_t* pixel = target.data + int64_t(y0) * target.width + x0;
+    const double fx = p[0] - 0.5 - x0, fy = p[1] - 0.5 - y0;
+    const float px = float(fx), py = float(fy), qx = float(fx - px), qy = float(fy - py);  // the second is what rounding takes
+    const float b0 = float(B[0] - 1), b1 = float(B[1]), b2 = float(B[2]), b3 = float(B[3] - 1);
+    for (int i = 0; i < n; i += kLanes) {
+      // the places less their own positions in the window: small numbers, as with grey values
+      const V x = px + (qx + b0 * load(u + i) + b1 * load(v + i)), y = py + (qy + b2 * load(u + i) + b3 * load(v + i));
+      const Whole ix = floored(x), iy = floored(y);
+      const Whole at = (iy + floored(load(v + i))) * target.width + ix + floored(load(u + i));
+      store(tx + i, x - real(ix)), store(ty + i, y - real(iy));
+      std::memcpy(place.data() + i, &at, sizeof at);
+    }
+    for (int i = 0; i < n; i += kLanes) store(e + i, sample(pixel, target.width, place.data() + i, load(tx + i), load(ty + i), base));
+    double mean;
+    if (normalise(e, mean) == 0) return false;
+    base += float(std::round(mean));
+    V sum[kColumns] = {}, all = {};
+    for (int i = 0; i < n; i += kLanes) {
+      const V d = load(e + i) - load(T + i);
+      store(e + i, d);
+      all += load(w + i) * d * d;
+      for (int k = 0; k < kColumns; ++k) sum[k] += load(weighted + k * n + i) * d;
+    }
+    for (int k = 0; k < kColumns; k += 4) sums(sum[k], sum[k + 1], sum[k + 2], sum[k + 3], with + k);
+    square = summed(all);
+    return true;
+  }
+
+  // What the residuals of a match show of displacements of its parts and of curvature: grey^2, displacements in the
+  // target. L: factor of the normal matrix of the shape.
+  void judge(const double L[kShape][kShape], const double* inverse, const double* with, double square, const double* B, double* found) const {
+    double b[kParts * kParts][2] = {}, m[3] = {}, t[4];
+    for (int i = 0; i < count; ++i) {
+      const float we = w[i] * e[i];
+      b[part[size_t(i)]][0] += we * g[i];
+      b[part[size_t(i)]][1] += we * g[filled + i];
+    }
+    for (const auto& of : b) {
+      m[0] += of[0] * of[0];
+      m[1] += of[0] * of[1];
+      m[2] += of[1] * of[1];
+    }
+    V s[3] = {};
+    for (int i = 0; i < filled; i += kLanes) {
+      const V x = load(w + i) * load(g + i), y = load(w + i) * load(g + filled + i);
+      s[0] += x * x, s[1] += x * y, s[2] += y * y;
+    }
+    sums(s[0], s[1], s[2], V{}, t);
+    double a[2], bend[3], c[2][kShape];
+    for (int i = 0; i < 2; ++i) {
+      std::copy_n(N[kShape + i], kShape, c[i]);
+      solve<kShape>(L, inverse, c[i]);
+      a[i] = -with[kShape + i];
+      for (int k = 0; k < kShape; ++k) a[i] += c[i][k] * with[k];
+      for (int j = 0; j <= i; ++j) {
+        double& rest = bend[i + j] = N[kShape + i][kShape + j];
+        for (int k = 0; k < kShape; ++k) rest -= c[j][k] * N[kShape + i][k];
+      }
+    }
+    const double det = B[0] * B[3] - B[1] * B[2];
+    const double C[4] = {B[3] / det, -B[1] / det, -B[2] / det, B[0] / det};  // reference from target
+    const double grey = contrast * contrast;
+    found[0] = square / total * count / (count - kUnknowns) * grey;
+    found[1] = level;
+    const auto in_target = [&](const double* s, double unit, double* to) {
+      to[0] = unit * (C[0] * (C[0] * s[0] + C[2] * s[1]) + C[2] * (C[0] * s[1] + C[2] * s[2]));
+      to[1] = unit * (C[0] * (C[1] * s[0] + C[3] * s[1]) + C[2] * (C[1] * s[1] + C[3] * s[2]));
+      to[2] = unit * (C[1] * (C[1] * s[0] + C[3] * s[1]) + C[3] * (C[1] * s[1] + C[3] * s[2]));
+    };
+    in_target(m, grey, found + 2);
+    in_target(t, 1, found + 5);
+    found[8] = grey * (C[0] * a[0] + C[2] * a[1]);
+    found[9] = grey * (C[1] * a[0] + C[3] * a[1]);
+    in_target(bend, grey, found + 10);
+    found[13] = 0.5 * (c[0][0] + c[1][1]);
+  }
+};
 
 static void match(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
                   double* xy, double* affine, double* covariance, double* correlation, double* residual, int32_t* outcome) {
-  const int h = patch.half, side = 2 * h + 1, count = side * side, filled = (count + kDoubles - 1) / kDoubles * kDoubles;
-  Window o;
-  o.count = count;
-  o.filled = filled;
-  for (auto* a : {&o.u, &o.v, &o.w, &o.T, &o.G}) a->assign(filled, 0);
-  for (auto* a : {&o.J, &o.WJ}) a->assign(kUnknowns * filled, 0);
-  o.total = 0;
-  for (int i = 0; i < count; ++i) {
-    o.u[i] = i % side - h;
-    o.v[i] = i / side - h;
-    o.w[i] = std::exp(-(o.u[i] * o.u[i] + o.v[i] * o.v[i]) / (2 * patch.sigma * patch.sigma));
-    o.total += o.w[i];
-  }
-  const double* w = o.w.data();
-  // weighted mean to 0, weighted variance to 1; 0 where there is no contrast
-  double mean = 0;
-  const auto normalise = [&](double* a) {
-    mean = dot(w, a, filled) / o.total;
-    D sum = {};
-    for (int i = 0; i < filled; i += kDoubles) {
-      const D x = load(a + i) - mean;
-      store(a + i, x);
-      sum += load(w + i) * x * x;
-    }
-    const double scale = std::sqrt(summed(sum) / o.total);
-    if (!(scale > 1e-6)) return 0.0;
-    const double inverse = 1 / scale;
-    for (int i = 0; i < filled; i += kDoubles) store(a + i, load(a + i) * inverse);
-    return scale;
-  };
+  Window o(patch.half, patch.sigma);
+  const int h = patch.half;
   for (int n = begin; n < end; ++n) {
     const double* c = xy_reference + 2 * n;
     double* p = xy + 2 * n;
@@ -451,72 +627,38 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       outcome[n] = outside;
       continue;
     }
-    double *T = o.T.data(), *G = o.G.data(), *J = o.J.data(), *WJ = o.WJ.data();
-    for (int i = 0; i < count; ++i) {
-      double gx, gy;
-      T[i] = sample(reference, c[0] + o.u[i], c[1] + o.v[i], &gx, &gy);
-      J[i] = gx;
-      J[filled + i] = gy;
-    }
-    const double contrast = normalise(T);
-    if (contrast == 0) {
+    if (!o.take(reference, c)) {
       outcome[n] = flat;
       continue;
     }
-    const double grey_level = mean, level = mean / contrast;
-    for (int i = 0; i < count; ++i) {
-      const double gx = J[i] /= contrast, gy = J[filled + i] /= contrast;
-      J[2 * filled + i] = gx * o.u[i];
-      J[3 * filled + i] = gx * o.v[i];
-      J[4 * filled + i] = gy * o.u[i];
-      J[5 * filled + i] = gy * o.v[i];
-      J[6 * filled + i] = 1;
-      J[7 * filled + i] = T[i];
-      J[8 * filled + i] = o.u[i] * (T[i] + level) / h;
-      J[9 * filled + i] = o.v[i] * (T[i] + level) / h;
-    }
-    for (int a = 0; a < kUnknowns; ++a)
-      for (int i = 0; i < filled; i += kDoubles) store(WJ + a * filled + i, load(w + i) * load(J + a * filled + i));
-    double N[kUnknowns][kUnknowns];
-    for (int a = 0; a < kUnknowns; ++a)
-      for (int b = 0; b <= a; ++b) N[a][b] = dot(WJ + a * filled, J + b * filled, filled);
-    double L[kUnknowns][kUnknowns];
     outcome[n] = unsteady;
+    o.base = float(std::round(o.level));
     for (int iteration = 0; iteration < patch.iterations; ++iteration) {
       if (!window_inside(target, p, B, h)) {
         outcome[n] = outside;
         break;
       }
-      for (int i = 0; i < count; ++i)
-        G[i] = sample(target, p[0] + B[0] * o.u[i] + B[1] * o.v[i], p[1] + B[2] * o.u[i] + B[3] * o.v[i]);
-      if (normalise(G) == 0) {
+      double with[kColumns], square, d[kShape], N[kShape][kShape], L[kShape][kShape], inverse[kShape];
+      if (!o.compare(target, p, B, with, square)) {
         outcome[n] = flat;
         break;
       }
-      double d[kUnknowns];
-      D sum = {};
-      for (int i = 0; i < filled; i += kDoubles) {
-        const D e = load(G + i) - load(T + i);
-        store(G + i, e);
-        sum += load(w + i) * e * e;
-      }
-      const double square = summed(sum);
       const double product = 1 - square / (2 * o.total);  // correlation of two normalised windows
-      for (int a = 0; a < kUnknowns; ++a) d[a] = dot(WJ + a * filled, G, filled);
       // the given affine map is an observation: deviation D = given^-1 B - 1, weight relative to a grey value
       const double weight = std::max(square / o.total, 1e-4) / (patch.loose * patch.loose);
       const double D[4] = {(given[3] * B[0] - given[1] * B[2]) / size - 1, (given[3] * B[1] - given[1] * B[3]) / size,
                            (given[0] * B[2] - given[2] * B[0]) / size, (given[0] * B[3] - given[2] * B[1]) / size - 1};
-      std::memcpy(L, N, sizeof L);
+      for (int k = 0; k < kShape; ++k) std::copy_n(o.N[k], kShape, N[k]);
+      std::copy_n(with, kShape, d);
       for (int k = 0; k < 4; ++k) {
-        L[2 + k][2 + k] += weight;
+        N[2 + k][2 + k] += weight;
         d[2 + k] += weight * D[k];
       }
-      if (!cholesky(L)) {
+      if (!cholesky<kShape>(N, o.taken, L, inverse)) {
         outcome[n] = flat;
         break;
       }
-      solve(L, d);
+      solve<kShape>(L, inverse, d);
       const double limit = 0.25 * h;
       const double longest = std::max({std::abs(d[0]), std::abs(d[1]), h * std::abs(d[2]), h * std::abs(d[3]), h * std::abs(d[4]),
                                        h * std::abs(d[5])});
@@ -532,18 +674,19 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       p[0] -= sx;
       p[1] -= sy;
       correlation[n] = product;
-      if (std::hypot(p[0] - start[0], p[1] - start[1]) > patch.reach) {
+      const double x = p[0] - start[0], y = p[1] - start[1];
+      if (x * x + y * y > patch.reach * patch.reach) {
         outcome[n] = moved;
         break;
       }
-      if (std::hypot(sx, sy) < patch.step && longest <= limit) {
+      if (sx * sx + sy * sy < patch.step * patch.step && longest <= limit) {
         outcome[n] = matched;
         // variance of a grey value in units of the normalised window, times the cofactor of the shift, in the target
-        double variance = square / o.total * count / (count - kUnknowns), Q[2][2];
+        double variance = square / o.total * o.count / (o.count - kUnknowns), Q[2][2];
         for (int k = 0; k < 2; ++k) {
-          double unit_vector[kUnknowns] = {};
+          double unit_vector[kShape] = {};
           unit_vector[k] = 1;
-          solve(L, unit_vector);
+          solve<kShape>(L, inverse, unit_vector);
           Q[k][0] = unit_vector[0];
           Q[k][1] = unit_vector[1];
         }
@@ -551,7 +694,7 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
         covariance[3 * n] = variance * (B[0] * (B[0] * q00 + B[1] * q01) + B[1] * (B[0] * q01 + B[1] * q11));
         covariance[3 * n + 1] = variance * (B[2] * (B[2] * q00 + B[3] * q01) + B[3] * (B[2] * q01 + B[3] * q11));
         covariance[3 * n + 2] = variance * (B[2] * (B[0] * q00 + B[1] * q01) + B[3] * (B[0] * q01 + B[1] * q11));
-        judge(o, side, G, L, square, contrast, grey_level, B, residual + kResidual * n);
+        o.judge(L, inverse, with, square, B, residual + kResidual * n);
         break;
       }
     }

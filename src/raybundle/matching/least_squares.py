@@ -129,19 +129,30 @@ def with_noisy_gradients(found: WindowMatches, xy_reference: Array, options: Win
     positions = len(side) ** 2
     lost = 1 - found.correlation[rows]  # the noise of one window, in units of its contrast
     s2 = np.maximum(2 * lost * positions / (positions - UNKNOWNS), 1e-12)
-    c = found.cov_px2[rows]
-    inverse = np.linalg.inv(found.affine[rows])
-    C = inverse @ np.stack([c[:, [0, 2]], c[:, [2, 1]]], axis=1) @ inverse.swapaxes(1, 2)
-    # with N^-1 = F F' the noise is p = F' D F of the information, in directions that are independent of each other
-    F = np.linalg.cholesky(C / s2[:, None, None] + 1e-300 * np.eye(2))
-    noise = (lost * weights)[:, None] * _gradient_noise(xy_reference[rows])
-    share, V = np.linalg.eigh(np.einsum("nki,nk,nkj->nij", F, noise, F))
-    share = np.maximum(1 - share, LEAST_SHARE)
-    back = found.affine[rows] @ F @ V
-    C = np.einsum("nik,nk,njk->nij", back, s2[:, None] / share**2, back)
+    x, y, xy = found.cov_px2[rows].T
+    A = found.affine[rows].reshape(-1, 4).T
+    back = np.stack([A[3], -A[1], -A[2], A[0]]) / (A[0] * A[3] - A[1] * A[2])
+    u, v, uv = _carried(back, x, y, xy) / s2  # N^-1, of the reference window
+    # p and q, the shares of the information that are noise, are the eigenvalues of noise D times N^-1
+    along, down = lost * weights * _gradient_noise(xy_reference[rows]).T
+    middle = (along * u + down * v) / 2
+    half = np.sqrt(np.maximum(middle**2 - along * down * (u * v - uv**2), 0))
+    p, q = (1 / np.maximum(1 - k, LEAST_SHARE) ** 2 for k in (middle - half, middle + half))
+    # f(M) of a symmetric 2 x 2 matrix is linear in M: N^-1 f = a N^-1 + b N^-1 D N^-1
+    b = np.divide(q - p, 2 * half, out=np.zeros(len(rows)), where=half > 1e-9)
+    a = p - b * (middle - half)
+    noisy = along * u**2 + down * uv**2, along * uv**2 + down * v**2, uv * (along * u + down * v)
     cov = found.cov_px2.copy()
-    cov[rows] = np.stack([C[:, 0, 0], C[:, 1, 1], C[:, 0, 1]], axis=1)
+    cov[rows] = (s2 * _carried(A, *(a * k + b * n for k, n in zip((u, v, uv), noisy, strict=True)))).T
     return replace(found, cov_px2=cov)
+
+
+def _carried(A: Array, x: Array, y: Array, xy: Array) -> Array:
+    """(3, n) A C A' of matrices A (4, n) and symmetric ones C, given and returned as xx, yy, xy."""
+    return np.stack([
+        A[0] ** 2 * x + A[1] ** 2 * y + 2 * A[0] * A[1] * xy, A[2] ** 2 * x + A[3] ** 2 * y + 2 * A[2] * A[3] * xy,
+        A[0] * A[2] * x + A[1] * A[3] * y + (A[0] * A[3] + A[1] * A[2]) * xy,
+    ])  # fmt: skip
 
 
 def _gradient_noise(xy: Array) -> Array:
@@ -150,17 +161,8 @@ def _gradient_noise(xy: Array) -> Array:
     All positions of a window are read at one place between the pixels: in the middle of a pixel a gradient is a
     difference over two pixels, at its edge one over one.
     """
-    distance = np.subtract.outer(np.arange(4), np.arange(4))
-    R = np.exp(-(distance**2) / (4 * NOISE_SIGMA_PX**2))
-
-    def variances(at: Array) -> tuple[Array, Array]:
-        """Variances of value and derivative at places (n,)."""
-        w, d = _cubic(at - np.floor(at))
-        return np.einsum("ni,ij,nj->n", w, R, w), np.einsum("ni,ij,nj->n", d, R, d)
-
-    (vx, dx), (vy, dy) = variances(xy[:, 0] - 0.5), variances(xy[:, 1] - 0.5)
-    anywhere = float(variances(np.linspace(0, 1, 64, endpoint=False))[0].mean()) ** 2
-    mean = (vx * vy + anywhere) / 2
+    (vx, dx), (vy, dy) = _noise_of(xy[:, 0] - 0.5), _noise_of(xy[:, 1] - 0.5)
+    mean = (vx * vy + ANYWHERE) / 2
     return np.stack([dx * vy / mean, vx * dy / mean], axis=1)
 
 
@@ -311,3 +313,17 @@ def _cubic(t: Array) -> tuple[Array, Array]:
     w = [-0.5 * t3 + t2 - 0.5 * t, 1.5 * t3 - 2.5 * t2 + 1, -1.5 * t3 + 2 * t2 + 0.5 * t, 0.5 * t3 - 0.5 * t2]
     d = [-1.5 * t2 + 2 * t - 0.5, 4.5 * t2 - 5 * t, -4.5 * t2 + 4 * t + 0.5, 1.5 * t2 - t]
     return np.stack(w, axis=1), np.stack(d, axis=1)
+
+
+NOISE = np.exp(-(np.subtract.outer(np.arange(4), np.arange(4)) ** 2) / (4 * NOISE_SIGMA_PX**2))
+"""Correlations of the noise of four neighbouring pixels."""
+
+
+def _noise_of(at: Array) -> tuple[Array, Array]:
+    """Variances of value and derivative at places (n,)."""
+    w, d = _cubic(at - np.floor(at))
+    return ((w @ NOISE) * w).sum(axis=1), ((d @ NOISE) * d).sum(axis=1)
+
+
+ANYWHERE = float(_noise_of(np.linspace(0, 1, 64, endpoint=False))[0].mean()) ** 2
+"""Variance of the value at a place of both coordinates, in the mean of all places."""

@@ -242,12 +242,12 @@ def local_affine(p: Array, q: Array, at: Array, neighbours: int = 12) -> Array:
     distance, index = KDTree(p).query(at, k=min(neighbours, len(p)))
     weight = 1 / (distance + distance.mean(axis=1, keepdims=True) + 1e-9)
     weight /= weight.sum(axis=1, keepdims=True)
-    P, Q = p[index], q[index]
-    P = P - np.einsum("nk,nki->ni", weight, P)[:, None]
-    Q = Q - np.einsum("nk,nki->ni", weight, Q)[:, None]
-    M = np.einsum("nk,nki,nkj->nij", weight, P, P)
+    both = np.concatenate([p, q], axis=1)[index]
+    both -= weight[:, None] @ both
+    products = (weight[:, :, None] * both).swapaxes(1, 2) @ both[:, :, :2]
+    M = products[:, :2]
     M += 1e-6 * np.trace(M, axis1=1, axis2=2)[:, None, None] * np.eye(2) + 1e-12 * np.eye(2)
-    return np.einsum("nk,nki,nkj->nij", weight, Q, P) @ np.linalg.inv(M)
+    return products[:, 2:] @ np.linalg.inv(M)
 
 
 def similarity(points: TrackPoints, source: Index, target: Index) -> Array:
@@ -263,8 +263,8 @@ def smoothed(grey: Array, sigma_px: float = 0.6) -> Array:
     import cv2
 
     scale = 256.0 if grey.dtype == np.uint8 else 1.0
-    wide = cv2.GaussianBlur(grey.astype(np.float32) * np.float32(scale), (0, 0), sigma_px)
-    return np.clip(np.round(wide), 0, 65535).astype(np.uint16)
+    kernel = cv2.getGaussianKernel(round(8 * sigma_px + 1) | 1, sigma_px, cv2.CV_32F)
+    return cv2.sepFilter2D(grey, cv2.CV_16U, kernel * scale, kernel)
 
 
 def halved(image: Array) -> Array:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from raybundle.adjustment.blunders.collinear_points import any_in_line
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
@@ -267,8 +268,10 @@ def _settle(work: _Work, options: AdjustmentOptions, first: float) -> Adjustment
             return None
         out = Rejection(kind=RejectionKind.RESIDUAL)
         reasons = tuple(out if r else None for r in work.rejected)
+        # the weights need no covariances; only images that may turn about a line do
+        extent = "report" if any_in_line(cleaned.block, ~work.rejected) else "tests"
         try:
-            result = adjust_block(cleaned.block, options, free=free, rejected=reasons)
+            result = adjust_block(cleaned.block, options, free=free, rejected=reasons, extent=extent)
         except NotSolvable as error:
             named = [block.images.ids.index(n) for n in error.names("image")]
             worst = [i for i in named if i not in work.left_out][:1]
