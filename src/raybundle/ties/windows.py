@@ -36,7 +36,7 @@ from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
 from raybundle.ties.points import grey_of
 
-VERSION = 3
+VERSION = 4
 KINDS = ("candidates", "windows")
 """First words of the keys of what is kept"""
 SMALLEST, LARGEST, SHARE = 2, 16, 16
