@@ -16,7 +16,7 @@ from raybundle.adjustment.statistics.system_state import Work
 from raybundle.adjustment.system import defects
 from raybundle.adjustment.system.adjusted_values import adjusted_block, as_start
 from raybundle.adjustment.system.assemble import State, assemble
-from raybundle.adjustment.system.datum import Datum, analyse, hold_minimal, open_names
+from raybundle.adjustment.system.datum import Datum, analyse, hold_minimal, middle_and_extent, open_names, what_is_open
 from raybundle.adjustment.system.factoring import around
 from raybundle.adjustment.system.normals import Normals
 from raybundle.adjustment.system.solve import CAUTIOUS, FLOOR, HUBER, solve
@@ -64,9 +64,10 @@ def carry_out(
         _in_minimal_datum(work.normals, work.solution.state, work.datum)
         raise defects.no_convergence(work.normals, work.solution.state, work.solution.iterations, work.solution.step)
     # what observations fix is asked where they lead: a run that starts there must find the same
-    settled = analyse(work.system, work.solution.state, options)
-    if settled.defect != work.datum.defect:
-        work.datum = settled
+    used = work.solution.state.xyz[work.system.points_used]
+    left_open, _ = what_is_open(work.system, work.solution.state, options, *middle_and_extent(used))
+    if left_open.shape[1] != work.datum.defect:
+        work.datum = analyse(work.system, work.solution.state, options)
     # residuals do not change within the open datum: moved first, the block is factored once, where it will stand
     work.state = fit_to_given(work.system, work.solution.state, work.system.initial_state(), work.datum)
     if rank or options.statistics:
@@ -223,7 +224,7 @@ def _estimate(
         part = assemble(block, options, ~rows, free)
         return open_names(analyse(part, part.initial_state(), replace(options, datum="auto")).basis)
 
-    parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or _may_fall_apart(block, mask) else 1
+    parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or len(block.images) > 1 else 1
     normals = around()(system, options, free, mask)
     if near is not None:
         state = replace(system, block=near).initial_state()
@@ -234,11 +235,6 @@ def _estimate(
     return Work(
         system=system, normals=normals, datum=datum, solution=solution, found=None, parts=parts, state=solution.state
     )  # fmt: skip
-
-
-def _may_fall_apart(block: Block, mask: Mask) -> bool:
-    del mask
-    return len(block.images) > 1
 
 
 def _in_minimal_datum(normals: Normals, state: State, datum: Datum) -> list[int]:
