@@ -225,15 +225,16 @@ def test_covariances_equal_the_dense_formula(name):
 @pytest.mark.parametrize("name", ["bars", "weighted control", "each its own", "rolling"])
 def test_points_of_many_and_of_few_rays_have_the_same_influences(name, monkeypatch):
     spread = adjusted(name).handle.work.spread
-    row, column = noise.entries(spread.fields.base)
+    fields = spread.fields
+    J = fields.base.solved(fields.wide.times(spread.basis))
     found, calls = [], []
     plain = Normals.statistics
     monkeypatch.setattr(Normals, "statistics", lambda *a, **k: (calls.append(1), plain(*a, **k))[1])
     for pair in (0.0, np.inf):
-        monkeypatch.setattr(noise, "PAIR", pair)
-        found.append(noise._influences(spread.fields, spread.basis, row, column))
+        monkeypatch.setattr(field_system_module, "PAIR", pair)
+        found.append(fields.wide.influences(J, spread.basis))
     assert len(calls) == 1
-    taken = spread.fields.base.system.point_node < 0
+    taken = fields.base.system.point_node < 0
     (nodes, points), (other_nodes, other_points) = found
     np.testing.assert_allclose(nodes, other_nodes, rtol=1e-7, atol=1e-9 * nodes.max())
     np.testing.assert_allclose(points[taken], other_points[taken], rtol=1e-7, atol=1e-9 * points[taken].max())
