@@ -76,8 +76,8 @@ def widen(store: Store, o: Widened) -> Product:
 
 
 def packed(name: str, matrix: Any) -> dict[str, Array]:
-    """A sparse matrix (csr) as arrays."""
-    return {
+    """A matrix, or a sparse one (csr), as arrays."""
+    return {name: matrix} if isinstance(matrix, np.ndarray) else {
         f"{name}.data": matrix.data, f"{name}.indices": matrix.indices.astype(np.int32),
         f"{name}.indptr": matrix.indptr.astype(np.int32), f"{name}.shape": np.array(matrix.shape),
     }  # fmt: skip
@@ -87,6 +87,8 @@ def unpacked(name: str, found: Values) -> Any:
     """The matrix again."""
     from scipy.sparse import csr_matrix
 
+    if name in found:
+        return found[name]
     values = (found[f"{name}.{of}"] for of in ("data", "indices", "indptr"))
     return csr_matrix(tuple(values), shape=tuple(found[f"{name}.shape"].tolist()))
 

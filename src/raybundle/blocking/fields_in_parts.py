@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.statistics.field_system import at_entries, entries
+from raybundle.adjustment.statistics.field_system import at_entries, dense, entries
 from raybundle.adjustment.statistics.fields import WithFields
 from raybundle.adjustment.system.assemble import State
 from raybundle.blocking import fields
@@ -105,8 +105,7 @@ class FieldsInParts:
         """H c (N, k) of coefficients (10 f, k), which may be sparse."""
         found = np.zeros((len(self.given), coefficients.shape[1]))
         for t, (h,) in self._each("H"):
-            product = h @ coefficients[self.columns[t]]
-            found[self.unknowns[t]] += product if isinstance(product, np.ndarray) else product.toarray()
+            found[self.unknowns[t]] += dense(h @ coefficients[self.columns[t]])
         return found
 
     def transposed(self, nodes: Array) -> Array:
@@ -115,6 +114,11 @@ class FieldsInParts:
         for t, (h,) in self._each("H"):
             found[self.columns[t]] += h.T @ nodes[self.unknowns[t]]
         return found
+
+    def subtract(self, own: Array, nodes: Array) -> None:
+        """Take H' n from columns (10 f, k), in place; nodes (N, k)."""
+        for t, (h,) in self._each("H"):
+            own[self.columns[t]] -= h.T @ nodes[self.unknowns[t]]
 
     def shared(self, image: int) -> Array:
         """(f,) square sums of the fields' own matrix between one image and each."""

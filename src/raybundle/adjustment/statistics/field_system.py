@@ -60,6 +60,10 @@ class Wide(Protocol):
         """H' n (10 f, k) of nodes (N, k)."""
         ...
 
+    def subtract(self, own: Array, nodes: Array) -> None:
+        """Take H' n from columns (10 f, k), in place; nodes (N, k)."""
+        ...
+
     def shared(self, image: int) -> Array:
         """(f,) square sums of the fields' own matrix between one image and each."""
         ...
@@ -75,7 +79,7 @@ class Wide(Protocol):
     def influences(self, nodes: Array, basis: Any) -> tuple[Array, Array]:
         """J J' of the nodes at the entries of the normal matrix, and of the points (p, 3, 3).
 
-        basis  (10 f, r) sparse;  nodes  (N, r) J of the nodes by it
+        basis  (10 f, r), may be sparse;  nodes  (N, r) J of the nodes by it
         """
         ...
 
@@ -147,12 +151,15 @@ class WideNormals:
 
     def times(self, coefficients: Any) -> Array:
         """As of `Wide`."""
-        found = self.H @ coefficients
-        return found if isinstance(found, np.ndarray) else found.toarray()
+        return dense(self.H @ coefficients)
 
     def transposed(self, nodes: Array) -> Array:
         """As of `Wide`."""
         return self.H.T @ nodes
+
+    def subtract(self, own: Array, nodes: Array) -> None:
+        """As of `Wide`."""
+        own -= self.H.T @ nodes
 
     def shared(self, image: int) -> Array:
         """As of `Wide`."""
@@ -196,7 +203,7 @@ class WideNormals:
     def _by_columns(self, nodes: Array, basis: Any) -> Array:
         points = np.zeros((len(self.state.xyz), 3, 3))
         for k in range(0, basis.shape[1], 16):
-            moved = self.expand(nodes[:, k : k + 16], basis[:, k : k + 16].toarray())
+            moved = self.expand(nodes[:, k : k + 16], dense(basis[:, k : k + 16]))
             points += moved @ np.swapaxes(moved, 1, 2)
         return points
 
@@ -207,7 +214,7 @@ class WideNormals:
         back = np.full(N + f, -1)
         back[self.unknowns] = np.arange(N)
         back[self.columns] = N + np.arange(f)
-        whole = np.concatenate([nodes, -basis.toarray()])
+        whole = np.concatenate([nodes, -dense(basis)])
         square = whole @ whole.T
         points = self.normals.statistics(self.wide_state, square[back[row], back[column]])[0]
         return square, points - own_of_rays(self.base, self.state)
@@ -228,6 +235,11 @@ class WideNormals:
         at = system.offsets[nodes][:, None] + np.arange(3)
         others = (rows.T @ rows).tocsr()[np.repeat(at, 3, axis=1).ravel(), np.tile(at, (1, 3)).ravel()]
         return found - np.asarray(others).reshape(-1, 3, 3)
+
+
+def dense(matrix: Any) -> Array:
+    """A matrix that may be sparse as an array."""
+    return matrix if isinstance(matrix, np.ndarray) else matrix.toarray()
 
 
 def at_entries(J: Array, row: Index, column: Index) -> Array:
@@ -268,7 +280,10 @@ class FieldSystem:
     def left(self, chosen: Array) -> Array:
         """Columns (10 f, k) of F' W R F: what is left of the fields when all unknowns are eliminated."""
         H, own = self.wide.at(chosen)
-        return own - self.wide.transposed(self.base.solved(H))
+        J = self.base.solved(H)
+        del H
+        self.wide.subtract(own, J)
+        return own
 
     def influence(self, coefficients: Array) -> tuple[Array, Array]:
         """J c for coefficients (10 f, k): nodes (N, k) and points (p, 3, k)."""

@@ -88,7 +88,7 @@ class Spread:
     fields: FieldSystem
     phi: float
     basis: Any
-    """(10 f, r) sparse: a square root of the covariance of the fields' coefficients, in units of s0^2"""
+    """(10 f, r), sparse where it is exact: a square root of the covariance of the fields' coefficients, in units of s0^2"""
     own: Array
     """(p, 3, 3) V_p^-1 of eliminated points by their rays, the cameras known; nothing held for the datum"""
     own_nodes: Any
@@ -225,6 +225,7 @@ def components(fields: FieldSystem, variance: float) -> tuple[Components, tuple[
         across = fields.left(chosen).T
         samples.append(independent_scores(across[:, chosen], fields.scores[chosen], variance, across))
         of_images += own_fields(fields.images[images], across[:, chosen], fields.scores[chosen], variance)
+        del across  # before the next one: 32 kB an image
     return variance_components(samples), tuple(of_images)
 
 
@@ -342,17 +343,19 @@ def _from_outside(spread: Spread, outside: Outside, row: Array, column: Array) -
 
 
 def _basis(fields: FieldSystem, root: Array) -> Any:
-    """(10 f, r) sparse, a square root of the covariance of all coefficients; no column where there are no fields."""
+    """(10 f, r), sparse where it is exact, a square root of the covariance of all coefficients; no column where there are no fields."""
     from scipy.sparse import csr_matrix, identity, kron
 
     n = len(fields.images)
     if not root.any():
         return csr_matrix((COLUMNS * n, 0))
-    whole = kron(identity(n), root, format="csr")
     if n <= EXACT:
-        return whole
-    signs = np.random.default_rng(n).integers(0, 2, (COLUMNS * n, PROBES)) * 2.0 - 1.0
-    return csr_matrix(whole @ signs / np.sqrt(PROBES))
+        return kron(identity(n), root, format="csr")
+    signs = np.random.default_rng(n).integers(0, 2, (COLUMNS * n, PROBES)).astype(np.int8)
+    found = np.empty(signs.shape)
+    for k in range(0, len(found), COLUMNS):
+        found[k : k + COLUMNS] = root @ (signs[k : k + COLUMNS] * 2.0 - 1.0) / np.sqrt(PROBES)
+    return found
 
 
 def spread_in_datum(spread: Spread, found: Cofactors, datum: Datum) -> Cofactors:
