@@ -19,6 +19,7 @@ from raybundle.adjustment.system.factoring import made_by
 from raybundle.blocking import fields as tasks
 from raybundle.blocking.memory import Serial
 from raybundle.blocking.normals_in_parts import in_parts
+from raybundle.io.block.folder import read_block
 from raybundle.pipeline.choosing import staying_for
 from raybundle.pipeline.executors import Staying, Threads
 from raybundle.pipeline.store import Folder
@@ -279,3 +280,12 @@ def test_parts_that_do_not_stay_ready_are_made_anew(monkeypatch):
     assert bits(few) == bits(wanted)
 
 
+@pytest.mark.data
+@pytest.mark.parametrize("name", ["aicon", "camcal21", "prague-c1", "riva-net1", "roma", "sxb"])
+def test_fields_of_published_blocks_in_parts_are_those_of_one_piece(blocks, name):
+    block = read_block(blocks / name)
+    one = adjust(block, AdjustmentOptions(jobs=1, noise="fields"))
+    # adjusted values to start from: an iteration is no part of what is compared
+    block = replace(one.given, points=one.adjusted.points, images=one.adjusted.images, cameras=one.adjusted.cameras)
+    one, parts = adjust_block(block, OPTIONS), by_parts(adjust_block, block, OPTIONS, 24)
+    same_result(one, parts)

@@ -1,7 +1,7 @@
 """What errors that image points share make of standard deviations, given by some neighbouring images of a block.
 
-Where nobody asks for noise fields and a block is large, a part of it is adjusted once more by itself: how much wider its
-standard deviations get under fields is reported of the whole.
+Where nobody asks for noise fields and a block is large, a part of it is adjusted once more by itself: how much wider
+its standard deviations get under fields is reported of the whole.
 """
 
 from __future__ import annotations

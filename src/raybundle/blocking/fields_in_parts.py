@@ -46,7 +46,7 @@ class FieldsInParts:
     @classmethod
     def of(cls, base: WholeNormals, state: State, images: Index, kind: type[WithFields]) -> FieldsInParts:
         """With a task for each part, in no order."""
-        parts, of, held = base.parts.parts, base.of(state), base.parts.held
+        parts, of, held = base.parts.parts, base.kept_state(state), base.parts.held
 
         def options(t: int) -> fields.Widened:
             return fields.Widened(network=parts.network.key, node=t, state=of.keys[t], held=held, kind=kind.name)
@@ -135,7 +135,7 @@ class FieldsInParts:
 
     def _asked(self, name: str, given: Sequence[str], gather: Callable[[list[dict[str, Array]]], Array]) -> Array:
         """What is gathered of the products of a task for each part; neither they nor what was given stay."""
-        base, parts, of = self.base, self.base.parts.parts, self.base.of(self.state)
+        base, parts, of = self.base, self.base.parts.parts, self.base.kept_state(self.state)
 
         def options(t: int) -> fields.Asked:
             return fields.Asked(
@@ -202,7 +202,7 @@ class FieldsInParts:
 
     def ray_blocks(self, points: Index) -> Array:
         """Normal matrices (k, 3, 3) of retained points by image points alone, held coordinates as control states."""
-        base, parts, of = self.base, self.base.parts.parts, self.base.of(self.state)
+        base, parts, of = self.base, self.base.parts.parts, self.base.kept_state(self.state)
 
         def options(t: int) -> fields.Retained:
             return fields.Retained(network=parts.network.key, node=t, state=of.keys[t])

@@ -103,7 +103,7 @@ class WholeNormals(Normals):
             for k, points in zip(keys, self.touched.points, strict=True)
         ]
 
-    def of(self, state: State) -> PartsState:
+    def kept_state(self, state: State) -> PartsState:
         """The parts' state of a whole one; the last one that was handed to them and the last trials are known."""
         self.tried = [at for at in self.tried if at[1].keys in self.parts.trials]
         for at in (*self.tried, *([] if self.scattered is None else [self.scattered])):
@@ -125,7 +125,7 @@ class WholeNormals(Normals):
 
     def reduce(self, state: State, *, damping: float = 0.0, huber: float = 0.0) -> tuple[float, int, list[int]]:
         """Reduce and eliminate the parts."""
-        found = self.parts.reduce(self.of(state), damping=damping, huber=huber)
+        found = self.parts.reduce(self.kept_state(state), damping=damping, huber=huber)
         self.diagonal[:] = self.parts.diagonal()
         return found
 
@@ -133,7 +133,7 @@ class WholeNormals(Normals):
         self, state: State, *, damping: float = 0.0, huber: float = 0.0, passing: bool = False
     ) -> tuple[State, float] | int:
         """The state after a step, after `reduce`, and its linearised cost."""
-        found = self.parts.trial(self.of(state), damping=damping, huber=huber, passing=passing)
+        found = self.parts.trial(self.kept_state(state), damping=damping, huber=huber, passing=passing)
         if isinstance(found, int):
             return found
         new, linear = found
@@ -144,7 +144,7 @@ class WholeNormals(Normals):
 
     def cost(self, state: State, *, huber: float = 0.0) -> tuple[float, int]:
         """Half the weighted square sum, and the observations behind the camera."""
-        of = self.of(state)
+        of = self.kept_state(state)
         if of.keys == self.parts.tried[0]:
             return self.parts.cost(of, huber=huber)
         keys = self.parts.parts.each("evaluate", lambda t: self._evaluated(t, of, huber), lambda o: (o.state,))
@@ -163,7 +163,7 @@ class WholeNormals(Normals):
 
     def residuals(self, state: State) -> tuple[Array, Array]:
         """Whitened residuals (m, 2) and flags (m,), as of one piece."""
-        of, parts = self.of(state), self.parts.parts
+        of, parts = self.kept_state(state), self.parts.parts
         keys = parts.each("residuals", lambda t: self._evaluated(t, of), lambda o: (o.state,))
 
         def find() -> dict[str, Array]:
@@ -216,7 +216,7 @@ class WholeNormals(Normals):
         right[self.held_unknowns()] = 0.0
 
         # the factor is that of these values; under which keys they were kept when it was made, they may be gone
-        self.parts.at = self.of(state)
+        self.parts.at = self.kept_state(state)
         keys = self.handed(points)
         found = self.parts.solved(right, keys)
         self.parts.parts.forget(keys)
@@ -229,7 +229,7 @@ class WholeNormals(Normals):
 
     def solve_points(self, state: State, nodes: Array, points: Array) -> Array:
         """The points' part (p, 3, k) that belongs to the nodes' part (N, k) of a solution."""
-        system, of, points, parts = self.system, self.of(state), self._free_rows(points), self.parts.parts
+        system, of, points, parts = self.system, self.kept_state(state), self._free_rows(points), self.parts.parts
         given, right = self.handed(points), parts.put("nodes", {"nodes": nodes})
 
         def options(t: int) -> answers.Expanded:
@@ -263,7 +263,7 @@ class WholeNormals(Normals):
     ) -> tuple[Array, Array, Array, Array]:
         """Cofactors of points, A Q A', effects of blunders and H of the points, as of one piece."""
         del inverse  # the parts' own, of the last `selected_inverse`
-        of, parts, changes = self.of(state), self.parts.parts, change is not None
+        of, parts, changes = self.kept_state(state), self.parts.parts, change is not None
         p, m, d = len(state.xyz), len(self.system.rows), 0 if change is None else change.nodes.shape[1]
         by, generators = "", [""] * len(self.touched.points)
         if change is not None:

@@ -337,8 +337,8 @@ class PartsNormals:
 
         def find() -> dict[str, Array]:
             found = np.zeros_like(nodes)
-            for front, f in zip(network.fronts, self.parts.made(keys, "x"), strict=True):
-                found[sweeps.rows_of(network, front.own)] = f["x"][: front.columns]
+            for front, key in zip(network.fronts, self.parts.do(keys), strict=True):
+                found[sweeps.rows_of(network, front.own)] = self.parts.store.lent(key, ("x",))["x"][: front.columns]
             return {"x": found}
 
         found = self.parts.noted("solved", keys, find)["x"]

@@ -404,7 +404,8 @@ def _evaluate(
     rows = system.rows
     image, point = o.image[rows], o.point[rows]
     mine = np.isin(image, images)
-    if not len(images) or not np.array_equal(wide.external, mine) or system.corrected[block.images.camera[images]].any():
+    corrected = system.corrected[block.images.camera[images]].any()
+    if not len(images) or corrected or not np.array_equal(wide.external, mine):
         return
     whitened, flags = base.residuals(state)
     W = np.zeros((len(rows), 2, 2))

@@ -56,6 +56,7 @@ PROBES = 256
 SINGULAR = 1e-12
 """Eigenvalue, of a normal matrix with a unit diagonal, below which its direction is not determined."""
 
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Outside:
     """Whitened rows of the observations outside the images: control, distances, positions, parameters."""
@@ -88,7 +89,7 @@ class Spread:
     fields: FieldSystem
     phi: float
     basis: Any
-    """(10 f, r), sparse where it is exact: a square root of the covariance of the fields' coefficients, in units of s0^2"""
+    """(10 f, r), sparse where exact: a square root of the covariance of the fields' coefficients, in units of s0^2"""
     own: Array
     """(p, 3, 3) V_p^-1 of eliminated points by their rays, the cameras known; nothing held for the datum"""
     own_nodes: Any
@@ -343,7 +344,7 @@ def _from_outside(spread: Spread, outside: Outside, row: Array, column: Array) -
 
 
 def _basis(fields: FieldSystem, root: Array) -> Any:
-    """(10 f, r), sparse where it is exact, a square root of the covariance of all coefficients; no column where there are no fields."""
+    """A square root (10 f, r) of the covariance of all coefficients, sparse where exact; no column without fields."""
     from scipy.sparse import csr_matrix, identity, kron
 
     n = len(fields.images)
