@@ -44,7 +44,7 @@ SIGNIFICANT = 5.41
 """Twice the gain of log-likelihood that one more variance has by chance in one case of a hundred (Self and Liang 1987:
 half of chi-square with one degree of freedom, for a variance at its border)."""
 TOGETHER = 500
-"""Images whose columns are worked on at once: 16 MB of the scores of a sample."""
+"""Images that are worked on at once: 16 MB of the scores of a sample."""
 REACH = 14.0
 """Of the logarithms, from where a search begins."""
 FEWEST_DIRECTIONS = 20
