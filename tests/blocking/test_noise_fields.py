@@ -20,6 +20,7 @@ from raybundle.blocking import fields as tasks
 from raybundle.blocking.memory import Serial
 from raybundle.blocking.normals_in_parts import in_parts
 from raybundle.io.block.folder import read_block
+from raybundle.numerics import native
 from raybundle.pipeline.choosing import staying_for
 from raybundle.pipeline.executors import Staying, Threads
 from raybundle.pipeline.store import Folder
@@ -29,6 +30,8 @@ from raybundle.sensors import sensor_models
 from raybundle.workflows.adjust import adjust
 from tests.adjustment.test_noise import with_fields
 from tests.blocking.networks import flight
+from tests.blocking.test_elsewhere import OPTIONS as SNOOPING
+from tests.blocking.test_elsewhere import ByTwin, Counting, adjusted
 from tests.blocking.test_equal import held, per_image, stds
 from tests.pipeline.machines import Machines
 
@@ -278,6 +281,25 @@ def test_parts_that_do_not_stay_ready_are_made_anew(monkeypatch):
     assert len(few.handle.work.normals.parts.parts.known.wide) == 1
     assert len(made) > len(few.handle.work.normals.parts.network.tree)
     assert bits(few) == bits(wanted)
+
+
+def test_a_run_that_was_cut_short_goes_on_to_the_same_noise(tmp_path):
+    block, options = with_fields(flight(), 0.3), replace(SNOOPING, noise="fields")
+    whole, last, done = Counting(), Counting(), 0
+    wanted = bits(adjusted(block, tmp_path / "whole", whole, options))
+    for share in (0.6, 0.3, 0.06):
+        short = Counting(int(share * len(whole.done)))
+        with pytest.raises(KeyboardInterrupt):
+            adjusted(block, tmp_path / "short", short, options)
+        done += len(short.done)
+    assert bits(adjusted(block, tmp_path / "short", last, options)) == wanted
+    assert done + len(last.done) <= 1.1 * len(whole.done)
+
+
+@pytest.mark.skipif(not native.available(), reason="there are no kernels to be without")
+def test_a_worker_without_kernels_gives_the_same_noise(tmp_path, monkeypatch):
+    block, options = with_fields(flight(), 0.3), replace(SNOOPING, noise="fields")
+    same_result(decide(block, options), adjusted(block, tmp_path, ByTwin(monkeypatch), options))
 
 
 @pytest.mark.data
