@@ -26,6 +26,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from blocking import FREE, OPTIONS, generated, read
 from raybundle.adjustment.system.factoring import in_one_piece, made_by
+from raybundle.blocking.network_in_memory import WholeNormals
 from raybundle.blocking.normals_in_parts import in_parts
 from raybundle.numerics import large
 from raybundle.pipeline.store import Folder
@@ -72,7 +73,7 @@ def measured(way: str, path: Path) -> dict[str, float]:
     count = len(done.given.observations)
     work = done.handle.work
     assert work is not None
-    factor = bytes_of(work.normals) if work.normals.one_piece else 0.0
+    factor = 0.0 if isinstance(work.normals, WholeNormals) else bytes_of(work.normals)
     return {
         "image points": count, "CPU s": took, "peak MB": (peak[0] - empty) / 1e6, "sigma0": done.sigma0,
         "bytes an image point": (peak[0] - empty - factor) / count,

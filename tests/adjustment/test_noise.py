@@ -18,10 +18,12 @@ from raybundle.adjustment.statistics.fields import Components, Scores, variance_
 from raybundle.adjustment.statistics.noise import spread_in_datum, spread_of
 from raybundle.adjustment.statistics.precision import angle_form, image_unknowns, interior_unknowns, precision
 from raybundle.adjustment.system.normals import Normals
+from raybundle.block import Instrument
 from raybundle.block.select import with_rows
 from raybundle.numerics import native
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
+from raybundle.platforms import instrument_models
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
 from raybundle.workflows.adjust import adjust
@@ -75,6 +77,13 @@ def blocks():
         (AdjustmentOptions()),
     )
     yield "stations", simulate(SCENE, Survey(station_sigma=1e-3, scale_bars=1, **near)).observed, AdjustmentOptions()
+    placed = simulate(SCENE, Survey(control=4, control_sigma=(1e-3,) * 3, station_sigma=1e-3, **near)).observed
+    shift = Instrument(
+        id="1", model="antenna", estimate=("sx", "sy", "sz"),
+        values=dict.fromkeys(instrument_models["antenna"].symbols, 0.0),
+    )  # fmt: skip
+    by_one = replace(placed.stations, antenna=np.zeros(len(placed.stations), np.int32))
+    yield "antenna", replace(placed, instruments=(shift,)).having(by_one), AdjustmentOptions()
     each = replace(free, cameras=(replace(free.cameras[0], interior="per_image", estimate=("x0", "y0")),))
     yield "each its own", each, AdjustmentOptions()
     partly = replace(free, cameras=(replace(free.cameras[0], per_image=("x0",)),))
@@ -225,15 +234,16 @@ def test_covariances_equal_the_dense_formula(name):
 @pytest.mark.parametrize("name", ["bars", "weighted control", "each its own", "rolling"])
 def test_points_of_many_and_of_few_rays_have_the_same_influences(name, monkeypatch):
     spread = adjusted(name).handle.work.spread
-    row, column = noise.entries(spread.fields.base)
+    fields = spread.fields
+    J = fields.base.solved(fields.wide.times(spread.basis))
     found, calls = [], []
     plain = Normals.statistics
     monkeypatch.setattr(Normals, "statistics", lambda *a, **k: (calls.append(1), plain(*a, **k))[1])
     for pair in (0.0, np.inf):
-        monkeypatch.setattr(noise, "PAIR", pair)
-        found.append(noise._influences(spread.fields, spread.basis, row, column))
+        monkeypatch.setattr(field_system_module, "PAIR", pair)
+        found.append(fields.wide.influences(J, spread.basis))
     assert len(calls) == 1
-    taken = spread.fields.base.system.point_node < 0
+    taken = fields.base.system.point_node < 0
     (nodes, points), (other_nodes, other_points) = found
     np.testing.assert_allclose(nodes, other_nodes, rtol=1e-7, atol=1e-9 * nodes.max())
     np.testing.assert_allclose(points[taken], other_points[taken], rtol=1e-7, atol=1e-9 * points[taken].max())
@@ -243,7 +253,7 @@ def test_points_of_many_and_of_few_rays_have_the_same_influences(name, monkeypat
 def test_the_nodes_alone_are_answered_as_with_points(name):
     spread = adjusted(name).handle.work.spread
     assert spread.phi > 1
-    nodes = np.random.default_rng(1).normal(size=(len(spread.fields.unknowns), 5))
+    nodes = np.random.default_rng(1).normal(size=(int(spread.fields.base.system.offsets[-1]), 5))
     whole = spread.solve(nodes, np.zeros((*spread.fields.state.xyz.shape, 5)))[0]
     np.testing.assert_allclose(spread.among_nodes(nodes), whole, rtol=1e-9, atol=1e-9 * np.abs(whole).max())
 

@@ -19,6 +19,7 @@ from raybundle.workflows import stage_memory
 from raybundle.workflows.final_adjustment import final_adjustment
 from raybundle.workflows.stage_memory import room_of
 from raybundle.workflows.unfinished_parts import OF_STAGES, left_beside
+from tests.adjustment.test_noise import with_fields
 from tests.blocking.networks import flight
 from tests.workflows.test_never_nothing import placed
 
@@ -111,12 +112,16 @@ def test_a_whole_start_within_little_memory_orients_the_same(means):
     assert parts.block.images.oriented.sum() > 15
 
 
-def test_a_result_in_parts_says_that_its_noise_is_white(means):
-    block = flight(control=0, observed=False)
-    with room_of(means, len(block.observations)):
-        parts = final_adjustment(placed(block), (), 1, silent, (), "fields")
-    assert parts.noise.kind == "white"
-    assert "noise_in_parts" in [n.code for n in parts.notices]
+def test_a_result_in_parts_has_the_noise_of_one_piece(means):
+    block = with_fields(flight(control=0, observed=False), 0.3)
+    one = final_adjustment(placed(block), (), 1, silent, (), "auto")
+    with room_of(means, len(block.observations)) as room:
+        parts = final_adjustment(placed(block), (), 1, silent, (), "auto")
+    assert room.parts > 3
+    assert parts.noise.kind == one.noise.kind == "fields"
+    assert parts.noise.tau_px == pytest.approx(one.noise.tau_px, rel=1e-6)
+    np.testing.assert_allclose(parts.precision.object_point_std, one.precision.object_point_std, rtol=1e-6)
+    assert [n.code for n in parts.notices] == [n.code for n in one.notices]
 
 
 def interrupted(means, block):

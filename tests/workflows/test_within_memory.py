@@ -103,13 +103,16 @@ def test_the_same_figures_in_files_and_in_parts(tmp_path, all_large, make, optio
     assert not list(tmp_path.iterdir())
 
 
-def test_noise_fields_need_one_piece_and_that_is_said(tmp_path):
-    few, room = within(flight(), replace(OPTIONS, noise="fields"), tmp_path / "result", 0.01)
-    assert room.parts
-    assert few.noise.kind == "white"
-    assert [m.code for m in few.noise.reason.messages] == ["noise.in_parts"]
-    (told,) = (n for n in few.notices if n.code == "noise_in_parts")
-    assert told.severity is Severity.WARNING
+def test_noise_fields_are_those_of_one_piece(tmp_path, all_large):
+    block, options = with_fields(flight(), 0.3), replace(OPTIONS, noise="fields")
+    one = adjust(block, options)
+    few, room = within(block, options, tmp_path / "result", 0.01)
+    assert room.parts > 3
+    assert few.noise.kind == one.noise.kind == "fields"
+    assert few.noise.tau_px == pytest.approx(one.noise.tau_px, rel=1e-6)
+    np.testing.assert_allclose(few.precision.object_point_std, one.precision.object_point_std, rtol=1e-6)
+    np.testing.assert_allclose(few.precision.image_std, one.precision.image_std, rtol=1e-6)
+    assert [n.code for n in few.notices] == [n.code for n in one.notices]
 
 
 def smooth_errors():
@@ -123,21 +126,18 @@ def smooth_errors():
 
 def factors(notice):
     """What standard deviations of object points are to be multiplied by."""
-    if notice.code == "residual_structure":
-        return notice.values["ratio_points"]
-    return next(d.values["factor"] for d in notice.details if d.values.get("object") == "points")
+    return notice.values["ratio_points"]
 
 
-@pytest.mark.parametrize("noise", ["auto", "fields"])
-def test_in_parts_errors_that_image_points_share_are_told_by_a_sample(tmp_path, noise):
+def test_errors_that_image_points_of_large_blocks_share_are_noticed_by_a_sample(tmp_path, monkeypatch):
     block = smooth_errors()
-    options = replace(OPTIONS, noise=noise)
-    one = adjust(block, replace(OPTIONS, noise="auto"))
+    options = replace(OPTIONS, noise="auto")
+    one = adjust(block, options)
+    monkeypatch.setattr("raybundle.workflows.adjust.LOOKED_AT", 1000)
     few, room = within(block, options, tmp_path / "result", 0.01)
     assert room.parts
     (whole,) = (n for n in one.notices if n.code == "residual_structure")
-    code = "residual_structure" if noise == "auto" else "noise_in_parts"
-    (part,) = (n for n in few.notices if n.code == code)
+    (part,) = (n for n in few.notices if n.code == "residual_structure")
     assert "residual_structure.sample" in {d.code for d in part.details}
     assert part.severity is Severity.WARNING
     assert factors(whole) > 1.3

@@ -1,7 +1,7 @@
 """What errors that image points share make of standard deviations, given by some neighbouring images of a block.
 
-Noise fields need the normal equations in one piece.  Where a block is too large for that, a part of it is adjusted once
-more by itself: how much wider its standard deviations get under fields is reported of the whole.
+Where nobody asks for noise fields and a block is large, a part of it is adjusted once more by itself: how much wider
+its standard deviations get under fields is reported of the whole.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def sample_under_noise(result: Adjustment) -> Adjustment | None:
     block = _part(result)
     options = AdjustmentOptions(jobs=result.options.jobs, noise="fields", residuals=result.options.residuals)
     try:
-        with made_by(in_one_piece):  # as fields need them
+        with made_by(in_one_piece):  # it is small
             found = adjust_block(block, options)
     except (InputError, NotSolvable):
         return None

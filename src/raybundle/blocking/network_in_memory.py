@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from raybundle.adjustment.statistics.fields import WithFields
 from raybundle.adjustment.system.assemble import State, System
 from raybundle.adjustment.system.datum import Transformation
 from raybundle.adjustment.system.normals import Normals
@@ -15,6 +17,9 @@ from raybundle.blocking.network_store import from_lists, lists
 from raybundle.blocking.normals import Parts, PartsNormals, PartsState
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
+
+if TYPE_CHECKING:
+    from raybundle.blocking.fields_in_parts import FieldsInParts
 
 NOTHING = np.zeros(0)
 
@@ -78,7 +83,7 @@ class WholeNormals(Normals):
 
         def find() -> dict[str, Array]:
             xyz = np.zeros((len(self.system.block.points), 3))
-            for points, f in zip(self.touched.points, self._of_each(state.keys, "xyz"), strict=True):
+            for points, f in zip(self.touched.points, self.of_each(state.keys, "xyz"), strict=True):
                 if len(points):
                     xyz[points] = f["xyz"]
             return {"xyz": xyz}
@@ -89,7 +94,7 @@ class WholeNormals(Normals):
         xyz[skeleton.points[with_node]] = state.xyz[with_node]
         return State(state.rotation, state.centre, state.interior, xyz, state.own)
 
-    def _of_each(self, keys: Sequence[str], *names: str) -> list[dict[str, Array]]:
+    def of_each(self, keys: Sequence[str], *names: str) -> list[dict[str, Array]]:
         """Arrays of planned products, of the tree nodes that have a part."""
         parts = self.parts.parts
         parts.do(keys)
@@ -98,7 +103,7 @@ class WholeNormals(Normals):
             for k, points in zip(keys, self.touched.points, strict=True)
         ]
 
-    def _of(self, state: State) -> PartsState:
+    def kept_state(self, state: State) -> PartsState:
         """The parts' state of a whole one; the last one that was handed to them and the last trials are known."""
         self.tried = [at for at in self.tried if at[1].keys in self.parts.trials]
         for at in (*self.tried, *([] if self.scattered is None else [self.scattered])):
@@ -120,7 +125,7 @@ class WholeNormals(Normals):
 
     def reduce(self, state: State, *, damping: float = 0.0, huber: float = 0.0) -> tuple[float, int, list[int]]:
         """Reduce and eliminate the parts."""
-        found = self.parts.reduce(self._of(state), damping=damping, huber=huber)
+        found = self.parts.reduce(self.kept_state(state), damping=damping, huber=huber)
         self.diagonal[:] = self.parts.diagonal()
         return found
 
@@ -128,7 +133,7 @@ class WholeNormals(Normals):
         self, state: State, *, damping: float = 0.0, huber: float = 0.0, passing: bool = False
     ) -> tuple[State, float] | int:
         """The state after a step, after `reduce`, and its linearised cost."""
-        found = self.parts.trial(self._of(state), damping=damping, huber=huber, passing=passing)
+        found = self.parts.trial(self.kept_state(state), damping=damping, huber=huber, passing=passing)
         if isinstance(found, int):
             return found
         new, linear = found
@@ -139,7 +144,7 @@ class WholeNormals(Normals):
 
     def cost(self, state: State, *, huber: float = 0.0) -> tuple[float, int]:
         """Half the weighted square sum, and the observations behind the camera."""
-        of = self._of(state)
+        of = self.kept_state(state)
         if of.keys == self.parts.tried[0]:
             return self.parts.cost(of, huber=huber)
         keys = self.parts.parts.each("evaluate", lambda t: self._evaluated(t, of, huber), lambda o: (o.state,))
@@ -158,13 +163,13 @@ class WholeNormals(Normals):
 
     def residuals(self, state: State) -> tuple[Array, Array]:
         """Whitened residuals (m, 2) and flags (m,), as of one piece."""
-        of, parts = self._of(state), self.parts.parts
+        of, parts = self.kept_state(state), self.parts.parts
         keys = parts.each("residuals", lambda t: self._evaluated(t, of), lambda o: (o.state,))
 
         def find() -> dict[str, Array]:
             v = large.zeros((len(self.system.rows), 2))
             flags = np.zeros(len(self.system.rows), np.uint8)
-            for rows, f in zip(self.touched.rows, self._of_each(keys), strict=True):
+            for rows, f in zip(self.touched.rows, self.of_each(keys), strict=True):
                 if len(rows):
                     v[rows], flags[rows] = f["v"], f["flags"]
             parts.forget(keys)
@@ -191,11 +196,6 @@ class WholeNormals(Normals):
         return self.parts.least_share()
 
     @property
-    def one_piece(self) -> bool:
-        """Not as a whole: blocks of the skeleton alone."""
-        return False
-
-    @property
     def smallest_pivot(self) -> float:
         """The smallest share that elimination left of an unknown's information."""
         return self.parts.least_share()[0]
@@ -213,24 +213,24 @@ class WholeNormals(Normals):
         kept = np.flatnonzero(system.point_node >= 0)
         at = system.offsets[system.point_node[kept]][:, None] + np.arange(3)
         right[at] += points[kept]
-        right[self._held_unknowns()] = 0.0
+        right[self.held_unknowns()] = 0.0
 
         # the factor is that of these values; under which keys they were kept when it was made, they may be gone
-        self.parts.at = self._of(state)
-        keys = self._handed(points)
+        self.parts.at = self.kept_state(state)
+        keys = self.handed(points)
         found = self.parts.solved(right, keys)
         self.parts.parts.forget(keys)
         return found
 
-    def _handed(self, points: Array) -> list[str]:
+    def handed(self, points: Array) -> list[str]:
         """Values (p, 3, k) of the object points as products of the parts; "" where there is none."""
         put = self.parts.parts.put
         return [put("points", {"points": points[mine]}) if len(mine) else "" for mine in self.touched.points]
 
     def solve_points(self, state: State, nodes: Array, points: Array) -> Array:
         """The points' part (p, 3, k) that belongs to the nodes' part (N, k) of a solution."""
-        system, of, points, parts = self.system, self._of(state), self._free_rows(points), self.parts.parts
-        given, right = self._handed(points), parts.put("nodes", {"nodes": nodes})
+        system, of, points, parts = self.system, self.kept_state(state), self._free_rows(points), self.parts.parts
+        given, right = self.handed(points), parts.put("nodes", {"nodes": nodes})
 
         def options(t: int) -> answers.Expanded:
             return answers.Expanded(
@@ -242,7 +242,7 @@ class WholeNormals(Normals):
 
         def find() -> dict[str, Array]:
             found = large.zeros(points.shape)
-            for mine, f in zip(self.touched.points, self._of_each(keys), strict=True):
+            for mine, f in zip(self.touched.points, self.of_each(keys), strict=True):
                 if len(mine):
                     found[mine] = f["points"]
             parts.forget(keys)
@@ -263,7 +263,7 @@ class WholeNormals(Normals):
     ) -> tuple[Array, Array, Array, Array]:
         """Cofactors of points, A Q A', effects of blunders and H of the points, as of one piece."""
         del inverse  # the parts' own, of the last `selected_inverse`
-        of, parts, changes = self._of(state), self.parts.parts, change is not None
+        of, parts, changes = self.kept_state(state), self.parts.parts, change is not None
         p, m, d = len(state.xyz), len(self.system.rows), 0 if change is None else change.nodes.shape[1]
         by, generators = "", [""] * len(self.touched.points)
         if change is not None:
@@ -286,7 +286,7 @@ class WholeNormals(Normals):
                 "points": large.zeros((p, 3, 3)), "hat": large.zeros((m, 3)), "effect": large.zeros((m, 3, 2)),
                 "H": large.zeros((p, 3, d)),
             }  # fmt: skip
-            for at, rows, f in zip(self.touched.points, self.touched.rows, self._of_each(keys), strict=True):
+            for at, rows, f in zip(self.touched.points, self.touched.rows, self.of_each(keys), strict=True):
                 if len(at):
                     found["points"][at], found["hat"][rows], found["effect"][rows] = f["points"], f["hat"], f["effect"]
                 if len(at) and changes:
@@ -297,6 +297,14 @@ class WholeNormals(Normals):
         found = parts.noted("statistics", keys, find)
         parts.forget([by, *generators])
         return found["points"], found["hat"], found["effect"], found["H"]
+
+    # -- noise fields
+
+    def with_fields(self, state: State, images: Index, kind: type[WithFields]) -> FieldsInParts:
+        """The normal equations with the columns of fields (`adjustment.statistics.field_system`)."""
+        from raybundle.blocking.fields_in_parts import FieldsInParts
+
+        return FieldsInParts.of(self, state, images, kind)
 
 
 def _touched(system: System, parts: Parts) -> Touched:

@@ -52,7 +52,7 @@ class Parts:
 
     def plan(
         self, name: str, options: Callable[[int, dict[int, str]], Any], inputs: Callable[[Any], Sequence[str]],
-        *, upwards: bool, module: str = "tasks",
+        *, upwards: bool, module: str = "tasks", wider: float = 1.0,
     ) -> tuple[str, ...]:  # fmt: skip
         """A task for each tree node, children first or parents first; keys of their products by tree node.
 
@@ -69,14 +69,20 @@ class Parts:
             task = Task(
                 key=keys[t], function=f"raybundle.blocking.{module}:{name}", options=o,
                 inputs=tuple(k for k in inputs(o) if k), cost=1e-9 * front.size**2 * max(front.columns, 1),
-                memory=24.0 * front.size**2 + 250.0 * float(self.network.counts[t]), name=f"{name} {t}",
+                memory=wider * (24.0 * front.size**2 + 250.0 * float(self.network.counts[t])), name=f"{name} {t}",
             )  # fmt: skip
             self.planned[task.key] = task
         return tuple(keys[t] for t in range(count))
 
-    def each(self, name: str, options: Callable[[int], Any], inputs: Callable[[Any], Sequence[str]]) -> tuple[str, ...]:
-        """A task of `answers` for each tree node, none behind another; keys of their products."""
-        return self.plan(name, lambda t, _: options(t), inputs, upwards=True, module="answers")
+    def each(
+        self, name: str, options: Callable[[int], Any], inputs: Callable[[Any], Sequence[str]],
+        module: str = "answers", *, wider: float = 1.0,
+    ) -> tuple[str, ...]:  # fmt: skip
+        """A task of a module for each tree node, none behind another; keys of their products.
+
+        wider  memory that it needs, over that of a sweep
+        """
+        return self.plan(name, lambda t, _: options(t), inputs, upwards=True, module=module, wider=wider)
 
     def do(self, keys: Sequence[str]) -> tuple[str, ...]:
         """Do planned tasks whose products are not there."""
@@ -331,8 +337,8 @@ class PartsNormals:
 
         def find() -> dict[str, Array]:
             found = np.zeros_like(nodes)
-            for front, f in zip(network.fronts, self.parts.made(keys, "x"), strict=True):
-                found[sweeps.rows_of(network, front.own)] = f["x"][: front.columns]
+            for front, key in zip(network.fronts, self.parts.do(keys), strict=True):
+                found[sweeps.rows_of(network, front.own)] = self.parts.store.lent(key, ("x",))["x"][: front.columns]
             return {"x": found}
 
         found = self.parts.noted("solved", keys, find)["x"]

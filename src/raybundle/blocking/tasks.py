@@ -14,6 +14,7 @@ from weakref import WeakValueDictionary
 
 import numpy as np
 
+from raybundle.adjustment.statistics.field_system import WideNormals
 from raybundle.adjustment.system.assemble import State
 from raybundle.blocking import sweeps
 from raybundle.blocking.network import Network, PartWork
@@ -30,6 +31,8 @@ class Known:
     works: OrderedDict[int, PartWork | None] = field(default_factory=OrderedDict[int, "PartWork | None"])
     held: dict[int, str] = field(default_factory=dict[int, str])
     """By part, the product whose coordinates are held in it"""
+    wide: dict[int, tuple[object, WideNormals]] = field(default_factory=dict[int, "tuple[object, WideNormals]"])
+    """Parts with the columns of fields that are ready for use, and what they were made for (`fields.wide_of`)"""
 
 
 _known: WeakValueDictionary[str, Known] = WeakValueDictionary()

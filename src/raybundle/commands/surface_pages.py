@@ -26,7 +26,7 @@ PAGES = (PAGE, IN_3D, PDF)
 OF_ALL = (
     "levelled", "up_ambiguous", "up_uncertain", "scale_unchecked", "check_points_apart", "lengths_contradict",
     "coordinate_system", "datum_lost", "relative_control", "calibration_contradicted", "systematic_residuals",
-    "residual_structure", "noise_in_parts", "errors_independent",
+    "residual_structure", "errors_independent",
 )  # fmt: skip
 """Cautions about all points alike, which are reported before those about single marks and photographs"""
 

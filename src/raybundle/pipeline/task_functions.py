@@ -13,6 +13,7 @@ FUNCTIONS = {
         "describe", "touched", "evaluate", "residuals", "expand", "astray", "moments", "placed", "generators",
         "statistics", "reported", "stated", "tested",
     ),
+    "raybundle.blocking.fields": ("widen", "moved", "projected", "squared", "retained"),
     "raybundle.blocking.tasks": ("up", "down", "right_up", "right_down", "inverse"),
     "raybundle.ties.pairs": ("words_product", "signature_product", "compared"),
     "raybundle.ties.parts": ("grown", "settled"),

@@ -49,7 +49,6 @@ from raybundle.placing.control_blunders import as_ties, doubt_message, doubted_c
 from raybundle.placing.image_blunders import image_doubt_notices, origin_message, unit_message
 from raybundle.placing.mirrored_images import mirrored_image_notices
 from raybundle.placing.scale_bar_blunders import BarDoubt, bar_doubt_notice, doubted_bars
-from raybundle.workflows.noise_in_parts import in_parts, without_fields
 
 LOOKED_AT = 500_000
 """Image observations up to which residuals are looked at for structure, and held calibrations are tested, without being
@@ -200,12 +199,10 @@ def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, 
     """
     if not options.statistics or not result.sigma0 <= POOR_FIT:  # a fault of its own, which bends all residuals
         return ()
-    if options.noise == "fields":
-        return without_fields(result)
     if options.noise != "auto":
         return ()
     more = message("residual_structure.with_fields")
-    if in_parts(result) or len(result.given.observations) > LOOKED_AT:
+    if len(result.given.observations) > LOOKED_AT:
         found = sample_under_noise(result)
         shared = None if found is None else shared_errors_notice(found, found.noise)
         if found is None or shared is None:

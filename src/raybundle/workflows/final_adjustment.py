@@ -25,7 +25,6 @@ from raybundle.orientation.known_points import intersected_where_better
 from raybundle.placing.georeference import Georeferenced, rejected_marks
 from raybundle.placing.recorded_positions import camera_notices
 from raybundle.ties.block import flat_points
-from raybundle.workflows.noise_in_parts import without_fields
 from raybundle.workflows.orienting.connected_components import ConnectedComponent
 
 FINAL = 1e-4
@@ -75,7 +74,6 @@ def final_adjustment(
     ]
     structure = structure_notice(result)  # where standard deviations do not allow for it
     first += [structure] if structure is not None else []
-    first += without_fields(result) if chosen == "fields" else ()
     given = [g.id for g in groups if g.stored is not None and g.stored.estimate == ()]
     first += independent_notices(noise, chosen, int(result.adjusted.images.oriented.sum()))
     first += [*calibration_notices(result), *held_notices(result, given)]

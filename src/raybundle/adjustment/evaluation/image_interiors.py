@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.adjustment.statistics.field_system import field_system, reason_against
+from raybundle.adjustment.statistics.field_system import carrying, field_system, reason_against
 from raybundle.adjustment.statistics.fields import COLUMNS, OWN, WithOwnInterior, root_of_fields
 from raybundle.numerics.arrays import Array, Index
 
@@ -68,7 +68,12 @@ def own_interiors(result: Adjustment) -> tuple[OwnInteriors, ...]:
     One step from the adjustment with a common interior orientation, all other unknowns eliminated.
     """
     work = result.handle.work
-    if work is None or work.found is None or not work.normals.one_piece or reason_against(work.system):
+    if work is None or work.found is None or reason_against(work.system):
+        return ()
+    images = result.given.images
+    count = np.bincount(images.camera[carrying(work.system)], minlength=len(result.given.cameras))
+    chosen = np.flatnonzero((count >= 2 * FEWEST) & (count <= MOST_IMAGES)).tolist()
+    if not chosen:
         return ()
     system = field_system(work.normals, work.state, WithOwnInterior)
     if not system.is_finite:
@@ -76,13 +81,10 @@ def own_interiors(result: Adjustment) -> tuple[OwnInteriors, ...]:
     k, own = WithOwnInterior.columns, len(OWN)
     noise, variance = result.noise, result.sigma0**2
     root = root_of_fields(noise.tau_px**2, noise.focus_px**2)
-    images = result.given.images
     found = list[OwnInteriors]()
-    for c in np.unique(images.camera[system.images]).tolist():
+    for c in chosen:
         at = np.flatnonzero(images.camera[system.images] == c)
         n = len(at)
-        if not 2 * FEWEST <= n <= MOST_IMAGES:
-            continue
         camera = result.given.cameras[c]
         prior = FARTHEST * max(camera.width_px, camera.height_px) / 2
         mine = (k * at[:, None] + np.arange(COLUMNS, k)).ravel()

@@ -92,13 +92,13 @@ def joint_interior(result: Adjustment, cameras: Sequence[str], smooth: Smooth | 
     """The free parameters of these cameras, without those that single images have of their own.
 
     smooth  what the stated covariance contains besides white noise; None: nothing
-    Where the normal equations are not at hand in one piece, parameters of different cameras count as uncorrelated.
+    Without the normal equations parameters of different cameras count as uncorrelated.
     """
     work = result.handle.work
     rows = [] if work is None else [r for r in work.system.interior if r.node >= 0 and r.image < 0]
     rows = [] if work is None else [r for r in rows if r.key(work.system.block) in cameras]
     interiors = {i.camera: i for i in result.interior if i.image is None and i.camera in cameras and i.free}
-    if work is None or not work.normals.one_piece or work.found is None:
+    if work is None or work.found is None:
         return _apart(result, interiors)
     names = [(r.key(work.system.block), r.model.symbols[k]) for r in rows for k in r.free]
     values = np.array([interiors[c].parameters[s].value for c, s in names])
@@ -150,7 +150,7 @@ def smooth_errors(result: Adjustment, known: Components | None = None) -> Smooth
     known  components from residuals of more free parameters
     """
     work = result.handle.work
-    if work is None or work.found is None or not work.normals.one_piece or result.redundancy <= 0:
+    if work is None or work.found is None or result.redundancy <= 0:
         return None
     if reason_against(work.system):
         return None

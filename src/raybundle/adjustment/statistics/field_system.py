@@ -8,8 +8,8 @@ unknown (J = Q U: nodes Q H, points behind them).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import dataclass, field, replace
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -23,6 +23,239 @@ from raybundle.platforms.station import sensor_from_object
 
 BLOCKS = 20_000
 """Blocks of a normal matrix whose entries are numbered together: of 16 by 16, 40 MB each time."""
+ENTRIES = 5_000
+"""Entries of the normal matrix that are formed together: of so many random combinations 20 MB."""
+PAIR = 30
+"""Processor time of two rays of a point in the wide normal matrix, over that of a ray and a column of influences:
+measured with points of 81 rays."""
+
+
+class Wide(Protocol):
+    """Normal equations with the columns of fields, object points eliminated: in one piece, or a sum over parts."""
+
+    @property
+    def right(self) -> Array:
+        """(10 f,) right sides of the fields, object points eliminated."""
+        ...
+
+    @property
+    def given(self) -> Array:
+        """(N,) those of the block's own unknowns of nodes."""
+        ...
+
+    @property
+    def is_finite(self) -> bool:
+        """False where some image points determine nothing of their object points by themselves."""
+        ...
+
+    def at(self, chosen: Array) -> tuple[Array, Array]:
+        """Columns (N, k) of H and (10 f, k) of the fields' own matrix."""
+        ...
+
+    def times(self, coefficients: Any) -> Array:
+        """H c (N, k) of coefficients (10 f, k), which may be sparse."""
+        ...
+
+    def transposed(self, nodes: Array) -> Array:
+        """H' n (10 f, k) of nodes (N, k)."""
+        ...
+
+    def subtract(self, own: Array, nodes: Array) -> None:
+        """Take H' n from columns (10 f, k), in place; nodes (N, k)."""
+        ...
+
+    def shared(self, image: int) -> Array:
+        """(f,) square sums of the fields' own matrix between one image and each."""
+        ...
+
+    def expand(self, nodes: Array, coefficients: Array) -> Array:
+        """J c of the points (p, 3, k) for coefficients (10 f, k) with J c of the nodes (N, k)."""
+        ...
+
+    def condense(self, points: Array) -> Array:
+        """What right sides (p, 3, k) of the points bring to the fields (10 f, k), points eliminated."""
+        ...
+
+    def influences(self, nodes: Array, basis: Any) -> tuple[Array, Array]:
+        """J J' of the nodes at the entries of the normal matrix, and of the points (p, 3, 3).
+
+        basis  (10 f, r), may be sparse;  nodes  (N, r) J of the nodes by it
+        """
+        ...
+
+    def ray_blocks(self, points: Index) -> Array:
+        """Normal matrices (k, 3, 3) of retained points by image points alone, held coordinates as control states."""
+        ...
+
+
+@runtime_checkable
+class MakesWide(Protocol):
+    """Normal equations that are not in one piece."""
+
+    def with_fields(self, state: State, images: Index, kind: type[WithFields]) -> Wide:
+        """Those with the columns of fields."""
+        ...
+
+
+@dataclass(slots=True)
+class WideNormals:
+    """Those of a block in one piece, or of one part."""
+
+    base: Normals
+    state: State
+    normals: Normals
+    wide_state: State
+    unknowns: Array
+    """(N,) places of the block's own unknowns of nodes among the wide ones"""
+    columns: Array
+    """(10 f,) places of the fields' coefficients"""
+    width: int
+    """Coefficients of an image"""
+    H: Any = None
+    """(N, 10 f) sparse: unknowns of nodes with fields, points eliminated"""
+    own: Any = None
+    """(10 f, 10 f) sparse: fields with fields, points eliminated"""
+    right: Array = field(default_factory=lambda: np.zeros(0))
+    given: Array = field(default_factory=lambda: np.zeros(0))
+
+    @classmethod
+    def of(cls, base: Normals, state: State, images: Index, kind: type[WithFields]) -> WideNormals:
+        """At the state at which the block's own are factored; nothing is reduced yet."""
+        wide_system, unknowns, columns = _widened(base.system, images, kind)
+        wide_state = _widened_state(base.system, wide_system, state)
+        wide = Normals.of(wide_system, base.threads)
+        _evaluate(wide, wide_state, base, state, images, kind)
+        wide.refresh_external(wide_state)
+        wide.values = np.zeros(0)
+        return cls(base, state, wide, wide_state, unknowns, columns, kind.columns)
+
+    def reduced(self) -> WideNormals:
+        """With the matrices."""
+        wide = self.normals
+        wide.values = np.zeros(wide.solver.values_size)
+        wide.reduce(self.wide_state)
+        order = sparse_normals(wide, self.columns)
+        wide.values = np.zeros(0)
+        self.H, self.own = order[self.unknowns], order[self.columns]
+        self.right, self.given = wide.right[self.columns], wide.right[self.unknowns]
+        return self
+
+    @property
+    def is_finite(self) -> bool:
+        """As of `Wide`."""
+        return all(bool(np.isfinite(part).all()) for part in (self.right, self.H.data, self.own.data))
+
+    def at(self, chosen: Array) -> tuple[Array, Array]:
+        """As of `Wide`."""
+        return self.H[:, chosen].toarray(), self.own[:, chosen].toarray()
+
+    def times(self, coefficients: Any) -> Array:
+        """As of `Wide`."""
+        return dense(self.H @ coefficients)
+
+    def transposed(self, nodes: Array) -> Array:
+        """As of `Wide`."""
+        return self.H.T @ nodes
+
+    def subtract(self, own: Array, nodes: Array) -> None:
+        """As of `Wide`."""
+        own -= self.H.T @ nodes
+
+    def shared(self, image: int) -> Array:
+        """As of `Wide`."""
+        w = self.width
+        mine = self.own[w * image : w * (image + 1)].tocoo()
+        return np.bincount(mine.col // w, mine.data**2, minlength=len(self.columns) // w)
+
+    def expand(self, nodes: Array, coefficients: Array) -> Array:
+        """As of `Wide`."""
+        wide = np.zeros((len(self.unknowns) + len(self.columns), nodes.shape[1]))
+        wide[self.unknowns], wide[self.columns] = nodes, -coefficients
+        return self.normals.solve_points(self.wide_state, wide, np.zeros((*self.state.xyz.shape, nodes.shape[1])))
+
+    def condense(self, points: Array) -> Array:
+        """As of `Wide`."""
+        wide, k = self.normals, points.shape[2]
+        free = np.ascontiguousarray(points * ~wide.system.held[:, :, None])
+        return wide.solver.condense(*wide.arguments(self.wide_state), wide.threads, free, k)[self.columns]
+
+    def influences(self, nodes: Array, basis: Any) -> tuple[Array, Array]:
+        """As of `Wide`."""
+        row, column = entries(self.base)
+        if basis.shape[1] < len(self.columns):  # random combinations: a square of all would be large
+            return at_entries(nodes, row, column), self._by_columns(nodes, basis)
+        if not self._by_pairs(basis.shape[1]):
+            return (nodes @ nodes.T)[row, column], self._by_columns(nodes, basis)
+        square, points = self._square(nodes, basis)
+        return square[row, column], points
+
+    def squares(self, nodes: Array, basis: Any) -> Array:
+        """J J' of the points (p, 3, 3) alone."""
+        few = self._by_pairs(basis.shape[1])
+        return self._square(nodes, basis)[1] if few else self._by_columns(nodes, basis)
+
+    def _by_pairs(self, columns: int) -> bool:
+        """Whether the products of pairs of rays are fewer than those of rays and columns."""
+        system = self.base.system
+        rays = np.bincount(system.block.observations.point[system.rows]).astype(float)
+        return PAIR * (rays @ rays) <= rays.sum() * columns
+
+    def _by_columns(self, nodes: Array, basis: Any) -> Array:
+        points = np.zeros((len(self.state.xyz), 3, 3))
+        for k in range(0, basis.shape[1], 16):
+            moved = self.expand(nodes[:, k : k + 16], dense(basis[:, k : k + 16]))
+            points += moved @ np.swapaxes(moved, 1, 2)
+        return points
+
+    def _square(self, nodes: Array, basis: Any) -> tuple[Array, Array]:
+        """[J; -basis] [J; -basis]' in the places of the wide normal matrix: the solver makes the points' part of it."""
+        N, f = len(self.unknowns), len(self.columns)
+        row, column = entries(self.normals)
+        back = np.full(N + f, -1)
+        back[self.unknowns] = np.arange(N)
+        back[self.columns] = N + np.arange(f)
+        whole = np.concatenate([nodes, -dense(basis)])
+        square = whole @ whole.T
+        points = self.normals.statistics(self.wide_state, square[back[row], back[column]])[0]
+        return square, points - own_of_rays(self.base, self.state)
+
+    def ray_blocks(self, points: Index) -> Array:
+        """As of `Wide`."""
+        from scipy.sparse import coo_matrix
+
+        normals, system = self.base, self.base.system
+        kept = normals.values.copy(), normals.right.copy(), normals.diagonal.copy()
+        normals.reduce(self.state)
+        nodes = system.point_node[points]
+        found = np.array([normals.node_block(normals.values, int(n), int(n)) for n in nodes]).reshape(-1, 3, 3)
+        normals.values[:], normals.right[:], normals.diagonal[:] = kept
+        extra = normals.extra(self.state)
+        shape = (len(extra.residual), int(system.offsets[-1]))
+        rows = coo_matrix((extra.value, (extra.row, extra.unknown)), shape=shape).tocsr()
+        at = system.offsets[nodes][:, None] + np.arange(3)
+        others = (rows.T @ rows).tocsr()[np.repeat(at, 3, axis=1).ravel(), np.tile(at, (1, 3)).ravel()]
+        return found - np.asarray(others).reshape(-1, 3, 3)
+
+
+def dense(matrix: Any) -> Array:
+    """A matrix that may be sparse as an array."""
+    return matrix if isinstance(matrix, np.ndarray) else matrix.toarray()
+
+
+def at_entries(J: Array, row: Index, column: Index) -> Array:
+    """J J' of columns (N, r) at some entries."""
+    return np.concatenate([np.zeros(0), *(
+        np.einsum("ek,ek->e", J[row[k : k + ENTRIES]], J[column[k : k + ENTRIES]])
+        for k in range(0, len(row), ENTRIES)
+    )])  # fmt: skip
+
+
+def own_of_rays(normals: Normals, state: State) -> Array:
+    """Cofactors (p, 3, 3) of the points by their own rays, all nodes known."""
+    right = np.zeros((len(state.xyz), 3, 3))
+    right[:, np.arange(3), np.arange(3)] = 1.0
+    found = normals.solve_points(state, np.zeros((len(normals.right), 3)), right)
+    return (found + np.swapaxes(found, 1, 2)) / 2
 
 
 @dataclass(slots=True)
@@ -31,59 +264,38 @@ class FieldSystem:
 
     base: Normals
     state: State
-    wide: Normals
-    wide_state: State
+    wide: Wide
     images: Index
     """(f,) images that have a field, in the order of its columns"""
-    unknowns: Array
-    """(N,) places of the block's own unknowns of nodes among the wide ones"""
-    columns: Array
-    """(10 f,) places of the fields' coefficients"""
-    H: Any
-    """(N, 10 f) sparse: unknowns of nodes with fields, points eliminated"""
-    own: Any
-    """(10 f, 10 f) sparse: fields with fields, points eliminated"""
+    size: int
+    """Coefficients of all, 10 f"""
     scores: Array
     """(10 f,) right sides of the fields, all unknowns eliminated: F' W v"""
 
     @property
     def is_finite(self) -> bool:
         """False where some image points determine nothing of their object points by themselves."""
-        return all(bool(np.isfinite(part).all()) for part in (self.scores, self.H.data, self.own.data))
-
-    def of_nodes(self, chosen: Array) -> Array:
-        """J (N, k) of the nodes: influence of these fields (k,) on the unknowns."""
-        return self.base.solved(self.H[:, chosen].toarray())
+        return self.wide.is_finite and bool(np.isfinite(self.scores).all())
 
     def left(self, chosen: Array) -> Array:
         """Columns (10 f, k) of F' W R F: what is left of the fields when all unknowns are eliminated."""
-        return self.own[:, chosen].toarray() - self.H.T @ self.of_nodes(chosen)
-
-    def points_of(self, nodes: Array, coefficients: Array) -> Array:
-        """J c of the points (p, 3, k) for coefficients (10 f, k) whose J c of the nodes (N, k) is known."""
-        wide = np.ascontiguousarray(self.wide_nodes(nodes, -coefficients))
-        return self.wide.solve_points(self.wide_state, wide, np.zeros((*self.state.xyz.shape, wide.shape[1])))
-
-    def wide_nodes(self, nodes: Array, fields: Array) -> Array:
-        """(wide N, k) of the block's own unknowns (N, k) and of the fields (10 f, k)."""
-        whole = np.zeros((len(self.unknowns) + len(self.columns), fields.shape[1]))
-        whole[self.unknowns], whole[self.columns] = nodes, fields
-        return whole
+        H, own = self.wide.at(chosen)
+        J = self.base.solved(H)
+        del H
+        self.wide.subtract(own, J)
+        return own
 
     def influence(self, coefficients: Array) -> tuple[Array, Array]:
         """J c for coefficients (10 f, k): nodes (N, k) and points (p, 3, k)."""
-        nodes = self.base.solved(self.H @ coefficients)
-        return nodes, self.points_of(nodes, coefficients)
+        nodes = self.base.solved(self.wide.times(coefficients))
+        return nodes, self.wide.expand(nodes, coefficients)
 
     def projected(self, nodes: Array, given: Array) -> Array:
         """J' a (10 f, k) for right sides a.
 
         given  (p, 3, k) a of the points;  nodes  (N, k) what `Normals.solve` made of the whole a
         """
-        k = nodes.shape[1]
-        free = np.ascontiguousarray(given * ~self.base.system.held[:, :, None])
-        condensed = self.wide.solver.condense(*self.wide.arguments(self.wide_state), self.wide.threads, free, k)
-        return self.H.T @ nodes - condensed[self.columns]
+        return self.wide.transposed(nodes) - self.wide.condense(given)
 
 
 def reason_against(system: System) -> str:
@@ -110,28 +322,24 @@ def _carries(system: System, image: int) -> bool:
     return bool(model.one_format and not model.local_width and not scene)
 
 
+def carrying(system: System) -> Index:
+    """(f,) images that take part and carry a field."""
+    return np.array([i for i in np.flatnonzero(system.images_used) if _carries(system, int(i))], np.int32)
+
+
 def field_system(base: Normals, state: State, kind: type[WithFields] = WithFields) -> FieldSystem:
     """The wide normal equations at the state at which the block's own are factored.
 
     kind  what each image has of its own: a smooth field, or an interior orientation
     """
-    system = base.system
-    images = np.array([i for i in np.flatnonzero(system.images_used) if _carries(system, int(i))], np.int32)
-    wide_system, unknowns, columns = _widened(system, images, kind)
-    wide_state = _widened_state(system, wide_system, state)
-    wide = Normals.of(wide_system, base.threads)
-    _evaluate(wide, wide_state, base, state, images, kind)
-    wide.reduce(wide_state)
-    order = sparse_normals(wide, columns)
-    wide.values = np.zeros(0)
-    H, own = order[unknowns], order[columns]
-    del order
-    found = FieldSystem(
-        base=base, state=state, wide=wide, wide_state=wide_state, images=images, unknowns=unknowns, columns=columns,
-        H=H, own=own, scores=np.zeros(0),
-    )  # fmt: skip
-    found.scores = wide.right[columns] - H.T @ base.solved(wide.right[unknowns])
-    return found
+    images = carrying(base.system)
+    wide: Wide
+    if isinstance(base, MakesWide):
+        wide = base.with_fields(state, images, kind)
+    else:
+        wide = WideNormals.of(base, state, images, kind).reduced()
+    scores = wide.right - wide.transposed(base.solved(wide.given))
+    return FieldSystem(base, state, wide, images, kind.columns * len(images), scores)
 
 
 def _widened(system: System, images: Index, kind: type[WithFields]) -> tuple[System, Array, Array]:
@@ -164,10 +372,13 @@ def _widened(system: System, images: Index, kind: type[WithFields]) -> tuple[Sys
     nodes = np.repeat(np.arange(len(system.sizes)), system.sizes)
     unknowns = offsets[nodes] + np.arange(len(nodes)) - system.offsets[nodes]
     columns = ((offsets[image_node[images]] + first)[:, None] + np.arange(kind.columns)).ravel()
-    stride = max(system.stride, *(len(m.symbols) for m in models.values()))
+    known = system.interior_columns
+    placed = np.where(known >= 0, np.append(unknowns, -1)[known], -1)
+    stride = max([system.stride, *(len(m.symbols) for m in models.values())])
     wide = replace(
         system, interior=tuple(interior), interior_of_image=of_image, stride=stride, sizes=np.array(sizes, np.int32),
         image_node=image_node, offsets=offsets, parents=np.array([row.parent for row in interior], np.int32),
+        interior_columns=placed,
     )  # fmt: skip
     return wide, unknowns, columns
 
@@ -193,7 +404,8 @@ def _evaluate(
     rows = system.rows
     image, point = o.image[rows], o.point[rows]
     mine = np.isin(image, images)
-    if not np.array_equal(wide.external, mine) or system.corrected[block.images.camera[images]].any():
+    corrected = system.corrected[block.images.camera[images]].any()
+    if not len(images) or corrected or not np.array_equal(wide.external, mine):
         return
     whitened, flags = base.residuals(state)
     W = np.zeros((len(rows), 2, 2))

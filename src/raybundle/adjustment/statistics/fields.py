@@ -43,6 +43,8 @@ PRECISION = 1e-3
 SIGNIFICANT = 5.41
 """Twice the gain of log-likelihood that one more variance has by chance in one case of a hundred (Self and Liang 1987:
 half of chi-square with one degree of freedom, for a variance at its border)."""
+TOGETHER = 500
+"""Images that are worked on at once: 16 MB of the scores of a sample."""
 REACH = 14.0
 """Of the logarithms, from where a search begins."""
 FEWEST_DIRECTIONS = 20
@@ -223,11 +225,15 @@ def independent_scores(M: Array, scores: Array, variance: float, across: Array |
         y = whiten.T @ scores
         if across is None:
             weight, T = values / variance, np.sqrt(values / variance)[:, None] * vectors.T
+            B = T.reshape(len(y), -1, COLUMNS) @ FOCUS
         else:
-            T = whiten.T @ across
-            weight, turn = eigh(T @ T.T)
-            y, T = turn.T @ y, turn.T @ T
-        B = T.reshape(len(y), -1, COLUMNS) @ FOCUS
+            square, B = np.zeros((len(y), len(y))), np.empty((len(y), across.shape[1] // COLUMNS))
+            for k in range(0, across.shape[1], TOGETHER * COLUMNS):
+                T = whiten.T @ across[:, k : k + TOGETHER * COLUMNS]
+                square += T @ T.T
+                B[:, k // COLUMNS : k // COLUMNS + TOGETHER] = T.reshape(len(y), -1, COLUMNS) @ FOCUS
+            weight, turn = eigh(square)
+            y, B = turn.T @ y, turn.T @ B
         if B.shape[1] > len(y):  # only B B' counts
             square, vectors = eigh(B @ B.T)
             B = vectors * np.sqrt(np.maximum(square, 0.0))

@@ -23,8 +23,8 @@ from raybundle.adjustment.statistics.field_system import (
     FieldSystem,
     entries,
     field_system,
+    own_of_rays,
     reason_against,
-    sparse_normals,
 )
 from raybundle.adjustment.statistics.field_test import OwnField, own_fields
 from raybundle.adjustment.statistics.fields import (
@@ -53,13 +53,8 @@ EXACT = 300
 """Images up to which the influence of every coefficient is formed."""
 PROBES = 256
 """Random combinations that stand for the coefficients beyond."""
-PAIR = 30
-"""Processor time of two rays of a point in the wide normal matrix, over that of a ray and a column of influences:
-measured with points of 81 rays."""
 SINGULAR = 1e-12
 """Eigenvalue, of a normal matrix with a unit diagonal, below which its direction is not determined."""
-ENTRIES = 5_000
-"""Entries of the normal matrix that are formed together: of so many random combinations 20 MB."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,7 +89,7 @@ class Spread:
     fields: FieldSystem
     phi: float
     basis: Any
-    """(10 f, r) sparse: a square root of the covariance of the fields' coefficients, in units of s0^2"""
+    """(10 f, r), sparse where exact: a square root of the covariance of the fields' coefficients, in units of s0^2"""
     own: Array
     """(p, 3, 3) V_p^-1 of eliminated points by their rays, the cameras known; nothing held for the datum"""
     own_nodes: Any
@@ -127,15 +122,14 @@ class Spread:
 
     def among_nodes(self, nodes: Array) -> Array:
         """The nodes' part (N, k) of `solve` for right sides of nodes (N, k) alone, any k."""
-        base = self.fields.base
-        outside = self.outside
+        base, wide, outside = self.fields.base, self.fields.wide, self.outside
         if self.phi != 1 and outside is not None and len(outside.point):
             none = np.zeros((*self.fields.state.xyz.shape, nodes.shape[1]))
             return self.solve(nodes, none)[0]
         n = base.solved_nodes(nodes)
         found = n
         if self.basis.shape[1]:
-            found = n + base.solved(self.fields.H @ (self.basis @ (self.basis.T @ (self.fields.H.T @ n))))
+            found = n + base.solved(wide.times(self.basis @ (self.basis.T @ wide.transposed(n))))
         if self.phi == 1:
             return found
         if outside is None:
@@ -195,7 +189,7 @@ def noise_of(
     variance  sigma0^2
     returns   white noise with its reason and the cofactors as they are where fields cannot be determined
     """
-    reason = reason_against(normals.system) if normals.one_piece else phrase("noise.in_parts")
+    reason = reason_against(normals.system)
     if reason:
         return replace(WHITE, reason=reason), found, None
     fields = field_system(normals, state)
@@ -223,7 +217,7 @@ def components(fields: FieldSystem, variance: float) -> tuple[Components, tuple[
     """
     n = len(fields.images)
     if n <= WHOLE:
-        M = fields.left(np.arange(len(fields.columns)))
+        M = fields.left(np.arange(fields.size))
         of_images = own_fields(fields.images, M, fields.scores, variance)
         return variance_components([independent_scores(M, fields.scores, variance)]), tuple(of_images)
     samples, of_images = list[Scores](), list[OwnField]()
@@ -232,6 +226,7 @@ def components(fields: FieldSystem, variance: float) -> tuple[Components, tuple[
         across = fields.left(chosen).T
         samples.append(independent_scores(across[:, chosen], fields.scores[chosen], variance, across))
         of_images += own_fields(fields.images[images], across[:, chosen], fields.scores[chosen], variance)
+        del across  # before the next one: 32 kB an image
     return variance_components(samples), tuple(of_images)
 
 
@@ -241,22 +236,16 @@ def _samples(fields: FieldSystem) -> list[Array]:
     The next image is that which shares most with those that are in it; the first ones are spread over the block.
     """
     n = len(fields.images)
-    joint = fields.own.multiply(fields.own)
-    at = np.repeat(np.arange(n), COLUMNS)
-    from scipy.sparse import coo_matrix
-
-    entries_ = joint.tocoo()
-    shared = coo_matrix((entries_.data, (at[entries_.row], at[entries_.col])), shape=(n, n)).tocsr()
     free, found = np.ones(n, bool), list[Array]()
     for first in np.linspace(0, n - 1, SAMPLES).round().astype(int):
         start = first if free[first] else int(np.flatnonzero(free)[0])
-        mine, pull = [start], np.asarray(shared[start].todense()).ravel()
+        mine, pull = [start], fields.wide.shared(start)
         free[start] = False
         while len(mine) < SAMPLE and (free & (pull > 0)).any():
             following = int(np.argmax(np.where(free, pull, -1.0)))
             mine.append(following)
             free[following] = False
-            pull = pull + np.asarray(shared[following].todense()).ravel()
+            pull = pull + fields.wide.shared(following)
         found.append(np.array(sorted(mine)))
         if not free.any():
             break
@@ -286,7 +275,8 @@ def spread_of(fields: FieldSystem, found: Cofactors, phi: float, root: Array) ->
     if own_nodes.nnz:
         inverse -= (phi - 1) * np.asarray(own_nodes[row, column]).ravel()
     if spread.basis.shape[1]:
-        nodes_jj, points_jj = _influences(fields, spread.basis, row, column)
+        J = fields.base.solved(fields.wide.times(spread.basis))
+        nodes_jj, points_jj = fields.wide.influences(J, spread.basis)
         inverse += nodes_jj
         points += points_jj
     if spread.outside is not None:
@@ -354,17 +344,19 @@ def _from_outside(spread: Spread, outside: Outside, row: Array, column: Array) -
 
 
 def _basis(fields: FieldSystem, root: Array) -> Any:
-    """(10 f, r) sparse, a square root of the covariance of all coefficients; no column where there are no fields."""
+    """A square root (10 f, r) of the covariance of all coefficients, sparse where exact; no column without fields."""
     from scipy.sparse import csr_matrix, identity, kron
 
     n = len(fields.images)
     if not root.any():
         return csr_matrix((COLUMNS * n, 0))
-    whole = kron(identity(n), root, format="csr")
     if n <= EXACT:
-        return whole
-    signs = np.random.default_rng(n).integers(0, 2, (COLUMNS * n, PROBES)) * 2.0 - 1.0
-    return csr_matrix(whole @ signs / np.sqrt(PROBES))
+        return kron(identity(n), root, format="csr")
+    signs = np.random.default_rng(n).integers(0, 2, (COLUMNS * n, PROBES)).astype(np.int8)
+    found = np.empty(signs.shape)
+    for k in range(0, len(found), COLUMNS):
+        found[k : k + COLUMNS] = root @ (signs[k : k + COLUMNS] * 2.0 - 1.0) / np.sqrt(PROBES)
+    return found
 
 
 def spread_in_datum(spread: Spread, found: Cofactors, datum: Datum) -> Cofactors:
@@ -409,42 +401,6 @@ def _minimal_transformation(fields: FieldSystem, datum: Datum) -> Transformation
     return Transformation(nodes, G, given, np.zeros_like(nodes), np.zeros((0, 3, d)), middle, np.zeros((d, d)))
 
 
-def _influences(fields: FieldSystem, basis: Any, row: Array, column: Array) -> tuple[Array, Array]:
-    """J J' of the nodes at the entries of the normal matrix, and of the points (p, 3, 3); J by the basis (10 f, r)."""
-    N, f = len(fields.unknowns), len(fields.columns)
-    J = fields.base.solved((fields.H @ basis).toarray())
-    nodes = None
-    if f > COLUMNS * EXACT:
-        nodes = np.concatenate([
-            np.einsum("ek,ek->e", J[row[k : k + ENTRIES]], J[column[k : k + ENTRIES]])
-            for k in range(0, len(row), ENTRIES)
-        ])  # fmt: skip
-    rays = np.bincount(fields.base.system.block.observations.point[fields.base.system.rows]).astype(float)
-    if nodes is not None or PAIR * (rays @ rays) > rays.sum() * basis.shape[1]:
-        points = np.zeros((len(fields.state.xyz), 3, 3))
-        for k in range(0, basis.shape[1], 16):
-            moved = fields.points_of(J[:, k : k + 16], basis[:, k : k + 16].toarray())
-            points += moved @ np.swapaxes(moved, 1, 2)
-        return (J @ J.T)[row, column] if nodes is None else nodes, points
-    wide_row, wide_column = entries(fields.wide)
-    back = np.full(N + f, -1)
-    back[fields.unknowns] = np.arange(N)
-    back[fields.columns] = N + np.arange(f)
-    # [J; -basis] [J; -basis]' in the places of the wide normal matrix: the solver makes the points' part of it
-    whole = np.concatenate([J, -basis.toarray()])
-    square = whole @ whole.T
-    points = fields.wide.statistics(fields.wide_state, square[back[wide_row], back[wide_column]])[0]
-    return square[row, column], points - _of_rays(fields.base, fields.state)
-
-
-def _of_rays(normals: Normals, state: State) -> Array:
-    """Cofactors (p, 3, 3) of the points by their own rays, all nodes known."""
-    right = np.zeros((len(state.xyz), 3, 3))
-    right[:, np.arange(3), np.arange(3)] = 1.0
-    found = normals.solve_points(state, np.zeros((len(normals.right), 3)), right)
-    return (found + np.swapaxes(found, 1, 2)) / 2
-
-
 def _own(fields: FieldSystem) -> tuple[Array, Any]:
     """What the points' own rays bring, the cameras known: (p, 3, 3) eliminated, (N, N) sparse retained.
 
@@ -459,38 +415,18 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
     kept = np.flatnonzero((system.point_node >= 0) & system.points_used)
     try:
         normals.hold(system.control_held)
-        own = _of_rays(normals, state)
-        nodes = csr_matrix((N, N))
-        if len(kept):
-            factor = normals.values.copy()
-            right, diagonal = normals.right.copy(), normals.diagonal.copy()
-            normals.reduce(state)
-            at = (system.offsets[system.point_node[kept]][:, None] + np.arange(3)).ravel()
-            whole = sparse_normals(normals)[at][:, at].toarray() - _of_extra(fields, at)
-            normals.values[:], normals.right[:], normals.diagonal[:] = factor, right, diagonal
-            block = np.zeros_like(whole)
-            for k in range(0, len(at), 3):  # rays tie no two points
-                mine = slice(k, k + 3)
-                block[mine, mine] = _inverse(whole[mine, mine])
-            free = ~system.control_held[kept].ravel()
-            block *= np.outer(free, free)
-            r, c = np.meshgrid(at, at, indexing="ij")
-            nodes = csr_matrix((block.ravel(), (r.ravel(), c.ravel())), shape=(N, N))
+        own = own_of_rays(normals, state)
+        blocks = fields.wide.ray_blocks(kept) if len(kept) else np.zeros((0, 3, 3))
     finally:
         normals.hold(held)
+    free = ~system.control_held[kept]
+    blocks = np.array([_inverse(b) for b in blocks]).reshape(-1, 3, 3) * free[:, :, None] * free[:, None, :]
+    at = system.offsets[system.point_node[kept]][:, None] + np.arange(3)
+    places = np.repeat(at, 3, axis=1).ravel(), np.tile(at, (1, 3)).ravel()
+    nodes = csr_matrix((blocks.ravel(), places), shape=(N, N))  # rays tie no two points
     own[system.point_node >= 0] = 0
     _without_priors(own, system)
     return own, nodes
-
-
-def _of_extra(fields: FieldSystem, at: Array) -> Array:
-    """The part of the normal matrix at these unknowns that observations outside the images make."""
-    from scipy.sparse import coo_matrix
-
-    extra = fields.base.extra(fields.state)
-    shape = (len(extra.residual), int(fields.base.system.offsets[-1]))
-    rows = coo_matrix((extra.value, (extra.row, extra.unknown)), shape=shape).tocsr()[:, at]
-    return (rows.T @ rows).toarray()
 
 
 def _without_priors(own: Array, system: System) -> None:

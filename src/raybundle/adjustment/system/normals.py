@@ -215,7 +215,7 @@ class Normals:
         """Held coordinates of retained points: one on the diagonal."""
         for node, axis in zip(*self._held_of_nodes(), strict=True):
             self.values[self.solver.block_start(self.solver.block(int(node), int(node))) + 4 * axis] = 1.0
-        held = self._held_unknowns()
+        held = self.held_unknowns()
         self.diagonal[held], self.right[held] = 1.0, 0.0
 
     def _held_of_nodes(self) -> tuple[Index, Index]:
@@ -224,7 +224,7 @@ class Normals:
         point, axis = np.nonzero(system.held & (system.point_node >= 0)[:, None])
         return system.point_node[point], axis.astype(np.int32)
 
-    def _held_unknowns(self) -> Index:
+    def held_unknowns(self) -> Index:
         """Unknowns of nodes that are held coordinates of retained points."""
         node, axis = self._held_of_nodes()
         return (self.system.offsets[node] + axis).astype(np.int64)
@@ -309,11 +309,6 @@ class Normals:
         )  # fmt: skip
 
     @property
-    def one_piece(self) -> bool:
-        """Whether `values` is the whole matrix."""
-        return True
-
-    @property
     def smallest_pivot(self) -> float:
         """The smallest relative pivot of the last factor."""
         return float(self.solver.smallest_pivot)
@@ -390,7 +385,7 @@ class Normals:
     def solved_nodes(self, nodes: Array) -> Array:
         """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) alone."""
         right = np.array(nodes)
-        right[self._held_unknowns()] = 0.0  # what is held has no variance
+        right[self.held_unknowns()] = 0.0  # what is held has no variance
         return self.solved(right)
 
     def solve_points(self, state: State, nodes: Array, points: Array) -> Array:

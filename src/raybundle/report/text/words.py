@@ -138,7 +138,7 @@ def _state(view: View, grade: Grade) -> list[Message]:
         return [note("verdict.contradicting", sigma0=a.sigma0)]
     if grade == "attention":
         return [note("verdict.faults", n=_faults(view))]
-    systematic = {n.code for n in a.notices} & {"systematic_residuals", "residual_structure", "noise_in_parts"}
+    systematic = {n.code for n in a.notices} & {"systematic_residuals", "residual_structure"}
     scale = any(n.code == "scale_unchecked" for n in a.notices)
     fit = [note("verdict.systematic")] if systematic else _fits(a)
     return [*fit, *([note("verdict.scale_unchecked")] if scale else [])]

@@ -1,5 +1,3 @@
-noise-in_parts = die Normalgleichungen werden in Teilen reduziert
-
 noise-singular_points = manche Bildpunkte bestimmen ihre Objektpunkte nicht
 
 noise-few_directions = die Verbesserungen bestimmen nur { $n } Richtungen glatter Fehler ({ $least } nötig)

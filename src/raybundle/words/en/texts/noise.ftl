@@ -1,5 +1,3 @@
-noise-in_parts = the normal equations are reduced in parts
-
 noise-singular_points = some image points do not determine their object points
 
 # $n = 3
