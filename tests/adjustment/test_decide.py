@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.decision.snooping import innocent
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.records.severity import Severity
 from raybundle.cameras.conversions import camera_from_forward, forward_fit
@@ -126,3 +127,22 @@ def test_a_wrong_scale_bar_does_not_take_the_rays_of_the_others_ends():
     result = decide(wrong, AdjustmentOptions(reject="snooping", jobs=1))
     assert not any(result.image_observations.rejected)
     assert any(n.code == "distance_suspect" and n.severity == "fault" for n in result.notices)
+
+
+def test_a_blunder_across_an_elongated_ellipse_does_not_return():
+    """Its coordinates alone lie within their standard deviations."""
+    simulated = simulate(
+        field_scene(TargetField()),
+        Survey(seed=5, orientation="exact", points="exact", interior="exact", image_sigma_px=0.3),
+    )
+    block = simulated.observed
+    o, rng = block.observations, np.random.default_rng(1)
+    along = rng.normal(0, 3.0, len(o))[:, None] * [np.sqrt(0.5)] * 2
+    cov = np.tile([4.5 + 0.09, 4.5 + 0.09, 4.5], (len(o), 1))
+    xy = o.xy_px + along
+    row = int(np.flatnonzero(block.ray_count[o.point] > 5)[3])
+    xy[row] += [2.5, -2.5]
+    moved = replace(block, observations=replace(o, xy_px=xy, cov_px2=cov))
+    result = decide(moved, AdjustmentOptions(jobs=1, reject="snooping"))
+    assert [i for i, r in enumerate(result.image_observations.rejected) if r is not None] == [row]
+    assert innocent(result) == []

@@ -8,7 +8,7 @@ from scipy.stats import t as student
 from raybundle.numerics.length_units import precision_unit
 from raybundle.numerics.maths import AngleRatio_numpy, AngleRatioSlope_numpy
 from raybundle.numerics.planes import hull, plane_of_most
-from raybundle.numerics.statistics import family_wise_tau, global_test
+from raybundle.numerics.statistics import axis_tests, family_wise_tau, global_test
 
 
 @pytest.mark.parametrize("redundancy", [1, 5, 200, 40_000])
@@ -61,3 +61,15 @@ def test_points_of_unknown_precision_lie_in_a_plane_by_the_least_distance():
 )
 def test_precision_below_a_metre_is_read_in_millimetres(sigma, unit, expected):
     assert precision_unit(sigma, unit) == expected
+
+
+def test_errors_of_correlated_coordinates_are_tested_by_their_weights():
+    rng = np.random.default_rng(6)
+    s = rng.uniform(0.5, 2, (20, 2))
+    xy = rng.uniform(-0.99, 0.99, 20) * s.prod(axis=1)
+    e = rng.normal(size=(20, 2))
+    for (ex, ey), (sx, sy), c, found in zip(e, s, xy, axis_tests(e, np.column_stack([s**2, xy])), strict=True):
+        P = np.linalg.inv([[sx**2, c], [c, sy**2]])
+        assert found == pytest.approx(P @ [ex, ey] / np.sqrt(np.diag(P)), rel=1e-9)
+    plain = np.column_stack([s**2, np.zeros(20)])
+    assert axis_tests(e, plain) == pytest.approx(e / s, rel=1e-12)

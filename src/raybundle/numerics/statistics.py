@@ -109,3 +109,14 @@ def correlation(cofactor: Array) -> Array:
     s = np.sqrt(np.diagonal(cofactor))
     with np.errstate(invalid="ignore", divide="ignore"):
         return cofactor / np.outer(s, s)
+
+
+def axis_weights(packed: Array) -> Array:
+    """Diagonal (n, 2) of the weights P = C^-1 of image points; packed (n, 3): C as xx, yy, xy."""
+    return packed[:, [1, 0]] / (packed[:, 0] * packed[:, 1] - packed[:, 2] ** 2)[:, None]
+
+
+def axis_tests(error: Array, packed: Array) -> Array:
+    """(P e) / sqrt(diag P) of errors (n, 2): what each is tested by alone, e / s of uncorrelated ones."""
+    P, across = axis_weights(packed), packed[:, 2] / (packed[:, 0] * packed[:, 1] - packed[:, 2] ** 2)
+    return (P * error - across[:, None] * error[:, ::-1]) / np.sqrt(P)

@@ -17,6 +17,7 @@ from raybundle.block import Block
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.block.rigs import without_rigs
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.statistics import axis_tests
 
 WHOLE = {
     RejectionKind.BEHIND_CAMERA, RejectionKind.RAYS_DIVERGE, RejectionKind.SINGLE_RAY,
@@ -129,9 +130,9 @@ def _meeting(result: Adjustment, block: Block, rows: Index) -> tuple[Array, Arra
 def _sizes(result: Adjustment, block: Block, rows: Index, place: Array) -> Array:
     """Test values (k, 2) of rays by their distances from a place (3,) of their point, none above `LARGEST`."""
     with np.errstate(all="ignore"):
-        v = np.abs(residuals_px(block, rows, np.tile(place, (len(rows), 1))))
-    scale = max(result.sigma0, 1.0) * np.sqrt(block.observations.cov_px2[rows, :2])
-    return np.minimum(np.nan_to_num(v / scale, nan=np.inf), LARGEST)
+        v = residuals_px(block, rows, np.tile(place, (len(rows), 1)))
+        size = np.abs(axis_tests(v, block.observations.cov_px2[rows])) / max(result.sigma0, 1.0)
+    return np.minimum(np.nan_to_num(size, nan=np.inf), LARGEST)
 
 
 def directions(block: Block, rows: Index) -> Array:

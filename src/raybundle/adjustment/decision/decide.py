@@ -68,10 +68,18 @@ def decisions(block: Block, options: AdjustmentOptions, adjusting: Adjusting, pr
     if snooping:
         state = _snooped_where_determined(state, task)
     if task.automatic:
+        before = _model(state, task)
         state = settle(Choice(), all_free(state, task), task)
-        if snooping:
+        if snooping and _model(state, task) != before:
             state = settle(Snooping(), replace(state, snooped=Snooped()), task)
     return state
+
+
+def _model(state: State, task: Task) -> list[tuple[set[str], dict[str, float]]]:
+    """Of each automatic camera what is estimated, and the values of what is not: blunders are judged beside these."""
+    cameras = [state.camera(name) for name in task.automatic]
+    free = [set(state.free[c.id]) for c in cameras]
+    return [(f, {s: v for s, v in c.values.items() if s not in f and v}) for f, c in zip(free, cameras, strict=True)]
 
 
 def _snooped_where_determined(state: State, task: Task) -> State:

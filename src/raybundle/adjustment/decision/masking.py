@@ -23,7 +23,7 @@ from raybundle.block import Block
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.errors import NotSolvable
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.numerics.statistics import family_wise_normal
+from raybundle.numerics.statistics import axis_tests, family_wise_normal
 
 MEDIAN = 0.6745
 """Median of the absolute value of a standard normal variable."""
@@ -155,7 +155,7 @@ def _sizes(block: Block, inside: Mask, redundancy: Array | None) -> tuple[Array,
     rows = np.arange(len(block.observations))
     with np.errstate(all="ignore"):
         try:
-            w = np.abs(residuals_px(block, rows)) / np.sqrt(block.observations.cov_px2[:, :2])
+            w = np.abs(axis_tests(residuals_px(block, rows), block.observations.cov_px2))
         except np.linalg.LinAlgError:
             return np.full(len(rows), np.inf), 1.0
     w = np.where(np.isfinite(w), w, 1e12)
@@ -221,5 +221,5 @@ def _leave_unlocated(block: Block, reasons: list[Rejection | None], limit: float
 
 def _axis(block: Block, row: int) -> int:
     with np.errstate(all="ignore"):
-        v = residuals_px(block, np.array([row]))[0] / np.sqrt(block.observations.cov_px2[row, :2])
+        v = axis_tests(residuals_px(block, np.array([row])), block.observations.cov_px2[[row]])[0]
     return int(np.argmax(np.abs(np.nan_to_num(v))))

@@ -11,7 +11,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.numerics.statistics import DELTA0
+from raybundle.numerics.statistics import DELTA0, axis_tests, axis_weights
 
 
 def bent_by_distances(result: Adjustment, suspects: Array, size: Array) -> Mask:
@@ -88,10 +88,9 @@ def tau_values(result: Adjustment, now: Adjustment) -> Array:
     result  nearly the same with statistics: without a few observations a redundancy number is at most smaller, so that
             no test value here is too large
     """
-    v, C = now.image_observations.residuals_px, result.given.observations.cov_px2
-    determinant = C[:, 0] * C[:, 1] - C[:, 2] ** 2
-    weighted = np.stack([C[:, 1] * v[:, 0] - C[:, 2] * v[:, 1], C[:, 0] * v[:, 1] - C[:, 2] * v[:, 0]], axis=1)
-    t = weighted / determinant[:, None] * result.image_observations.mdb_px / (DELTA0 * now.sigma0)
+    C = result.given.observations.cov_px2
+    weighted = axis_tests(now.image_observations.residuals_px, C) * np.sqrt(axis_weights(C))
+    t = weighted * result.image_observations.mdb_px / (DELTA0 * now.sigma0)
     return np.nan_to_num(np.abs(t).max(axis=1))
 
 
@@ -108,7 +107,6 @@ def innocent(result: Adjustment) -> list[int]:
     rows = np.array([i for i, r in enumerate(result.image_observations.rejected) if is_blunder(r)], int)
     if not len(rows):
         return []
-    v = residuals_px(block, rows)
-    sigma = np.sqrt(block.observations.cov_px2[rows, :2])
-    size = np.abs(v / sigma).max(axis=1) / (result.sigma0 or 1.0)
+    t = axis_tests(residuals_px(block, rows), block.observations.cov_px2[rows])
+    size = np.abs(t).max(axis=1) / (result.sigma0 or 1.0)
     return [int(i) for i, s in zip(rows, size, strict=True) if s < result.critical_tau]

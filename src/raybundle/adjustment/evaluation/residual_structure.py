@@ -57,7 +57,7 @@ def residual_structure(result: Adjustment) -> ResidualStructure | None:
     """
     o, block = result.given.observations, result.given
     s = result.image_observations
-    used = s.used
+    used = s.used.copy()
     safe = np.sqrt(np.maximum(s.redundancy, 0.05))
     z = s.residuals_px / np.sqrt(o.cov_px2[:, :2]) / safe
     used &= np.isfinite(z).all(axis=1)
