@@ -190,34 +190,29 @@ static const Compiled* compiled() {
 
 // Moves the image points of the lanes to where the condition holds; lost: lanes in which none does, at the measured one.
 static void onto_condition(const Compiled& m, double (*in)[V], const double (*measured)[V], double (*g)[V], bool* lost) {
-  double relative[V] = {};
-  for (int it = 0; it < 25; ++it) {
+  alignas(64) double relative[V], found[V];  // found: one, or zero once a lane is lost
+  std::fill_n(found, V, 1.0);
+  double worst = 1;
+  for (int it = 0; it < 25 && worst >= 1e-14; ++it) {
     m.by_image(in, in + 5, g);
-    double worst = 0;
+    RB_SIMD
     for (int l = 0; l < V; ++l) {
       const double det = g[2][l] * g[5][l] - g[3][l] * g[4][l];
       const double dx = (g[5][l] * g[0][l] - g[3][l] * g[1][l]) / det, dy = (g[2][l] * g[1][l] - g[4][l] * g[0][l]) / det;
       const double size = std::abs(dx) + std::abs(dy), scale = std::abs(in[0][l]) + std::abs(in[1][l]) + 1;
-      if (!(size < 1e3 * scale) || !(det > 0)) {
-        lost[l] = true;
-        in[0][l] = measured[0][l];
-        in[1][l] = measured[1][l];
-        continue;
-      }
-      if (lost[l]) continue;
-      in[0][l] -= dx;
-      in[1][l] -= dy;
-      relative[l] = size / scale;
-      worst = std::max(worst, relative[l]);
+      const double kept = size < 1e3 * scale && det > 0 ? found[l] : 0.0;
+      in[0][l] = kept > 0 ? in[0][l] - dx : measured[0][l];
+      in[1][l] = kept > 0 ? in[1][l] - dy : measured[1][l];
+      relative[l] = kept > 0 ? size / scale : 0.0;
+      found[l] = kept;
     }
-    if (worst < 1e-14) return;
+    worst = *std::max_element(relative, relative + V);
   }
-  for (int l = 0; l < V; ++l)
-    if (!lost[l] && relative[l] > 1e-9) {
-      lost[l] = true;
-      in[0][l] = measured[0][l];
-      in[1][l] = measured[1][l];
-    }
+  for (int l = 0; l < V; ++l) {
+    lost[l] = found[l] == 0 || (worst >= 1e-14 && relative[l] > 1e-9);
+    if (lost[l])
+      for (int e = 0; e < 2; ++e) in[e][l] = measured[e][l];
+  }
 }
 
 // Observations first ... first + count - 1, all of one model.

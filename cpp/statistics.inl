@@ -30,6 +30,16 @@ static RB_INLINE void multiply(const double* z, int rows, int cols, const double
   }
 }
 
+// a' b of n numbers, a multiple of V.
+static RB_INLINE double dot(const double* RB_RESTRICT a, const double* RB_RESTRICT b, int n) {
+  alignas(64) double sum[V] = {};
+  for (int i = 0; i < n; i += V) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) sum[l] += a[i + l] * b[i + l];
+  }
+  return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+}
+
 // From the selected inverse Z of the reduced normal matrix: cofactors of the object points, the 2 x 2
 // diagonal blocks A Q A' of every observation, and the effect of a unit blunder on its own point.
 // gauge_*: of the S-transformation, datum columns: H = Q B G of the nodes, B G and G of the points, M = (G'BG)^-1;
@@ -158,72 +168,72 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
           for (int r = 0; r < 2; ++r)
             for (int e = 0; e < 3; ++e) x[r][e] = c.x[6 * n + 3 * r + e];
           const double* j[2] = {&c.j[2 * n * c.stride], &c.j[(2 * n + 1) * c.stride]};
-          // local cofactor of (own, shared) and their covariance with the point
-          double H[2][2] = {}, E[3][2];
-          double QJ[kMaxNode][2], QX[3][2];  // cov(local, l), cov(point, l)
-          for (int a = 0; a < size; ++a) QJ[a][0] = QJ[a][1] = 0;
-          double CP[kMaxNode][3];                 // cov(local, point)
+          // local cofactor of (own, shared) and their covariance with the point; filled up with zeros to whole lanes
+          const int filled = (size + V - 1) / V * V;
+          double H[2][2];
+          alignas(64) double J[2][kMaxNode + V], QJ[2][kMaxNode + V], CP[3][kMaxNode + V];  // cov(local, l), cov(point, local)
+          double QX[3][2];                                                                 // cov(point, l)
+          for (int r = 0; r < 2; ++r) {
+            std::copy_n(j[r], size, J[r]);
+            std::fill_n(J[r] + size, filled - size, 0.0);
+            std::fill_n(QJ[r], filled, 0.0);
+          }
+          for (int e = 0; e < 3; ++e) std::fill_n(CP[e] + size, filled - size, 0.0);
           const int32_t slots[3] = {q.slot_own[i], q.slot_shared[i], q.slot_point[i]};
           const int sizes[2] = {own, shared}, starts[2] = {0, own};
-          // element (r, c) of the block between two slots: p[r * rows + c * cols]
-          struct View { const double* p; int rows, cols; };
-          const auto view = [&](int32_t sa, int32_t sb) -> View {
-            const int32_t low = std::min(sa, sb), high = std::max(sa, sb);
-            const double* block = inverse + q.block_start[blocks[pair_index(k, low, high)]];
-            const int width = q.size[q.point_nodes[nb + high]];
-            return sa <= sb ? View{block, width, 1} : View{block, 1, width};
-          };
+          const auto width = [&](int32_t slot) { return q.size[q.point_nodes[nb + slot]]; };
           for (int sa = 0; sa < 2; ++sa) {
             if (!sizes[sa]) continue;
             for (int sb = 0; sb < 2; ++sb) {
               if (!sizes[sb]) continue;
-              // symmetric: rows run along memory
-              const View z = view(slots[sb], slots[sa]);
+              // symmetric: rows of the block of sb and sa run along memory in it or in the turned one
+              const int32_t low = std::min(slots[sa], slots[sb]), high = std::max(slots[sa], slots[sb]);
+              const double* z = (slots[sb] <= slots[sa] ? inverse : turned.data()) + q.block_start[blocks[pair_index(k, low, high)]];
+              const int columns_of_a = width(slots[sa]);
               for (int b = 0; b < sizes[sb]; ++b) {
-                const double j0 = j[0][starts[sb] + b], j1 = j[1][starts[sb] + b];
-                const double* row = z.p + int64_t(sb == 1 && at ? at[b] : b) * z.rows;
+                const double j0 = J[0][starts[sb] + b], j1 = J[1][starts[sb] + b];
+                const double* row = z + int64_t(sb == 1 && at ? at[b] : b) * columns_of_a;
+                double *to0 = QJ[0] + starts[sa], *to1 = QJ[1] + starts[sa];
                 if (sa == 1 && at) {
                   for (int a = 0; a < shared; ++a) {
-                    QJ[own + a][0] += row[int64_t(at[a]) * z.cols] * j0;
-                    QJ[own + a][1] += row[int64_t(at[a]) * z.cols] * j1;
+                    to0[a] += row[at[a]] * j0;
+                    to1[a] += row[at[a]] * j1;
                   }
                   continue;
                 }
+                RB_SIMD
                 for (int a = 0; a < sizes[sa]; ++a) {
-                  QJ[starts[sa] + a][0] += row[a * z.cols] * j0;
-                  QJ[starts[sa] + a][1] += row[a * z.cols] * j1;
+                  to0[a] += row[a] * j0;
+                  to1[a] += row[a] * j1;
                 }
               }
             }
-            const View point = kept ? view(slots[sa], slots[2]) : View{};
-            for (int a = 0; a < sizes[sa]; ++a)
-              for (int e = 0; e < 3; ++e) {
+            const double* of_point = nullptr;  // rows the node's: the block itself or the turned one
+            if (kept) {
+              const int32_t low = std::min(slots[sa], slots[2]), high = std::max(slots[sa], slots[2]);
+              of_point = (slots[sa] <= slots[2] ? inverse : turned.data()) + q.block_start[blocks[pair_index(k, low, high)]];
+            }
+            for (int e = 0; e < 3; ++e)
+              for (int a = 0; a < sizes[sa]; ++a) {
                 const int64_t to = sa == 1 && at ? at[a] : a;
-                const double c_ae = kept ? point.p[to * point.rows + e * point.cols] : -tt[(3 * int64_t(slots[sa]) + e) * kStride + to];
-                CP[starts[sa] + a][e] = c_ae;
-                QJ[starts[sa] + a][0] += c_ae * x[0][e];
-                QJ[starts[sa] + a][1] += c_ae * x[1][e];
+                CP[e][starts[sa] + a] = kept ? of_point[3 * to + e] : -tt[(3 * int64_t(slots[sa]) + e) * kStride + to];
               }
           }
-          for (int e = 0; e < 3; ++e)
+          for (int a = 0; a < filled; a += V)
             for (int r = 0; r < 2; ++r) {
-              double sum = Q[3 * e] * x[r][0] + Q[3 * e + 1] * x[r][1] + Q[3 * e + 2] * x[r][2];
-              for (int a = 0; a < size; ++a) sum += CP[a][e] * j[r][a];
-              QX[e][r] = sum;
+              RB_SIMD
+              for (int l = a; l < a + V; ++l) QJ[r][l] += CP[0][l] * x[r][0] + CP[1][l] * x[r][1] + CP[2][l] * x[r][2];
             }
+          for (int e = 0; e < 3; ++e)
+            for (int r = 0; r < 2; ++r)
+              QX[e][r] = Q[3 * e] * x[r][0] + Q[3 * e + 1] * x[r][1] + Q[3 * e + 2] * x[r][2] + dot(CP[e], J[r], filled);
           for (int r = 0; r < 2; ++r)
-            for (int t = 0; t < 2; ++t) {
-              double sum = 0;
-              for (int a = 0; a < size; ++a) sum += j[r][a] * QJ[a][t];
-              for (int e = 0; e < 3; ++e) sum += x[r][e] * QX[e][t];
-              H[r][t] = sum;
-            }
+            for (int t = 0; t < 2; ++t)
+              H[r][t] = dot(J[r], QJ[t], filled) + x[r][0] * QX[0][t] + x[r][1] * QX[1][t] + x[r][2] * QX[2][t];
           double* h = hat + 3 * q.row[i];
           h[0] = H[0][0];
           h[1] = H[1][1];
           h[2] = 0.5 * (H[0][1] + H[1][0]);
-          for (int e = 0; e < 3; ++e)
-            for (int r = 0; r < 2; ++r) E[e][r] = QX[e][r];
           if (datum > 0) {
             // S-transformation: minus G_p M (A_i H)'
             for (int r = 0; r < 2; ++r) {
@@ -241,12 +251,12 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
               for (int e = 0; e < 3; ++e) {
                 double sum = 0;
                 for (int g = 0; g < datum; ++g) sum += moved[e][g] * u[g];
-                E[e][r] -= sum;
+                QX[e][r] -= sum;
               }
             }
           }
           for (int e = 0; e < 3; ++e)
-            for (int r = 0; r < 2; ++r) effect[6 * q.row[i] + 2 * e + r] = E[e][r];
+            for (int r = 0; r < 2; ++r) effect[6 * q.row[i] + 2 * e + r] = QX[e][r];
         }
       }
     });
