@@ -10,6 +10,10 @@
 #include <cstring>
 #include <vector>
 
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
 namespace raybundle {
 namespace RB_ARCH {
 
@@ -124,6 +128,7 @@ static bool inverse(const double N[6], double Q[6]) {
 constexpr double kGradientNoise = 1.2, kLeastShare = 0.4;
 constexpr double kLongest = 2;  // most that acceleration adds to a step, in steps
 constexpr double kUnknown = 40;  // by how much less is known of slopes that are not given
+constexpr int kLags = (kLag + 1) + kLag * (2 * kLag + 1);  // half of those of an autocovariance, which is symmetric
 constexpr double kLoose = 0.2;  // by how much less a source may correlate in the first iteration, far from its place yet
 
 class Pixel {
@@ -360,25 +365,28 @@ class Pixel {
     const float* table = images_.autocovariance + int64_t(s + 1) * (2 * kLag + 1) * (2 * kLag + 1);
     float* k = o_.padded;
     for (int j = 0; j < side; ++j) std::copy_n(row + j * side, side, k + j * wide);
-    const int length = side * wide;  // zeros follow
-    double sum = 0;
+    int apart[kLags], lags = 0;
+    float of[kLags];
     for (int dy = 0; dy <= kLag; ++dy)
       for (int dx = dy ? -kLag : 0; dx <= kLag; ++dx) {
         double lx = dx, ly = dy;
         if (s >= 0) lx = steep_[s][0] * dx + steep_[s][1] * dy, ly = steep_[s][2] * dx + steep_[s][3] * dy;
         if (!(std::abs(lx) < kLag && std::abs(ly) < kLag) && !(std::abs(lx) <= kLag && std::abs(ly) <= kLag && s < 0)) continue;
-        const int ix = std::min(int(std::floor(lx)), kLag - 1), iy = std::min(int(std::floor(ly)), kLag - 1);
-        const double fx = lx - ix, fy = ly - iy;
-        const float* c = table + (iy + kLag) * (2 * kLag + 1) + ix + kLag;
+        const int ix = std::min(int(lx + kLag), 2 * kLag - 1), iy = std::min(int(ly + kLag), 2 * kLag - 1);
+        const double fx = lx + kLag - ix, fy = ly + kLag - iy;
+        const float* c = table + iy * (2 * kLag + 1) + ix;
         const double covariance = (1 - fy) * ((1 - fx) * c[0] + fx * c[1]) + fy * ((1 - fx) * c[2 * kLag + 1] + fx * c[2 * kLag + 2]);
         if (covariance == 0) continue;
-        const float* other = k + dy * wide + dx;
-        V products = {};
-        int i = std::max(0, -(dy * wide + dx));
-        for (; i < length; i += kLanes) products += load<V>(k + i) * load<V>(other + i);
-        sum += (dx || dy ? 2 : 1) * covariance * summed(products);
+        of[lags] = float(dx || dy ? 2 * covariance : covariance);
+        apart[lags++] = dy * wide + dx;
       }
-    return sum;
+    V sum = {};
+    for (int i = 0; i < side * wide; i += kLanes) {  // zeros follow
+      V around = {};
+      for (int l = 0; l < lags; ++l) around += of[l] * load<V>(k + i + apart[l]);
+      sum += load<V>(k + i) * around;
+    }
+    return summed(sum);
   }
 };
 

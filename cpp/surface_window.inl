@@ -66,6 +66,24 @@ static inline void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
 #endif
 }
 
+// Neighbours of as many window pixels as a vector has fours, and a weight of each of these pixels spread over its four.
+#if defined(__AVX2__)
+typedef V Group;
+static inline Group gathered(const float* a, const float* b) { return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(a)), _mm_loadu_ps(b), 1); }
+template <int k> static inline Group spread(Group w) { return _mm256_shuffle_ps(w, w, k * 0x55); }
+static inline void transpose(Group& a, Group& b, Group& c, Group& d) {
+  const __m256 p = _mm256_unpacklo_ps(a, b), q = _mm256_unpackhi_ps(a, b), r = _mm256_unpacklo_ps(c, d), s = _mm256_unpackhi_ps(c, d);
+  a = _mm256_shuffle_ps(p, r, 0x44);
+  b = _mm256_shuffle_ps(p, r, 0xee);
+  c = _mm256_shuffle_ps(q, s, 0x44);
+  d = _mm256_shuffle_ps(q, s, 0xee);
+}
+#else
+typedef Quad Group;
+static inline Group gathered(const float* a, const float*) { return load<Quad>(a); }
+template <int k> static inline Group spread(const Group& w) { return Quad{w[k], w[k], w[k], w[k]}; }
+#endif
+
 // Quad of the sums of four vectors.
 static inline Quad folded(const V& v) {
   float a[kPad] = {};
@@ -248,8 +266,20 @@ static inline void cubic_slope(V f, float* d) {
   store(d + 2 * kPad, 0.5f + f * (4.0f - 4.5f * f));
   store(d + 3 * kPad, f * (-1.0f + 1.5f * f));
 }
-static inline Quad along(const float* w, const Quad* c) {
-  return (load<Quad>(w) * c[0] + load<Quad>(w + kPad) * c[1]) + (load<Quad>(w + 2 * kPad) * c[2] + load<Quad>(w + 3 * kPad) * c[3]);
+static inline Group along(const float* w, const Group* c) {
+  return (load<Group>(w) * c[0] + load<Group>(w + kPad) * c[1]) + (load<Group>(w + 2 * kPad) * c[2] + load<Group>(w + 3 * kPad) * c[3]);
+}
+template <int k> static inline Group across(const float* w, const Group* r) {
+  return (spread<k>(load<Group>(w)) * r[0] + spread<k>(load<Group>(w + kPad)) * r[1]) +
+         (spread<k>(load<Group>(w + 2 * kPad)) * r[2] + spread<k>(load<Group>(w + 3 * kPad)) * r[3]);
+}
+// The k-th neighbours of a group: their rows, interpolated along the columns by weights w and, on request, d.
+template <int k, bool gradients>
+static inline void column(const float* base, const int32_t* offsets, int64_t width, const float* w, const float* d, Group* c, Group* e) {
+  const float *p = base + offsets[k], *q = base + offsets[kPad - 4 + k];
+  const Group r[4] = {gathered(p, q), gathered(p + width, q + width), gathered(p + 2 * width, q + 2 * width), gathered(p + 3 * width, q + 3 * width)};
+  c[k] = across<k>(w, r);
+  if (gradients) e[k] = across<k>(d, r);
 }
 
 // Where windows lie about the whole pixel (bx, by): x, y of a position in the window.
@@ -295,8 +325,10 @@ template <bool gradients> static bool sample(const Scratch& o, const SurfaceSour
   const int filled = o.filled, whole = source.width;
   alignas(64) float wx[4 * kPad], wy[4 * kPad], dx[4 * kPad], dy[4 * kPad];
   alignas(64) int32_t offsets[kPad];
-  Quad sum = {};
-  const Quad back = {-level, -level, -level, -level};
+  float sums[kPad];
+  std::fill_n(sums, kPad, -level);
+  Group sum = {};
+  const Group back = load<Group>(sums);
   for (int i = 0; i < filled; i += kPad) {
     for (int part = 0; part < kPad; part += kLanes) {
       const V u = load<V>(us + i + part), v = load<V>(vs + i + part), x = place.x(u, v), y = place.y(u, v);
@@ -311,26 +343,25 @@ template <bool gradients> static bool sample(const Scratch& o, const SurfaceSour
       const Whole offset = iy * whole + ix;
       std::memcpy(offsets + part, &offset, sizeof offset);
     }
-    for (int q = 0; q < kPad; q += 4) {
-      Quad c[4], e[4];
-      for (int k = 0; k < 4; ++k) {
-        const float *p = base + offsets[q + k], *w = wy + q + k, *d = dy + q + k;
-        const Quad r0 = load<Quad>(p), r1 = load<Quad>(p + width), r2 = load<Quad>(p + 2 * width), r3 = load<Quad>(p + 3 * width);
-        c[k] = (w[0] * r0 + w[kPad] * r1) + (w[2 * kPad] * r2 + w[3 * kPad] * r3);
-        if (gradients) e[k] = (d[0] * r0 + d[kPad] * r1) + (d[2 * kPad] * r2 + d[3 * kPad] * r3);
-      }
-      transpose(c[0], c[1], c[2], c[3]);
-      const Quad value = along(wx + q, c) + back;
-      store(g + i + q, value);
-      sum = sum + load<Quad>(ws + i + q) * value;
-      if (gradients) {
-        transpose(e[0], e[1], e[2], e[3]);
-        store(gy + i + q, along(wx + q, e));
-        store(gx + i + q, along(dx + q, c));
-      }
+    Group c[4], e[4];
+    column<0, gradients>(base, offsets, width, wy, dy, c, e);
+    column<1, gradients>(base, offsets, width, wy, dy, c, e);
+    column<2, gradients>(base, offsets, width, wy, dy, c, e);
+    column<3, gradients>(base, offsets, width, wy, dy, c, e);
+    transpose(c[0], c[1], c[2], c[3]);
+    const Group value = along(wx, c) + back;
+    store(g + i, value);
+    sum = sum + load<Group>(ws + i) * value;
+    if (gradients) {
+      transpose(e[0], e[1], e[2], e[3]);
+      store(gy + i, along(wx, e));
+      store(gx + i, along(dx, c));
     }
   }
-  const float mean = float(double((sum[0] + sum[1]) + (sum[2] + sum[3])) / o.total);
+  store(sums, sum);
+  for (int n = kPad / 2; n; n /= 2)
+    for (int k = 0; k < n; ++k) sums[k] += sums[k + n];
+  const float mean = float(sums[0] / o.total);
   for (int i = 0; i < filled; i += kLanes) store(g + i, load<V>(g + i) - mean);
   return true;
 }
