@@ -108,15 +108,15 @@ def messages() -> str:
     parts = [
         "# Messages\n",
         "A message ends with its code in square brackets; `raybundle explain CODE` prints its explanation.\n",
-        "Names and numbers are examples. The severity of a notice is that of most cases; numbers may change it. Messages "
-        "without a severity end a command as errors, or are parts of other texts.\n",
+        "Names and numbers are examples. Numbers may change the severity of a notice.\n",
     ]
     subject = ""
     for code in words.codes():
         if code.partition(".")[0] != subject:
             subject = code.partition(".")[0]
             grade = f"Severity: {SEVERITY[subject].value}.\n\n" if subject in SEVERITY else ""
-            parts.append(f"\n## {subject}\n\n{grade}| code | message | why it matters | what to do |\n|---|---|---|---|")
+            parts.append(f"\n## {subject}\n\n{grade}| code | message | why it matters | what to do |")
+            parts.append("|---|---|---|---|")
         cells = (part(code, words.examples(code), READER) for part in (words.headline, words.why, words.action))
         parts.append(f"| `{code}` | {' | '.join(c.replace('|', '&#124;') for c in cells)} |")
     return "\n".join(parts) + f"\n\n## Exceptions\n\n```text\n{inspect.getdoc(errors)}\n```\n"
