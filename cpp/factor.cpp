@@ -16,7 +16,7 @@ Dense& dense() {
 
 namespace {
 
-constexpr int kBitRows = 8192;  // nodes of which rows of bits take 8 MB; more are lists until so many are left
+constexpr int kBitRows = 16384;  // nodes of which rows of bits take 32 MB; more are lists until so many are left
 
 // Minimum degree by explicit elimination; of equal degrees the first node.
 struct Elimination {
