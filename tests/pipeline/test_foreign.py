@@ -22,7 +22,6 @@ from raybundle.pipeline.project import Project
 from raybundle.pipeline.stores import check_store
 from raybundle.pipeline.task_functions import FUNCTIONS
 from raybundle.pipeline.tasks import function_of, options_of
-from raybundle.settings import option
 from raybundle.workflows.unfinished_parts import NOTES, STORES, forget_stores
 from tests.barriers import DEADLINE_S
 from tests.messages import printed
@@ -241,7 +240,7 @@ def test_results_are_not_written_to_a_url(tmp_path, out, monkeypatch, capsys):
         assert main(command) == 2
         stated = capsys.readouterr().err
         assert "[folder.url]" in stated
-        assert option("store", "URL") in stated
+        assert "--store URL" in stated
     assert {p.name for p in tmp_path.iterdir()} == {"photos"}
 
 

@@ -112,17 +112,21 @@ def test_common_points_are_counted_as_the_observations_say(free_case):
     np.testing.assert_array_equal(count, expected[first, second])
 
 
-def test_many_pairs_are_drawn_by_the_strongest_and_two_of_every_image(rng=np.random.default_rng(6)):
-    n = 90
+def test_many_pairs_are_drawn_by_the_strongest_and_two_of_every_image():
+    n, rng = 90, np.random.default_rng(6)
     dense = np.triu(rng.integers(0, 40, (n, n)), 1)
     dense[:, -1] = dense[-1, :] = 0
     dense[3, -1] = 1  # of the weakest image its only pair
     dense += dense.T
-    kept = {tuple(sorted((i, int(j)))) for i in range(n) for j in np.argsort(-dense[i], kind="stable")[:2] if dense[i, j]}
+    kept = {
+        tuple(sorted((i, int(j)))) for i in range(n) for j in np.argsort(-dense[i], kind="stable")[:2] if dense[i, j]
+    }
     upper = np.argwhere(np.triu(dense))
     strongest = np.argsort(-dense[tuple(upper.T)], kind="stable")[:MOST_EDGES]
     first, second, _ = edges_of(csr_array(dense.astype(float)))
-    assert set(zip(first.tolist(), second.tolist(), strict=True)) == kept | {tuple(p) for p in upper[strongest].tolist()}
+    assert set(zip(first.tolist(), second.tolist(), strict=True)) == kept | {
+        tuple(p) for p in upper[strongest].tolist()
+    }
 
 
 def test_connections_are_never_a_square_of_the_images():

@@ -181,9 +181,7 @@ def do_shard(
     return ShardDone(made=count, failed=tuple((names[k], why) for k, why in failed.items()), waiting=len(waiting))
 
 
-def _listed(
-    store: Folder, project: Path | None, number: int, of: int
-) -> tuple[list[Task], list[_Listed]] | None:
+def _listed(store: Folder, project: Path | None, number: int, of: int) -> tuple[list[Task], list[_Listed]] | None:
     """The tasks of a share and all of the list in a store; None: there is none, nothing is to be done.
 
     project  its folder; None: the URL of the store was given

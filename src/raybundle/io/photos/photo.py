@@ -39,8 +39,8 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.readable import readable_names, readable_path
 
 __all__ = [
-    "LIMIT_PIXELS", "Found", "Gps", "Metadata", "Photo", "PhotoFormat", "find_photos", "read_colour", "read_grey", "read_photo",
-    "stored_from_turned", "stored_from_upright", "upright", "upright_from_stored",
+    "LIMIT_PIXELS", "Found", "Gps", "Metadata", "Photo", "PhotoFormat", "find_photos", "read_colour", "read_grey",
+    "read_photo", "stored_from_turned", "stored_from_upright", "upright", "upright_from_stored",
 ]  # fmt: skip
 
 LIMIT_PIXELS = 600_000_000

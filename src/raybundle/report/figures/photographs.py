@@ -131,18 +131,26 @@ def square_plot(xy: Array, *, width: float = 640, most_height: float = 520) -> P
     )  # fmt: skip
 
 
+def partners_of(common: csr_array) -> Index:
+    """Of each image (n,) those that share FEW points with it at least."""
+    rows = np.asarray(common.tocoo().row, np.int64)
+    return np.bincount(rows[np.asarray(common.data, float) >= FEW], minlength=len(common.indptr) - 1)
+
+
 def edges_of(common: csr_array) -> tuple[Index, Index, Array]:
     """Pairs of images to be drawn and their common points: the strongest, and the two strongest of every image."""
     cells = common.tocoo()
-    chosen = np.flatnonzero(cells.row < cells.col)
+    row, col = (np.asarray(x, np.int64) for x in (cells.row, cells.col))
+    count = np.asarray(cells.data, float)
+    chosen = np.flatnonzero(row < col)
     if len(chosen) > MOST_EDGES:
-        strongest = chosen[np.argsort(-cells.data[chosen], kind="stable")[:MOST_EDGES]]
-        of_image = np.lexsort((cells.col, -cells.data, cells.row))
-        two = of_image[np.arange(len(of_image)) - common.indptr[cells.row[of_image]] < 2]
-        pair = np.minimum(cells.row, cells.col).astype(np.int64) * common.shape[0] + np.maximum(cells.row, cells.col)
+        strongest = chosen[np.argsort(-count[chosen], kind="stable")[:MOST_EDGES]]
+        of_image = np.lexsort((col, -count, row))
+        two = of_image[np.arange(len(of_image)) - np.asarray(common.indptr, np.int64)[row[of_image]] < 2]
+        pair = np.minimum(row, col) * len(common.indptr) + np.maximum(row, col)
         chosen = chosen[np.isin(pair[chosen], pair[np.r_[strongest, two]])]
-    chosen = chosen[np.argsort(cells.data[chosen], kind="stable")]
-    return cells.row[chosen].astype(np.int32), cells.col[chosen].astype(np.int32), cells.data[chosen]
+    chosen = chosen[np.argsort(count[chosen], kind="stable")]
+    return row[chosen].astype(np.int32), col[chosen].astype(np.int32), count[chosen]
 
 
 def match_graph(view: View, plan: Plan, images: Index, common: csr_array) -> Drawing:

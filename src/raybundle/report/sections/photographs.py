@@ -22,6 +22,7 @@ from raybundle.report.figures.photographs import (
     match_matrix,
     overlap_cells,
     overlap_map,
+    partners_of,
     plan_of,
     ray_map,
     taken_images,
@@ -125,7 +126,7 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: csr_
     many = np.bincount(o.image[view.used], view.rays[o.point[view.used]] >= 3, minlength=len(ids))
     network = view.adjustment.network
     covered = np.full(len(ids), math.nan) if network is None else network.coverage
-    partners_of = (common >= FEW).sum(axis=1)
+    partners_each = partners_of(common)
     rows: list[list[str]] = []
     marked: list[int] = []
     for k, p in enumerate(facts.photographs):
@@ -141,7 +142,7 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: csr_
             marked.append(k)
             continue
         i = int(images[row_of[p.name]])
-        partners = int(partners_of[row_of[p.name]])
+        partners = int(partners_each[row_of[p.name]])
         share = float(covered[i])
         if share < THIN or not partners:
             marked.append(k)
@@ -229,9 +230,11 @@ def connection_section(view: View, facts: PhotographFacts, plan: Plan, images: I
     return Section(anchor="connections", title=phrase("report_photographs.connections"), parts=tuple(parts))
 
 
-def _connection_words(view: View, facts: PhotographFacts, images: Index, common: csr_array) -> tuple[tuple[str, str], ...]:
+def _connection_words(
+    view: View, facts: PhotographFacts, images: Index, common: csr_array
+) -> tuple[tuple[str, str], ...]:
     ids = [view.given.images.ids[i] for i in images]
-    partners = (common >= FEW).sum(axis=1)
+    partners = partners_of(common)
     joined = common.nnz // 2
     words: list[tuple[str, str]] = []
     if facts.pairs:
@@ -276,7 +279,7 @@ def _parts_of(joined: csr_array) -> int:
     """Connected parts of a graph given by its (n, n) adjacency."""
     from scipy.sparse.csgraph import connected_components
 
-    return int(connected_components(joined, directed=False)[0]) if joined.shape[0] else 0
+    return int(connected_components(joined, directed=False)[0]) if len(joined.indptr) > 1 else 0
 
 
 YES_NO = {"yes", "no"}
