@@ -4,7 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <stdexcept>
+#include <functional>
+#include <queue>
 
 namespace raybundle {
 
@@ -15,7 +16,9 @@ Dense& dense() {
 
 namespace {
 
-// Minimum degree by explicit elimination on bit rows: the image graph is small, its rows are short.
+constexpr int kBitRows = 16384;  // nodes of which rows of bits take 32 MB; more are lists until so many are left
+
+// Minimum degree by explicit elimination; of equal degrees the first node.
 struct Elimination {
   std::vector<int> order;
   std::vector<std::vector<int>> below;  // of each node: later neighbours at its elimination
@@ -23,57 +26,111 @@ struct Elimination {
 
 Elimination eliminate(const Problem& q) {
   const int n = q.nodes;
-  const size_t words = (size_t(n) + 63) / 64;
-  std::vector<uint64_t> adjacent(words * n, 0);
-  const auto row = [&](int a) { return adjacent.data() + words * a; };
+  std::vector<std::vector<int>> list(n);  // ascending; a node that went leaves a list when the list next grows
   for (int a = 0; a < n; ++a)
     for (int b : q.adjacency[a])
       if (b != a) {
-        row(a)[b / 64] |= uint64_t(1) << (b % 64);
-        row(b)[a / 64] |= uint64_t(1) << (a % 64);
+        list[a].push_back(b);
+        list[b].push_back(a);
       }
-  const auto for_each = [&](const uint64_t* bits, const auto& work) {
-    for (size_t w = 0; w < words; ++w)
-      for (uint64_t left = bits[w]; left; left &= left - 1) work(int(64 * w) + std::countr_zero(left));
-  };
   std::vector<int64_t> degree(n, 0);
-  const auto weigh = [&](int a) {
-    int64_t sum = 0;
-    for_each(row(a), [&](int b) { sum += q.size[b]; });
-    return sum;
-  };
-  for (int a = 0; a < n; ++a) degree[a] = weigh(a);
+  using Weighed = std::pair<int64_t, int>;
+  std::priority_queue<Weighed, std::vector<Weighed>, std::greater<Weighed>> least;  // with earlier degrees, too
+  for (int a = 0; a < n; ++a) {
+    std::sort(list[a].begin(), list[a].end());
+    list[a].erase(std::unique(list[a].begin(), list[a].end()), list[a].end());
+    for (int b : list[a]) degree[a] += q.size[b];
+    least.push({degree[a], a});
+  }
   std::vector<char> gone(n, 0);
   Elimination result;
   result.order.reserve(n);
   result.below.resize(n);
-  for (int step = 0; step < n; ++step) {
-    int best = -1;
-    for (int a = 0; a < n; ++a)
-      if (!gone[a] && (best < 0 || degree[a] < degree[best])) best = a;
+  const auto next = [&]() {
+    while (gone[least.top().second] || least.top().first != degree[least.top().second]) least.pop();
+    const int best = least.top().second;
     gone[best] = 1;
     result.order.push_back(best);
+    return best;
+  };
+  // a clique is left: once all that remain are connected, any order is as good
+  const auto clique = [&]() {
+    if (int(result.below[result.order.back()].size()) != n - int(result.order.size())) return false;
+    const size_t first = result.order.size();
+    for (int a = 0; a < n; ++a)
+      if (!gone[a]) result.order.push_back(a);
+    for (size_t s = first; s < result.order.size(); ++s)
+      result.below[result.order[s]].assign(result.order.begin() + s + 1, result.order.end());
+    return true;
+  };
+  const auto leaves = [&](int b, int best, int64_t added) {
+    degree[b] += added - q.size[best];
+    least.push({degree[b], b});
+  };
+
+  std::vector<int> fresh, grown, seen(n, -1);
+  while (n - int(result.order.size()) > kBitRows) {
+    const int best = next();
     std::vector<int>& below = result.below[best];
-    for_each(row(best), [&](int b) { below.push_back(b); });
+    for (int b : list[best])
+      if (!gone[b]) below.push_back(b);
+    std::vector<int>().swap(list[best]);
+    for (int b : below) {
+      std::vector<int>& own = list[b];
+      fresh.clear();
+      int64_t added = 0;
+      for (int x : own) seen[x] = b;
+      seen[b] = b;
+      for (int x : below)
+        if (seen[x] != b) {
+          fresh.push_back(x);
+          added += q.size[x];
+        }
+      if (!fresh.empty()) {
+        own.erase(std::remove_if(own.begin(), own.end(), [&](int x) { return gone[x]; }), own.end());
+        grown.resize(own.size() + fresh.size());
+        std::merge(own.begin(), own.end(), fresh.begin(), fresh.end(), grown.begin());
+        own = grown;
+      }
+      leaves(b, best, added);
+    }
+    if (clique()) return result;
+  }
+
+  std::vector<int> rest, place(n, -1);
+  for (int a = 0; a < n; ++a)
+    if (!gone[a]) {
+      place[a] = int(rest.size());
+      rest.push_back(a);
+    }
+  const size_t words = (rest.size() + 63) / 64;
+  std::vector<uint64_t> adjacent(words * rest.size(), 0);
+  const auto row = [&](int a) { return adjacent.data() + words * place[a]; };
+  for (int a : rest)
+    for (int b : list[a])
+      if (!gone[b]) row(a)[place[b] / 64] |= uint64_t(1) << (place[b] % 64);
+  const auto for_each = [&](size_t w, uint64_t bits, const auto& work) {
+    for (; bits; bits &= bits - 1) work(rest[64 * w + std::countr_zero(bits)]);
+  };
+  while (result.order.size() < size_t(n)) {
+    const int best = next();
+    std::vector<int>& below = result.below[best];
+    uint64_t* e = row(best);
+    for (size_t w = 0; w < words; ++w) for_each(w, e[w], [&](int b) { below.push_back(b); });
+    const auto flip = [&](uint64_t* r, int b) { r[place[b] / 64] ^= uint64_t(1) << (place[b] % 64); };
     for (int b : below) {
       uint64_t* r = row(b);
-      const uint64_t* e = row(best);
-      for (size_t w = 0; w < words; ++w) r[w] |= e[w];
-      r[b / 64] &= ~(uint64_t(1) << (b % 64));
-      r[best / 64] &= ~(uint64_t(1) << (best % 64));
+      int64_t added = 0;
+      flip(r, best);
+      flip(e, b);
+      for (size_t w = 0; w < words; ++w) {
+        for_each(w, e[w] & ~r[w], [&](int x) { added += q.size[x]; });
+        r[w] |= e[w];
+      }
+      flip(e, b);
+      leaves(b, best, added);
     }
-    // a clique is left: once all that remain are connected, any order is as good
-    if (static_cast<int>(below.size()) == n - step - 1) {
-      for (int a = 0; a < n; ++a)
-        if (!gone[a]) {
-          result.order.push_back(a);
-          gone[a] = 1;
-        }
-      for (size_t s = step + 1; s < result.order.size(); ++s)
-        result.below[result.order[s]].assign(result.order.begin() + s + 1, result.order.end());
-      break;
-    }
-    for (int b : below) degree[b] = weigh(b);
+    if (clique()) return result;
   }
   return result;
 }
@@ -82,7 +139,6 @@ Elimination eliminate(const Problem& q) {
 
 Factor::Factor(const Problem& problem) : problem_(problem) {
   const int n = problem.nodes;
-  if (n > 60000) throw std::runtime_error("more than 60 000 images and cameras: beyond the ordering's memory");
   Elimination elimination = eliminate(problem);
   const std::vector<int>& order = elimination.order;
   std::vector<int> when(n);

@@ -238,7 +238,9 @@ def test_results_are_not_written_to_a_url(tmp_path, out, monkeypatch, capsys):
     (tmp_path / "photos").mkdir()
     for command in (["orient", "photos", "--out", out], ["calibrate", "photos", "--out", out]):
         assert main(command) == 2
-        assert "[folder.url]" in capsys.readouterr().err
+        stated = capsys.readouterr().err
+        assert "[folder.url]" in stated
+        assert "--store URL" in stated
     assert {p.name for p in tmp_path.iterdir()} == {"photos"}
 
 

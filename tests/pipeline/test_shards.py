@@ -6,20 +6,27 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from PIL import Image
 
 from raybundle.cli.main import main
 from raybundle.errors import InputError, TasksWaiting
+from raybundle.io.photos.metadata import Metadata
+from raybundle.io.photos.photo import Photo
+from raybundle.matching.methods import feature_method
 from raybundle.pipeline.choosing import executor_for
 from raybundle.pipeline.executors import Threads
+from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.running import note
 from raybundle.pipeline.shards import Shards, do_shard
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
+from raybundle.pipeline.tasks import read_task, written
 from raybundle.settings import option
+from raybundle.ties.points import FeatureStore, verified_pairs
 from raybundle.words import headline
 from tests.cli.reported import reported, values_of
 from tests.pipeline.graph import NO_MATRIX, digest, done_by, executions, tasks_of
@@ -147,6 +154,39 @@ def test_a_damaged_list_is_named_by_its_line_and_nothing_is_done(tmp_path, capsy
     assert said in told
     assert "[task.list_" in told
     assert not list((tmp_path / "p/cache").glob("*/*.npz"))
+
+
+def test_a_share_reads_what_it_does_and_of_the_rest_the_keys(tmp_path, monkeypatch):
+    tasks = tasks_of(LEAVES, small=False)
+    asked(tmp_path / "p", tasks)
+    read = []
+    monkeypatch.setattr("raybundle.pipeline.shards.read_task", lambda line: read.append(line) or read_task(line))
+    assert do_shard(tmp_path / "p", 1, 3, wait_s=0.0).made == 3
+    assert len(read) == len(tasks[1::3])
+
+
+def test_a_pair_is_listed_without_the_metadata_of_its_photographs(tmp_path):
+    photos = [
+        Photo(
+            path=Path(f"/data/surveys/flight/DJI_20260412_{k}.JPG"), name=f"DJI_20260412_{k}.JPG", width_px=5280,
+            height_px=3956, orientation=6, sha256=f"{k:064x}",
+            metadata=Metadata(make="DJI", model="M3E", focal35_mm=24.0),
+        )
+        for k in range(2)
+    ]  # fmt: skip
+    project = Project.open(tmp_path / "p")
+    listed = []
+    try:
+        means = Means(project=project, executor=SimpleNamespace(run=lambda tasks, _: iter(listed.extend(tasks) or ())))
+        store = FeatureStore(project.products, tuple(key_of("features", k) for k in range(2)))
+        with pytest.raises(KeyError):
+            verified_pairs(means, photos, store, feature_method("rootsift"), [(0, 1)])
+    finally:
+        project.close()
+    (task,) = listed
+    assert len(written(task)) < 650
+    assert read_task(written(task)) == task
+    assert [f.upright_size for f in task.options.formats] == [p.upright_size for p in photos]
 
 
 def test_what_is_no_project_is_said(tmp_path, capsys):

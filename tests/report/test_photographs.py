@@ -1,13 +1,24 @@
 """Sections about photographs: whole for every state of a result, escaped, with the numbers of the block."""
 
 import math
+import tracemalloc
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.sparse import csr_array
 
 from raybundle.report.facts import CameraFact, PairFact, PhotoFact, PhotographFacts, StageFact
-from raybundle.report.figures.photographs import common_points, edges_of, overlap_cells, plan_of, taken_images
+from raybundle.report.figures.photographs import (
+    MOST_EDGES,
+    common_points,
+    edges_of,
+    match_matrix,
+    overlap_cells,
+    plan_of,
+    taken_images,
+)
 from raybundle.report.view import view_of
 from raybundle.report.writing import write_report
 from raybundle.words import headline
@@ -94,9 +105,49 @@ def test_common_points_are_counted_as_the_observations_say(free_case):
     o = view.given.observations
     sets = [set(o.point[view.used & (o.image == i)].tolist()) for i in images]
     expected = np.array([[len(a & b) for b in sets] for a in sets])
-    np.testing.assert_array_equal(common, expected)
-    first, _ = edges_of(common)
+    np.fill_diagonal(expected, 0)
+    np.testing.assert_array_equal(common.toarray(), expected)
+    first, second, count = edges_of(common)
     assert len(first) == int((np.triu(expected, 1) > 0).sum())
+    np.testing.assert_array_equal(count, expected[first, second])
+
+
+def test_many_pairs_are_drawn_by_the_strongest_and_two_of_every_image():
+    n, rng = 90, np.random.default_rng(6)
+    dense = np.triu(rng.integers(0, 40, (n, n)), 1)
+    dense[:, -1] = dense[-1, :] = 0
+    dense[3, -1] = 1  # of the weakest image its only pair
+    dense += dense.T
+    kept = {
+        tuple(sorted((i, int(j)))) for i in range(n) for j in np.argsort(-dense[i], kind="stable")[:2] if dense[i, j]
+    }
+    upper = np.argwhere(np.triu(dense))
+    strongest = np.argsort(-dense[tuple(upper.T)], kind="stable")[:MOST_EDGES]
+    first, second, _ = edges_of(csr_array(dense.astype(float)))
+    assert set(zip(first.tolist(), second.tolist(), strict=True)) == kept | {
+        tuple(p) for p in upper[strongest].tolist()
+    }
+
+
+def test_connections_are_never_a_square_of_the_images():
+    """16 000 images in a row, each with its neighbours: a square of doubles would be 2 GB."""
+    n = 16_000
+    image = np.repeat(np.arange(n, dtype=np.int32), 4)
+    point = image + np.tile(np.arange(4, dtype=np.int32), n)
+    view = SimpleNamespace(
+        given=SimpleNamespace(
+            images=range(n), points=range(n + 3), observations=SimpleNamespace(image=image, point=point)
+        ),
+        used=np.ones(len(image), bool),
+    )
+    tracemalloc.start()
+    common = common_points(view, np.arange(n, dtype=np.int32))
+    edges_of(common)
+    match_matrix([str(i) for i in range(n)], common)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert common.nnz == 6 * n - 12
+    assert peak < 2000 * n
 
 
 def test_overlap_counts_images_not_points(free_case):

@@ -111,6 +111,33 @@ def test_the_estimate_is_near_a_measured_adjustment():
     assert sum(s.disk_gb for s in stages) == pytest.approx(found["disk GB"]["measured"], rel=0.3)
 
 
+def test_start_decisions_and_report_are_near_the_records():
+    """Within 30 %: few image points of up to 8000 photographs, and many of few."""
+    results = Path(__file__).parents[2] / "benchmarks/results"
+    stages = {
+        "start, parts": (photographs.start,),
+        "adjustment": (photographs.decisions,),
+        "results and report": (photographs.results,),
+    }
+    for of in json.loads((results / "stages_at_size.json").read_text())["rows"]:
+        a = replace(A, images=of["images"], image_points=of["image points"] / of["images"])
+        for name, (stage,) in stages.items():
+            measured = of["stages"][name]
+            own = adjustment(a, C, parts_of(a)) if name == "adjustment" else ()
+            assert stage(a, C).cpu_s + sum(s.cpu_s for s in own) == pytest.approx(measured["cpu_s"], rel=0.3), of
+            if name != "results and report":  # its record holds connections as a square of the photographs
+                assert stage(a, C).memory_mb == pytest.approx(measured["peak_mb"], rel=0.3), of
+    of = json.loads((results / "many_images.json").read_text())["many_images"]
+    a = replace(A, images=of["photographs"], image_points=of["observations"] / 2 / of["photographs"])
+    measured = {s["name"]: s for s in of["stages"]}
+    start, decided = photographs.start(a, C), photographs.decisions(a, C)
+    assert start.cpu_s == pytest.approx(measured["start"]["cpu_seconds"], rel=0.3)
+    assert start.memory_mb == pytest.approx(measured["start"]["peak_memory_mb"], rel=0.3)
+    cpu_s = decided.cpu_s + sum(s.cpu_s for s in adjustment(a, C, parts_of(a)))
+    assert cpu_s == pytest.approx(measured["adjustment"]["cpu_seconds"], rel=0.3)
+    assert decided.memory_mb == pytest.approx(measured["adjustment"]["peak_memory_mb"], rel=0.3)
+
+
 def test_the_memory_of_features_is_that_of_measured_ones():
     """By the figures of benchmarks/features_memory.py: never less, and little more where the finest octave counts."""
     path = Path(__file__).parents[2] / "benchmarks/results/features_memory.json"

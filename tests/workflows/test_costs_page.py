@@ -11,7 +11,7 @@ from raybundle.numerics.counting import grouped, significant
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs/explanation/scale.md"
-BEFORE = ("features", "choice of pairs", "matching", "tracks and start", "precision", "report")
+BEFORE = ("features", "choice of pairs", "matching", "tracks and start", "precision", "decisions", "report")
 SHARES = "efficiency of the sweeps", "with the driver", "if the work were shared evenly"
 SECONDS = "sweeps s", "fronts in tiles s", "what is made stays s", "no network s", "least for the store s"
 DRIVER, FRONT = "memory of the driver", "memory of the largest front"

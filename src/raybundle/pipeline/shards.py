@@ -92,7 +92,10 @@ def _little(tasks: Collection[Task]) -> bool:
 
 def _sum(lines: Sequence[str]) -> str:
     """By which a list is known that is not as it was written."""
-    return hashlib.sha256("\n".join(lines).encode()).hexdigest()
+    found = hashlib.sha256()
+    for k, line in enumerate(lines):
+        found.update(f"\n{line}".encode() if k else line.encode())
+    return found.hexdigest()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -104,6 +107,14 @@ class _Facts:
     flags: bool
     folder: str
     sum: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Listed:
+    """What a shard has to know of a task that another one does."""
+
+    key: str
+    small: bool
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -130,11 +141,11 @@ def do_shard(
     of_url = isinstance(project, str) and "://" in project
     store = Folder(Path.cwd() / "cache", str(project)) if of_url else products_of(Path(project).absolute())
     store.check_shared()
-    tasks = _listed(store, None if of_url else Path(project))
-    if tasks is None:
+    listed = _listed(store, None if of_url else Path(project), number, of)
+    if listed is None:
         return ShardDone(made=0, failed=(), waiting=0)
+    mine, tasks = listed
     made, small = {t.key for t in tasks}, {t.key for t in tasks if t.small}
-    mine = tasks[number::of]
     failed: dict[str, Message] = {}
     handed_over = _keys_handed(store)
     there = store.those([t.key for t in mine if not t.small])
@@ -170,8 +181,8 @@ def do_shard(
     return ShardDone(made=count, failed=tuple((names[k], why) for k, why in failed.items()), waiting=len(waiting))
 
 
-def _listed(store: Folder, project: Path | None) -> list[Task] | None:
-    """The tasks of the list in a store; None: there is none, nothing is to be done.
+def _listed(store: Folder, project: Path | None, number: int, of: int) -> tuple[list[Task], list[_Listed]] | None:
+    """The tasks of a share and all of the list in a store; None: there is none, nothing is to be done.
 
     project  its folder; None: the URL of the store was given
     raises   InputError, with the line, for a list that is not as it was written: nothing of it is done
@@ -193,16 +204,19 @@ def _listed(store: Folder, project: Path | None) -> list[Task] | None:
     facts = _facts(first, file)
     if facts.raybundle != signature():
         raise InputError("cluster.other_version", found=facts.raybundle, version=signature(), file=file)
-    found: list[Task] = []
-    for k, line in enumerate(lines, start=2):
+    mine, found = list[Task](), list[_Listed]()
+    listed = msgspec.json.Decoder(_Listed)
+    for k, line in enumerate(lines):
         try:
-            task = read_task(line.encode())
+            task = listed.decode(line) if k % of != number else read_task(line.encode())
         except (ValueError, TypeError) as error:
-            raise InputError("task.list_no_task", detail=str(error), file=file, line=k) from None
-        for key in (task.key, *task.inputs, *task.after):
-            if not KEY.fullmatch(key):
-                raise InputError("task.list_no_key", name=repr(key), file=file, line=k)
-        found.append(task)
+            raise InputError("task.list_no_task", detail=str(error), file=file, line=k + 2) from None
+        if isinstance(task, Task):
+            mine.append(task)
+            for key in (task.key, *task.inputs, *task.after):
+                if not KEY.fullmatch(key):
+                    raise InputError("task.list_no_key", name=repr(key), file=file, line=k + 2)
+        found.append(_Listed(key=task.key, small=task.small))
     if len(found) != facts.tasks:
         raise InputError("task.list_count", n=len(found), needed=facts.tasks, file=file, line=len(lines) + 1)
     if _sum(lines) != facts.sum:
@@ -210,7 +224,7 @@ def _listed(store: Folder, project: Path | None) -> list[Task] | None:
     with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
         os.chdir(facts.folder)
     words.read_by(words.Reader(flags=facts.flags))
-    return found
+    return mine, found
 
 
 def tasks_listed(project: Path, url: str) -> tuple[int, int] | None:
@@ -221,7 +235,7 @@ def tasks_listed(project: Path, url: str) -> tuple[int, int] | None:
     store = Folder(project / "cache", url)
     try:
         lines = (store.place.text(TASKS) or "").splitlines()[1:]
-        tasks = [msgspec.json.decode(line, type=Task) for line in lines]
+        tasks = [msgspec.json.decode(line, type=_Listed) for line in lines]
     except (OSError, ValueError):
         return None
     if not tasks:

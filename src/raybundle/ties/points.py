@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.errors import InputError, NoOrientation, without_file
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.masks import MaskFile, Masks
-from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
+from raybundle.io.photos.photo import Photo, PhotoFormat, read_grey, stored_from_upright, upright, upright_from_stored
 from raybundle.matching.features import Described, FeatureMethod, Features, feature_number
 from raybundle.matching.methods import feature_method
 from raybundle.matching.tracks import Tracks
@@ -200,7 +200,7 @@ def find_features(
 class PairTask:
     """What a pair is matched from."""
 
-    photos: tuple[Photo, Photo]
+    formats: tuple[PhotoFormat, PhotoFormat]
     features: tuple[str, str]
     """keys of their features"""
     method: str
@@ -213,16 +213,16 @@ def pair_of(store: Folder, task: PairTask) -> Product:
     method = feature_method(task.method)
     xy: list[Array] = []
     described: list[Described] = []
-    for photo, key in zip(task.photos, task.features, strict=True):
+    for format_, key in zip(task.formats, task.features, strict=True):
         f = features_from(store.held(key))
         xy.append(f.xy_px)
         described.append(
             Described(
-                xy_px=upright_from_stored(f.xy_px, photo), descriptors=f.descriptors, size_px=photo.upright_size,
+                xy_px=upright_from_stored(f.xy_px, format_), descriptors=f.descriptors, size_px=format_.upright_size,
                 scale_px=f.scale_px,
             )
         )  # fmt: skip
-    sizes = [(p.width_px, p.height_px) for p in task.photos]
+    sizes = [(p.width_px, p.height_px) for p in task.formats]
     matches = (method.match if task.whole else method.likely_matches)(described[0], described[1])
     return arrays_of_pair(verify(0, 1, xy[0], xy[1], matches, sizes[0], sizes[1]))
 
@@ -250,12 +250,13 @@ def verified_pairs(
 
     whole  those of them that are matched whatever a first look finds
     """
+    formats = [p.format for p in photos]
     tasks = [
         Task(
             key=key_of("matching", VERIFICATION, method.name, store.keys[i], store.keys[j], (i, j) in whole),
             function=f"{__name__}:pair_of", inputs=(store.keys[i], store.keys[j]), small=True, cost=PAIR_S,
             options=PairTask(
-                photos=(photos[i], photos[j]), features=(store.keys[i], store.keys[j]), method=method.name,
+                formats=(formats[i], formats[j]), features=(store.keys[i], store.keys[j]), method=method.name,
                 whole=(i, j) in whole,
             ),
             name=f"{photos[i].name} and {photos[j].name}",

@@ -39,8 +39,8 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.readable import readable_names, readable_path
 
 __all__ = [
-    "LIMIT_PIXELS", "Found", "Gps", "Metadata", "Photo", "find_photos", "read_colour", "read_grey", "read_photo",
-    "stored_from_turned", "stored_from_upright", "upright", "upright_from_stored",
+    "LIMIT_PIXELS", "Found", "Gps", "Metadata", "Photo", "PhotoFormat", "find_photos", "read_colour", "read_grey",
+    "read_photo", "stored_from_turned", "stored_from_upright", "upright", "upright_from_stored",
 ]  # fmt: skip
 
 LIMIT_PIXELS = 600_000_000
@@ -54,17 +54,29 @@ THUMBNAIL = (400, 1 / 16)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Photo:
-    """One photograph; its pixels are read when they are asked for."""
+class PhotoFormat:
+    """Size of a photograph and which way up it is to be shown."""
 
-    path: Path
-    name: str
-    """File name; where names repeat among the inputs, the path from their common folder."""
     width_px: int
     """As stored (see `orientation`)."""
     height_px: int
     orientation: int = 1
     """EXIF: 1 as stored, 3 to be turned by 180 deg, 6 by 90 deg clockwise, 8 counter-clockwise; 2, 4, 5, 7 mirrored."""
+
+    @property
+    def upright_size(self) -> tuple[int, int]:
+        """Width and height [px] when shown the right way up."""
+        turned = self.orientation >= 5
+        return (self.height_px, self.width_px) if turned else (self.width_px, self.height_px)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Photo(PhotoFormat):
+    """One photograph; its pixels are read when they are asked for."""
+
+    path: Path
+    name: str
+    """File name; where names repeat among the inputs, the path from their common folder."""
     bits: int = 8
     """Per channel, 8 or 16."""
     kind: Kind = "jpeg"
@@ -77,10 +89,9 @@ class Photo:
         return self.sha256, self.name
 
     @property
-    def upright_size(self) -> tuple[int, int]:
-        """Width and height [px] when shown the right way up."""
-        turned = self.orientation >= 5
-        return (self.height_px, self.width_px) if turned else (self.width_px, self.height_px)
+    def format(self) -> PhotoFormat:
+        """Without path and metadata."""
+        return PhotoFormat(width_px=self.width_px, height_px=self.height_px, orientation=self.orientation)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -353,7 +364,7 @@ def stored_from_turned(pixels: Array, orientation: int) -> Array:
     return np.ascontiguousarray(_TURNS[_INVERSE[orientation]](pixels))
 
 
-def upright_from_stored(xy_px: Array, photo: Photo) -> Array:
+def upright_from_stored(xy_px: Array, photo: PhotoFormat) -> Array:
     """Pixel frame (n, 2) of the upright picture, of points (n, 2) in the photograph as stored."""
     return _turned(np.asarray(xy_px, float), photo.orientation, photo.width_px, photo.height_px)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from html import escape
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -28,6 +29,9 @@ from raybundle.report.figures.svg import (
 )
 from raybundle.report.text.numbers import grouped
 from raybundle.report.view import View
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 MOST_DOTS, MOST_EDGES, MOST_CELLS, MOST_NAMES = 6000, 1500, 60, 40
 """Points and edges drawn, cells of the matrix along each side, images with their names."""
@@ -92,8 +96,8 @@ def taken_images(view: View) -> Index:
     return np.flatnonzero(taken & view.adjusted.images.oriented).astype(np.int32)
 
 
-def common_points(view: View, images: Index) -> Array:
-    """Number (n, n) of used object points that two of these images share; the diagonal holds each image's own."""
+def common_points(view: View, images: Index) -> csr_array:
+    """Number (n, n) of used object points that two of these images share, of an image with itself none."""
     from scipy.sparse import csr_array
 
     row = np.full(len(view.given.images), -1)
@@ -104,7 +108,11 @@ def common_points(view: View, images: Index) -> Array:
     shape = (len(images), len(view.given.points))
     seen = csr_array((np.ones(int(keep.sum())), cells), shape=shape)
     seen.data[:] = 1.0
-    return np.asarray((seen @ seen.T).todense())
+    common = (seen @ seen.T).tocsr()
+    common.setdiag(0.0)
+    common.eliminate_zeros()
+    common.sort_indices()
+    return common
 
 
 def square_plot(xy: Array, *, width: float = 640, most_height: float = 520) -> Plot:
@@ -123,35 +131,39 @@ def square_plot(xy: Array, *, width: float = 640, most_height: float = 520) -> P
     )  # fmt: skip
 
 
-def edges_of(common: Array) -> tuple[Index, Index]:
-    """Pairs of images to be drawn: the strongest ones, and the two strongest of every image."""
-    first, second = np.nonzero(np.triu(common, 1))
-    if len(first) > MOST_EDGES:
-        order = np.argsort(-common[first, second], kind="stable")[:MOST_EDGES]
-        kept = {(int(a), int(b)) for a, b in zip(first[order], second[order], strict=True)}
-        others = common - np.diag(np.diag(common))
-        for i in range(len(common)):
-            for j in np.argsort(-others[i], kind="stable")[:2]:
-                if others[i, j] > 0:
-                    kept.add((min(i, int(j)), max(i, int(j))))
-        rows = np.array(sorted(kept))
-        first, second = rows[:, 0], rows[:, 1]
-    order = np.argsort(common[first, second], kind="stable")
-    return first[order].astype(np.int32), second[order].astype(np.int32)
+def partners_of(common: csr_array) -> Index:
+    """Of each image (n,) those that share FEW points with it at least."""
+    rows = np.asarray(common.tocoo().row, np.int64)
+    return np.bincount(rows[np.asarray(common.data, float) >= FEW], minlength=len(common.indptr) - 1)
 
 
-def match_graph(view: View, plan: Plan, images: Index, common: Array) -> Drawing:
+def edges_of(common: csr_array) -> tuple[Index, Index, Array]:
+    """Pairs of images to be drawn and their common points: the strongest, and the two strongest of every image."""
+    cells = common.tocoo()
+    row, col = (np.asarray(x, np.int64) for x in (cells.row, cells.col))
+    count = np.asarray(cells.data, float)
+    chosen = np.flatnonzero(row < col)
+    if len(chosen) > MOST_EDGES:
+        strongest = chosen[np.argsort(-count[chosen], kind="stable")[:MOST_EDGES]]
+        of_image = np.lexsort((col, -count, row))
+        two = of_image[np.arange(len(of_image)) - np.asarray(common.indptr, np.int64)[row[of_image]] < 2]
+        pair = np.minimum(row, col) * len(common.indptr) + np.maximum(row, col)
+        chosen = chosen[np.isin(pair[chosen], pair[np.r_[strongest, two]])]
+    chosen = chosen[np.argsort(count[chosen], kind="stable")]
+    return row[chosen].astype(np.int32), col[chosen].astype(np.int32), count[chosen]
+
+
+def match_graph(view: View, plan: Plan, images: Index, common: csr_array) -> Drawing:
     """Images at their projection centres, joined where they share points; the wider the line, the more of them."""
     xy = plan.of(view.adjusted.images.centre[images])
     plot = square_plot(xy)
     x, y = plot.x(xy[:, 0]), plot.y(xy[:, 1])
     ids = [view.given.images.ids[i] for i in images]
     parts = [axes(plot, *plan.names, grid="xy")]
-    first, second = edges_of(common)
+    first, second, count = edges_of(common)
     named = len(first) <= 400
-    most = max(float(common[first, second].max(initial=0)), STRONG)
-    for i, j in zip(first.tolist(), second.tolist(), strict=True):
-        n = int(common[i, j])
+    most = max(float(count.max(initial=0)), STRONG)
+    for i, j, n in zip(first.tolist(), second.tolist(), count.astype(int).tolist(), strict=True):
         style = "edge strong" if n >= STRONG else "edge" if n >= FEW else "edge weak"
         width = 0.4 + 3.6 * math.sqrt(n / most)
         pair = written(phrase("drawn.pair", first=ids[i], second=ids[j], n=n))
@@ -173,13 +185,13 @@ def _short(name: str, most: int = 14) -> str:
     return name if len(name) <= most else f"…{name[-most + 1 :]}"
 
 
-def match_matrix(ids: list[str], common: Array) -> tuple[Drawing, int]:
+def match_matrix(ids: list[str], common: csr_array) -> tuple[Drawing, int]:
     """Common points of every two images as a matrix, and how many images stand for one of its cells."""
     group = -(-len(ids) // MOST_CELLS)
     n = -(-len(ids) // group)
-    padded = np.zeros((n * group, n * group))
-    padded[: len(ids), : len(ids)] = common - np.diag(np.diag(common))
-    values = padded.reshape(n, group, n, group).max(axis=(1, 3))
+    cells = common.tocoo()
+    values = np.zeros((n, n))
+    np.maximum.at(values, (cells.row // group, cells.col // group), cells.data)
     size = 20.0 if n <= 16 else 420.0 / n
     left, top = 96.0, 8.0
     width, height = left + n * size + 8, top + n * size + 34

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from raybundle.adjustment.records.figures import InteriorResult
 from raybundle.adjustment.statistics.network import FEW
 from raybundle.errors import Text, note, phrase
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Index
 from raybundle.report.chapters import Occasion, chapter
 from raybundle.report.facts import PhotographFacts
 from raybundle.report.figures.photographs import (
@@ -21,6 +22,7 @@ from raybundle.report.figures.photographs import (
     match_matrix,
     overlap_cells,
     overlap_map,
+    partners_of,
     plan_of,
     ray_map,
     taken_images,
@@ -58,6 +60,9 @@ from raybundle.report.text.numbers import (
 )
 from raybundle.report.view import View, with_near_viewpoints
 
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
 THIN = 0.25
 """Share of the format below which the image points of a photograph cover too little of it."""
 FAR = 3.0
@@ -78,7 +83,7 @@ def photograph_sections(view: View, facts: PhotographFacts) -> tuple[Section, ..
     )
 
 
-def overview_section(view: View, facts: PhotographFacts, images: Index, common: Array) -> Section:
+def overview_section(view: View, facts: PhotographFacts, images: Index, common: csr_array) -> Section:
     """What was given, what was used of it, and what was left out and why."""
     given = len(facts.photographs) + len(facts.refused)
     used = len(facts.photographs) - len(facts.not_oriented)
@@ -110,7 +115,7 @@ def overview_section(view: View, facts: PhotographFacts, images: Index, common: 
     return Section(anchor="photographs", title=phrase("report_photographs.title"), parts=tuple(parts))
 
 
-def _photo_table(view: View, facts: PhotographFacts, images: Index, common: Array) -> Table:
+def _photo_table(view: View, facts: PhotographFacts, images: Index, common: csr_array) -> Table:
     ids = view.given.images.ids
     row_of = {ids[i]: k for k, i in enumerate(images.tolist())}
     o = view.given.observations
@@ -121,6 +126,7 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: Arra
     many = np.bincount(o.image[view.used], view.rays[o.point[view.used]] >= 3, minlength=len(ids))
     network = view.adjustment.network
     covered = np.full(len(ids), math.nan) if network is None else network.coverage
+    partners_each = partners_of(common)
     rows: list[list[str]] = []
     marked: list[int] = []
     for k, p in enumerate(facts.photographs):
@@ -136,7 +142,7 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: Arra
             marked.append(k)
             continue
         i = int(images[row_of[p.name]])
-        partners = int((common[row_of[p.name]] >= FEW).sum()) - int(common[row_of[p.name], row_of[p.name]] >= FEW)
+        partners = int(partners_each[row_of[p.name]])
         share = float(covered[i])
         if share < THIN or not partners:
             marked.append(k)
@@ -200,10 +206,10 @@ def _left_out(facts: PhotographFacts) -> list[Part]:
     ]
 
 
-def connection_section(view: View, facts: PhotographFacts, plan: Plan, images: Index, common: Array) -> Section:
+def connection_section(view: View, facts: PhotographFacts, plan: Plan, images: Index, common: csr_array) -> Section:
     """How the photographs hang together."""
     parts: list[Part] = [Statements(statements=_connection_words(view, facts, images, common))]
-    if len(images) >= 2 and common.any():
+    if len(images) >= 2:
         ids = [view.given.images.ids[i] for i in images]
         graph = match_graph(view, plan, images, common)
         matrix, group = match_matrix(ids, common)
@@ -224,11 +230,12 @@ def connection_section(view: View, facts: PhotographFacts, plan: Plan, images: I
     return Section(anchor="connections", title=phrase("report_photographs.connections"), parts=tuple(parts))
 
 
-def _connection_words(view: View, facts: PhotographFacts, images: Index, common: Array) -> tuple[tuple[str, str], ...]:
+def _connection_words(
+    view: View, facts: PhotographFacts, images: Index, common: csr_array
+) -> tuple[tuple[str, str], ...]:
     ids = [view.given.images.ids[i] for i in images]
-    others = common - np.diag(np.diag(common))
-    partners = (others >= FEW).sum(axis=1)
-    joined = int((np.triu(others) > 0).sum())
+    partners = partners_of(common)
+    joined = common.nnz // 2
     words: list[tuple[str, str]] = []
     if facts.pairs:
         kept = sum(p.verified > 0 for p in facts.pairs)
@@ -257,7 +264,7 @@ def _connection_words(view: View, facts: PhotographFacts, images: Index, common:
                 phrase("report_photographs.weak_photographs", names=weak, least=FEW),
             )
         )
-    parts = _parts_of(others >= FEW)
+    parts = _parts_of(common >= FEW)
     if parts > 1:
         words.append(
             (
@@ -268,12 +275,11 @@ def _connection_words(view: View, facts: PhotographFacts, images: Index, common:
     return tuple(words)
 
 
-def _parts_of(joined: Array) -> int:
+def _parts_of(joined: csr_array) -> int:
     """Connected parts of a graph given by its (n, n) adjacency."""
-    from scipy.sparse import csr_array
     from scipy.sparse.csgraph import connected_components
 
-    return int(connected_components(csr_array(joined), directed=False)[0]) if len(joined) else 0
+    return int(connected_components(joined, directed=False)[0]) if len(joined.indptr) > 1 else 0
 
 
 YES_NO = {"yes", "no"}

@@ -3,7 +3,7 @@ folder-exists = Den Ordner gibt es schon, und er ist nicht leer.
 
 folder-url = Der Pfad beginnt wie eine URL ({ $scheme }//).
     .why = Ergebnisse werden in Ordner dieses Rechners geschrieben.
-    .do = In einen Ordner schreiben und ihn dorthin kopieren.
+    .do = In einen Ordner schreiben und ihn dorthin kopieren. { OPTION("store", "URL") } hält Produkte von orient und surface in einem Bucket.
 
 folder-parent_is_a_file = { $parent } ist kein Ordner; darin kann nichts geschrieben werden.
     .do = Einen anderen Pfad wählen.

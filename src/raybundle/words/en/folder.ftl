@@ -4,7 +4,7 @@ folder-exists = The folder already exists and is not empty.
 # $scheme = "https:"
 folder-url = The path begins like a URL ({ $scheme }//).
     .why = Results are written to folders of this computer.
-    .do = Write to a folder, and copy it there.
+    .do = Write to a folder, and copy it there. { OPTION("store", "URL") } keeps products of orient and surface in a bucket.
 
 # $parent = "results.csv"
 folder-parent_is_a_file = { $parent } is not a folder; nothing can be written in it.

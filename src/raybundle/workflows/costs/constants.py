@@ -12,7 +12,7 @@ import msgspec
 
 from raybundle.io.user_folders import made_again_folder
 
-REVISION = 3
+REVISION = 4
 """Raised with every change of what is measured; constants of another are measured again"""
 SWEEPS = ("up", "down", "covariances", "statistics")
 """Kinds of tasks of an adjustment in parts, as they are distinguished here"""
@@ -85,6 +85,12 @@ class Constants:
     """CPU milliseconds to compare a pair by 1000 features"""
     start_point_ms: float
     """CPU milliseconds of tracks and approximate values for an image point"""
+    start_image_ms: float
+    """CPU milliseconds of tracks and approximate values for each of 2000 photographs"""
+    decisions_point_ms: float
+    """CPU milliseconds of decisions about weights, blunders and parameters for an image point"""
+    decisions_image_ms: float
+    """CPU milliseconds of these decisions for each of 2000 photographs"""
     start_shared: float
     """of the CPU seconds of a start in parts those of its leaves, which are tasks"""
     precision_point_ms: float
@@ -93,8 +99,16 @@ class Constants:
     """of the CPU seconds of least-squares matching those of its windows, which are tasks"""
     report_point_ms: float
     """CPU milliseconds of results and report for an image point"""
+    report_image_ms: float
+    """CPU milliseconds of results and report for a photograph"""
     start_point: float
     """bytes of memory for an image point while approximate values are found"""
+    start_image: float
+    """bytes of memory for a photograph while approximate values are found"""
+    decisions_point: float
+    """bytes of memory for an image point of a block that is adjusted in one piece, with its decisions"""
+    decisions_image: float
+    """bytes of memory for a photograph of such a block"""
     precision_point: float
     """bytes of memory for an image point during least-squares matching"""
     report_point: float

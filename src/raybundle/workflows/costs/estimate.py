@@ -90,7 +90,8 @@ def estimate(a: Asked, c: Constants, *, disk_gb: float = float("nan"), parts: tu
     sizes = parts or parts_of(a)
     stages = (
         photographs.features(a, c), photographs.choice_of_pairs(a, c), photographs.matching(a, c),
-        photographs.start(a, c), photographs.precision(a, c), *adjustment(a, c, sizes), photographs.results(a, c),
+        photographs.start(a, c), photographs.precision(a, c), photographs.decisions(a, c),
+        *adjustment(a, c, sizes), photographs.results(a, c),
     )  # fmt: skip
     return Estimate(asked=a, constants=c, stages=stages, parts=sizes, limits=_limits(a, c, stages, sizes, disk_gb))
 

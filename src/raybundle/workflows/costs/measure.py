@@ -55,6 +55,16 @@ PHOTO_PX, PHOTO_FEATURES = (1200, 900), 10_000
 FLAT = ("x0", "y0", "K1", "K2", "K3", "P1", "P2")
 SIGNATURES = (500, 2000, 2048)
 """Signatures that are compared with how many others, and their length"""
+BY_RATIO = (
+    "start_point_ms",
+    "start_image_ms",
+    "precision_point_ms",
+    "decisions_point_ms",
+    "decisions_image_ms",
+    "report_point_ms",
+    "report_image_ms",
+)
+"""Constants that are not measured here, but those shipped by the ratio of what is"""
 ROUNDS = 5
 """Of what takes well below a second: the median counts"""
 
@@ -334,12 +344,11 @@ def measure(progress: Progress = silent) -> Constants:
     day = dt.datetime.now(dt.UTC).date().isoformat()
     return replace(
         reference, processor=processor(), version=version(), revision=REVISION,
-        measured=f"{day}; verification, start, precision and report by ratio to {reference.processor}",
+        measured=f"{day}; verification, start, precision, decisions and report by ratio to {reference.processor}",
         **sweeps,
         cutting_point_us=1e6 * large.cutting_s / (points * math.log2(points)),
         driver_task_ms=1e3 * max(driver, 0.0) / len(records),
         feature_mpx_s=matched.feature_mpx_s, nearest_s=matched.nearest_s, signature_s=matched.signature_s,
         likeness_ns=matched.likeness_ns, compare_ms=matched.compare_ms, verify_ms=slower * reference.verify_ms,
-        start_point_ms=slower * reference.start_point_ms, precision_point_ms=slower * reference.precision_point_ms,
-        report_point_ms=slower * reference.report_point_ms,
+        **{name: slower * getattr(reference, name) for name in BY_RATIO},
     )  # fmt: skip

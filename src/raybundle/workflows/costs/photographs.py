@@ -29,6 +29,9 @@ COMPARED = (SIMILAR + NEARBY) / 2
 """Pairs for an image that are compared: half of those that each names, as many are named from both sides"""
 LIKENESS_OPERATIONS = 2 * 2048
 """Floating-point operations for the likeness of two signatures"""
+COUNTED, START_GROWTH, DECISIONS_GROWTH = 2000, 0.2, 0.5
+"""Photographs for which the constants of one hold, and powers of their number with which these grow: by the records of
+500, 2000 and 8000 in benchmarks/results/stages_at_size.json"""
 MATCH_BYTES = 8
 """of a match that is kept"""
 BLOCK_POINT = 4 + 4 + 16 + 24
@@ -98,7 +101,8 @@ def matching(a: Asked, c: Constants) -> StageCost:
 
 def start(a: Asked, c: Constants) -> StageCost:
     """Tracks and approximate values: leaves by tasks where there are many photographs, all else in one process."""
-    cpu_s, memory = 1e-3 * c.start_point_ms * a.points, _memory(c.start_point, a, c)
+    each = c.start_image_ms * (a.images / COUNTED) ** START_GROWTH
+    cpu_s, memory = 1e-3 * (c.start_point_ms * a.points + each * a.images), _memory(c.start_point, a, c, c.start_image)
     if a.images < MANY:
         return _alone("tracks and start", cpu_s, memory, a)
     leaves = a.images / LEAF
@@ -121,15 +125,23 @@ def precision(a: Asked, c: Constants) -> StageCost:
     return _shared("precision", cpu_s, work, _memory(c.precision_point, a, c), a)
 
 
+def decisions(a: Asked, c: Constants) -> StageCost:
+    """Adjustments that `orient` makes beside the last one: weights, blunders, parameters; memory of one piece."""
+    each = c.decisions_image_ms * (a.images / COUNTED) ** DECISIONS_GROWTH
+    memory = _memory(c.decisions_point, a, c, c.decisions_image)
+    return _alone("decisions", 1e-3 * (c.decisions_point_ms * a.points + each * a.images), memory, a)
+
+
 def results(a: Asked, c: Constants) -> StageCost:
     """Result tables and report: one process."""
-    seconds, disk = 1e-3 * c.report_point_ms * a.points, c.result_point * a.points
+    seconds = 1e-3 * (c.report_point_ms * a.points + c.report_image_ms * a.images)
+    disk = c.result_point * a.points
     return _alone("report", seconds, _memory(c.report_point, a, c), a, disk=disk)
 
 
-def _memory(point: float, a: Asked, c: Constants) -> float:
-    """Megabytes of a process that holds so many bytes for each image point."""
-    return c.base_mb + 1e-6 * point * a.points
+def _memory(point: float, a: Asked, c: Constants, image: float = 0.0) -> float:
+    """Megabytes of a process that holds so many bytes for each image point and each photograph."""
+    return c.base_mb + 1e-6 * (point * a.points + image * a.images)
 
 
 def _of(name: str, work: Work, a: Asked, *, memory_mb: float, disk: float) -> StageCost:
