@@ -310,7 +310,8 @@ def _number(path: Path, line: int, words: Sequence[str], columns: _Columns, kind
 
 
 def _row(path: Path, line: int, words: list[str], columns: _Columns, *, comma: bool) -> ImageRow:
-    needed = 1 + max(columns.at[k] for k in (*columns.place, "z", *columns.turn))
+    name = "name" if "name" in columns.at else "event"
+    needed = 1 + max(columns.at[k] for k in (name, *columns.place, "z", *columns.turn))
     if len(words) < needed:
         raise InputError("line.too_few_cells", n=len(words), needed=needed, file=path, line=line)
 
@@ -319,7 +320,7 @@ def _row(path: Path, line: int, words: list[str], columns: _Columns, *, comma: b
 
     x, y = (number(k) for k in columns.place)
     sigma = number("sx"), number("sy"), number("sz")
-    return ImageRow(line, words[columns.at.get("name", columns.at.get("event", 0))], (x, y, number("z")), sigma)
+    return ImageRow(line, words[columns.at[name]], (x, y, number("z")), sigma)
 
 
 def _with_angles(

@@ -65,4 +65,4 @@ trajectory-velocity_contradicts = Tabelle { $table }, Eintrag { $entry }: Geschw
     .do = Einheiten, Vorzeichen und Spalten der Geschwindigkeiten prüfen.
 
 trajectory-undecided = Die Datei legt die Konvention dieser Spalten nicht fest: Möglich sind { $readings }.
-    .do = Die richtige angeben, z. B. { OPTION("attitudes", $first) }; ab vier Aufnahmen entscheiden die Aufnahmen.
+    .do = Die Spalten mit ihrer Einheit benennen (omega_gon) oder { OPTION("attitudes", $first) } angeben. Vier oder mehr Aufnahmen entscheiden.

@@ -103,4 +103,4 @@ trajectory-velocity_contradicts = Table { $table }, entry { $entry }: velocity {
 # $readings = ["opk-deg", "opk-gon"]
 # $first = "opk-deg"
 trajectory-undecided = The file does not determine the convention of these columns: possible are { $readings }.
-    .do = Give the right one, e.g. { OPTION("attitudes", $first) }; from four photographs on the photographs decide.
+    .do = Name the columns with their unit (omega_gon), or give { OPTION("attitudes", $first) }. Four photographs or more decide.
