@@ -244,10 +244,9 @@ target("trajectory", trajectory_seeds, read_a_trajectory)
 
 def trajectory_texts() -> dict[str, list[dict[str, str]]]:
     """Files of each format of positions and attitudes."""
+    from tests.io.trajectories.exterior_lists import lists
     from tests.io.trajectories.test_position_lists import GEO_TXT, POS, TABLES
     from tests.io.trajectories.test_trajectories import MRK
-
-    from tests.io.trajectories.exterior_lists import lists
 
     forms = {k: {f: d.decode("latin-1") if k == "degree signs" else d.decode()} for k, (f, d, *_) in lists().items()}
     ecef = "%  GPST  x-ecef(m)  y-ecef(m)  z-ecef(m)  Q  ns\n2312 295200.237 4273000.0 619500.0 4680000.0 2 9\n"
