@@ -40,7 +40,7 @@ GROSS, LEAST, MOST = 6.0, np.radians(3.0), np.radians(15.0)
 """Median scatter beyond which attitudes do not fit: so many standard deviations, at least and at most so much."""
 DOUBT = 4.0
 """The same in standard deviations where another reading of the angles leaves a third of it."""
-BETTER = 3.0
+BETTER, ALIKE = 3.0, 1.1
 MOUNTED = np.radians(20.0)
 """How far the camera may stand from a whole number of quarter turns in its mount."""
 SINGLE = 10.0
@@ -188,7 +188,8 @@ def observe_attitudes(state: Placing, photos: Sequence[Photo], given: Given, fra
 def _chosen(state: Placing, recorded: PhotoAttitudes, image: Index, frame: LocalFrame) -> PhotoAttitudes | None:
     """The one of several readings of a file that the photographs fit; None where there are too few of them.
 
-    The first one stands unless another leaves a third of its scatter, or as little without a camera that is askew.
+    The least scatter decides; of those that scatter alike the first whose camera is the least askew.  A customary
+    reading scatters alike up to three times the least.
     """
     if not recorded.others:
         return recorded
@@ -205,7 +206,8 @@ def _chosen(state: Placing, recorded: PhotoAttitudes, image: Index, frame: Local
     ]
     scatter = np.array([np.mean([f.scatter for f in fit]) for fit in fits])
     askew = np.array([max(f.askew for f in fit) for fit in fits])
-    like = scatter <= max(BETTER * float(scatter.min()), EXACT)
+    like = scatter <= max(ALIKE * float(scatter.min()), EXACT)
+    like[0] |= recorded.customary and scatter[0] <= BETTER * scatter.min()
     upright = like & (askew < askew[like].min() + LEAST)
     best = int(np.flatnonzero(upright)[0])
     other = int(np.where(np.arange(len(every)) == best, np.inf, scatter).argmin())

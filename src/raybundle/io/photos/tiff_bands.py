@@ -94,7 +94,7 @@ class BandImage:
 
 
 def band_image(path: Path) -> BandImage | None:
-    """The raster in a TIFF whose pixels the usual decoders do not read, or not rightly; None for other files.
+    """The raster in a TIFF that the usual decoders do not read, or not rightly; None for other files.
 
     raises  InputError where its pixels are of no kind that is read
     """

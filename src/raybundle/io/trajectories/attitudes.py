@@ -46,6 +46,8 @@ class PhotoAttitudes:
     """name of the reading, where the file has several"""
     others: tuple[PhotoAttitudes, ...] = ()
     """the other readings, from which the photographs choose"""
+    customary: bool = False
+    """whether this reading is the one that its format usually has"""
 
     def __len__(self) -> int:
         return len(self.names)
@@ -72,7 +74,8 @@ def attitudes_of_file(
         named = [n for n in names if n == use or n.startswith(f"{use}-")] or names
         read = [attitudes_of_file(decided(trajectory, n), photos, crs=crs, sigma=sigma) for n in named]
         found = [replace(r, reading=n) for r, n in zip(read, named, strict=True) if r is not None]
-        return replace(found[0], others=tuple(found[1:])) if found else None
+        customary = trajectory.rotation is not None
+        return replace(found[0], others=tuple(found[1:]), customary=customary) if found else None
     if trajectory.rotation is None or trajectory.angles is None:
         return None
     turned = in_wgs84(trajectory, crs)

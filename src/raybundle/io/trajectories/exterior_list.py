@@ -353,7 +353,7 @@ def _with_angles(
 
 
 def _open(columns: _Columns, units: Sequence[str], orders: Sequence[str]) -> Sequence[str]:
-    """The columns that a message names: the angle that shows no unit, or those that show no sequence."""
+    """The columns that a message names: the angle without a unit, or all three without a sequence."""
     return ["kappa"] if len(orders) == 1 and len(units) > 1 else sorted(ANGLES, key=lambda a: columns.at[a])
 
 
