@@ -52,6 +52,8 @@ QUANTILES = (0.1, 99.9)
 SAMPLE = 1_000_000
 """Pixels of which quantiles are taken"""
 DEEPEST = 65535
+ROWS = 1024
+"""Rows that are scaled at once"""
 LARGEST = 1 << 32
 """Bytes of a strip or tile"""
 MAP = {33550, 34264}
@@ -164,9 +166,12 @@ def _numbers(image: BandImage) -> Array:
     if high <= low:
         low, high = float(known.min()), float(known.max())
     scale = DEEPEST / (high - low) if high > low else 0.0
-    with np.errstate(invalid="ignore", over="ignore"):
-        grey = np.clip(np.round((bands.astype(float) - low) * scale), 0, DEEPEST)
-    return np.where(good, grey, 0).astype(np.uint16)
+    grey = np.zeros(bands.shape, np.uint16)
+    for top in range(0, image.height_px, ROWS):  # all at once they would be held as 64 bits
+        rows = slice(top, top + ROWS)
+        part = np.where(good[:, rows], bands[:, rows], low)
+        grey[:, rows] = np.where(good[:, rows], np.clip(np.round((part - low) * scale), 0, DEEPEST), 0)
+    return grey
 
 
 def _nodata(image: BandImage) -> float | None:
