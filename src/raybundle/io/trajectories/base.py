@@ -34,7 +34,7 @@ class Reading:
     """One of the conventions in which the angles or the matrices of a file can be read."""
 
     name: str
-    """Convention and unit as `orient --attitudes` takes them: opk-gon, pok-deg, matrix, matrix-inverse"""
+    """Convention and unit as the setting `attitudes` takes them: opk-gon, pok-deg, matrix, matrix-inverse"""
     convention: str
     """opk | pok"""
     angles: Array
