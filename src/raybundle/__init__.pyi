@@ -1021,7 +1021,7 @@ def orient(
     masks: str | Path | None = None,
     library: bool = True,
     target: str | Sequence[str] = (),
-    attitudes: Literal['auto', 'none', 'opk', 'rpy-ned', 'gimbal'] = 'auto',
+    attitudes: Literal['auto', 'none', 'opk', 'opk-deg', 'opk-gon', 'opk-rad', 'pok', 'pok-deg', 'pok-gon', 'pok-rad', 'matrix', 'matrix-inverse', 'rpy-ned', 'gimbal'] = 'auto',
     attitude_sigma: tuple[float, float] | list[float] | None = None,
     relative: Literal['', 'shift', 'drift'] = '',
     scene_bias: Literal['none', 'shift', 'drift', 'affine'] = 'shift',
@@ -1076,7 +1076,7 @@ def orient(
     target           Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or
                      points of control=. With several families: FAMILY:CODE.
     attitudes        Observe attitudes of positions=, or of the gimbal, by their convention. auto: attitudes with
-                     standard deviations in the file.
+                     standard deviations in the file. pok: phi is the primary angle.
     attitude_sigma   Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.
     relative         Use only differences of positions and attitudes within a flight line (relative aerial control).
                      drift: also after a drift of the positions.
@@ -1116,7 +1116,8 @@ def orient(
     mark_sigma       Standard deviation of a marked image point.
     scale_bar        Known distance between two points, with its standard deviation [m]. The points are in control= or
                      are targets. May be repeated.
-    positions        Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB).
+    positions        Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB,
+                     aerial lists).
     misalignment     False: Take attitudes as those of the camera: estimate no misalignment.
     lever_arm        Lever arm from the projection centre to the antenna, in the axes of the image. SIGMA 0 fixes it.
     shift            False: Take control and positions in one datum: estimate no shift of the positions of each flight.

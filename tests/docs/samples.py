@@ -83,7 +83,7 @@ def studio(folder):
 
 
 def survey(folder):
-    """Photographs of a flight that a GNSS and INS was with: ins.csv, grid.csv, and what the gimbal tells in their XMP.
+    """Photographs of a flight that a GNSS and INS was with: ins.csv, grid.csv, eo.txt, and the gimbal in their XMP.
 
     The attitudes are those of an adjustment, with errors of 0.2 degrees.
     """
@@ -94,7 +94,7 @@ def survey(folder):
 
     from raybundle.io.geo.coordinate_systems import local_frame
     from raybundle.io.trajectories import Trajectory, write_trajectory
-    from raybundle.numerics.attitude import gimbal_from_rotation
+    from raybundle.numerics.attitude import GON, gimbal_from_rotation, pok_from_rotation
     from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector
 
     flight_project(folder)
@@ -112,6 +112,9 @@ def survey(folder):
             rotation_sigma=np.full((n, 3), np.radians(0.2)), true_north=crs == "EPSG:4979",
         )  # fmt: skip
         write_trajectory(trajectory, folder / name, name="opk")
+    phi_first = pok_from_rotation(trajectory.rotation) / GON
+    lines = zip(trajectory.names, trajectory.xyz.tolist(), phi_first.tolist(), strict=True)
+    (folder / "eo.txt").write_text("".join(f"{n} {' '.join(map(str, [*x, *a]))}\n" for n, x, a in lines))
     (folder / "survey").mkdir()
     for row, (yaw, pitch, roll) in zip(rows, np.degrees(gimbal_from_rotation(rotation)), strict=True):
         told = XMP.format(yaw=yaw, pitch=pitch, roll=roll).encode()

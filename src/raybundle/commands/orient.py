@@ -68,7 +68,8 @@ class OrientSettings(OrientOptions):
     )  # fmt: skip
     positions: Path | None = setting(
         None,
-        "Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB).",
+        "Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB, "
+        "aerial lists).",
         metavar="FILE",
     )
     misalignment: bool = setting(

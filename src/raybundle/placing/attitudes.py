@@ -32,18 +32,23 @@ from raybundle.numerics.rotation import (
 from raybundle.placing.marks import Given, Placing
 from raybundle.platforms.imu import Imu
 
-Convention = Literal["auto", "none", "opk", "rpy-ned", "gimbal"]
+Convention = Literal[
+    "auto", "none", "opk", "opk-deg", "opk-gon", "opk-rad", "pok", "pok-deg", "pok-gon", "pok-rad", "matrix",
+    "matrix-inverse", "rpy-ned", "gimbal",
+]  # fmt: skip
 GROSS, LEAST, MOST = 6.0, np.radians(3.0), np.radians(15.0)
 """Median scatter beyond which attitudes do not fit: so many standard deviations, at least and at most so much."""
 DOUBT = 4.0
 """The same in standard deviations where another reading of the angles leaves a third of it."""
-BETTER = 3.0
+BETTER, ALIKE = 3.0, 1.1
 MOUNTED = np.radians(20.0)
 """How far the camera may stand from a whole number of quarter turns in its mount."""
 SINGLE = 10.0
 """Distance of one attitude from the others, in standard deviations, from which it is left out; at least LEAST."""
 STEEP = 0.02
 """Cosine of phi below which omega, phi, kappa do not describe an attitude well."""
+EXACT = 1e-6
+"""Scatter of attitudes that agree with photographs of a simulation [rad]"""
 ENOUGH = 4
 """Attitudes from which their scatter shows a convention."""
 SAMPLE = 200
@@ -68,7 +73,7 @@ READINGS: dict[str, Callable[[Array], Array]] = {
     "gimbal_rpy": lambda a: rotation_from_gimbal(a[:, ::-1]),
 }
 """What three angles may mean besides their convention; `attitudes_contradict.reading` has the words."""
-CALLED = {"opk": "opk", "rpy-ned": "rpy", "gimbal": "gimbal"}
+CALLED = {"opk": "opk", "pok": "pok", "rpy-ned": "rpy", "gimbal": "gimbal"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -116,14 +121,14 @@ def find_attitudes(
         return None, ()
     a, b = (float(np.radians(v)) for v in sigma_deg or (0.0, 0.0))
     sigma = (a, b) if sigma_deg is not None else None
-    found = None if positions is None else attitudes_of_file(positions, photos, crs=crs, sigma=sigma)
+    found = None if positions is None else attitudes_of_file(positions, photos, crs=crs, sigma=sigma, use=use)
     if found is None and (use == "gimbal" or sigma is not None):
         found = attitudes_of_gimbals(photos, sigma=sigma)
     if found is None:
         if use != "auto" or sigma is not None:
             raise InputError("attitude.missing")
         return None, ()
-    if use not in {"auto", found.convention}:
+    if use not in {"auto", found.convention, found.reading, found.reading.partition("-")[0]}:
         raise InputError(
             "attitude.other_convention", source=found.source, convention=found.convention, expected=str(use)
         )
@@ -131,7 +136,7 @@ def find_attitudes(
         if use != "auto":
             raise InputError("attitude.no_sigma", source=found.source)
         return None, (Text.of(note("attitude.no_sigma_unused", source=found.source)),)
-    return _with_covariance(found), ()
+    return replace(_with_covariance(found), others=tuple(_with_covariance(a) for a in found.others)), ()
 
 
 def _with_covariance(a: PhotoAttitudes) -> PhotoAttitudes:
@@ -150,6 +155,9 @@ def observe_attitudes(state: Placing, photos: Sequence[Photo], given: Given, fra
     number = {p.name: i for i, p in enumerate(photos)}
     image = np.array([number.get(n, -1) for n in recorded.names], np.int32)  # -1: a photograph that is not used
     block = state.block
+    recorded = _chosen(state, recorded, image, frame)
+    if recorded is None:
+        return
     cameras = np.unique(block.images.camera[image[image >= 0]])
     mine = np.flatnonzero((image >= 0) & np.asarray(block.images.oriented)[image])
     image = image[mine]
@@ -175,6 +183,39 @@ def observe_attitudes(state: Placing, photos: Sequence[Photo], given: Given, fra
     if used and nominal:
         state.notify("attitudes_nominal", sigma_deg=float(np.degrees(NOMINAL)))
     _observe(state, part, image, used, imus if given.misalignment else [])
+
+
+def _chosen(state: Placing, recorded: PhotoAttitudes, image: Index, frame: LocalFrame) -> PhotoAttitudes | None:
+    """The one of several readings of a file that the photographs fit; None where there are too few of them.
+
+    The least scatter decides; of those that scatter alike the first whose camera is the least askew.  A customary
+    reading scatters alike up to three times the least.
+    """
+    if not recorded.others:
+        return recorded
+    every, block = (recorded, *recorded.others), state.block
+    rows = np.flatnonzero((image >= 0) & np.asarray(block.images.oriented)[image])
+    if len(rows) < ENOUGH:
+        state.notify("attitudes_undecided", *[a.reading for a in every], n=len(rows), needed=ENOUGH,
+                     source=recorded.source, first=recorded.reading)  # fmt: skip
+        return None
+    R, turn = block.images.rotation[image[rows]], _enu_from_local(block.images.centre[image[rows]], frame)
+    camera = block.images.camera[image[rows]]
+    fits = [
+        [fit_mount(R[camera == c], (a.rotation[rows] @ turn)[camera == c]) for c in np.unique(camera)] for a in every
+    ]
+    scatter = np.array([np.mean([f.scatter for f in fit]) for fit in fits])
+    askew = np.array([max(f.askew for f in fit) for fit in fits])
+    like = scatter <= max(ALIKE * float(scatter.min()), EXACT)
+    like[0] |= recorded.customary and scatter[0] <= BETTER * scatter.min()
+    upright = like & (askew < askew[like].min() + LEAST)
+    best = int(np.flatnonzero(upright)[0])
+    other = int(np.where(np.arange(len(every)) == best, np.inf, scatter).argmin())
+    state.notify(
+        "attitudes_reading", source=recorded.source, reading=every[best].reading, other=every[other].reading,
+        scatter_deg=float(np.degrees(scatter[best])), other_deg=float(np.degrees(scatter[other])),
+    )  # fmt: skip
+    return replace(every[best], others=())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

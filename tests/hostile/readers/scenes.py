@@ -244,9 +244,11 @@ target("trajectory", trajectory_seeds, read_a_trajectory)
 
 def trajectory_texts() -> dict[str, list[dict[str, str]]]:
     """Files of each format of positions and attitudes."""
+    from tests.io.trajectories.exterior_lists import lists
     from tests.io.trajectories.test_position_lists import GEO_TXT, POS, TABLES
     from tests.io.trajectories.test_trajectories import MRK
 
+    forms = {k: {f: d.decode("latin-1") if k == "degree signs" else d.decode()} for k, (f, d, *_) in lists().items()}
     ecef = "%  GPST  x-ecef(m)  y-ecef(m)  z-ecef(m)  Q  ns\n2312 295200.237 4273000.0 619500.0 4680000.0 2 9\n"
     place, at = "image,X,Y,Z", "a,500000,5400000,1200"
     return {
@@ -259,6 +261,10 @@ def trajectory_texts() -> dict[str, list[dict[str, str]]]:
         ],
         "geo-txt": [{"geo.txt": text} for text, *_ in GEO_TXT.values()],
         "image-list": [{"list.csv": text} for text, *_ in TABLES.values()],
+        "exterior-list": [t for k, t in forms.items() if not k.startswith(("PATB", "BINGO", "Inpho"))],
+        "patb-ori": [forms["PATB, three lines"]],
+        "bingo-oria": [forms["BINGO"]],
+        "inpho": [forms["Inpho"]],
         "rtklib": [{"a_events.pos": text} for text in (*POS.values(), ecef)],
     }
 

@@ -181,10 +181,10 @@ def test_transparency_palette_and_bilevel(tmp_path):
     assert np.abs(read_grey(read_photo(tmp_path / "a.png")) - scene() @ [0.299, 0.587, 0.114]).max() < 1
 
 
-def test_floating_point_pixels_are_refused_with_the_reason(tmp_path):
-    Image.fromarray(scene()[..., 0].astype(np.float32)).save(tmp_path / "height.tif")
-    with pytest.raises(InputError, match=r"32.*photograph\.bits"):
-        read_photo(tmp_path / "height.tif")
+def test_floating_point_pixels_become_16_bits(tmp_path):
+    Image.fromarray(scene()[..., 0].astype(np.float32)).save(tmp_path / "thermal.tif")
+    grey = read_grey(read_photo(tmp_path / "thermal.tif"))
+    assert (grey.dtype, grey.min(), grey.max()) == (np.uint16, 0, 65535)
 
 
 def test_damage_within_the_pixels_is_found_when_they_are_read(tmp_path):

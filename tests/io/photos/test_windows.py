@@ -85,8 +85,8 @@ def test_only_what_is_needed_is_read(tmp_path, monkeypatch):
     Image.fromarray(GREY).save(tmp_path / "a.tif", compression="tiff_deflate", strip_size=300 * 2 * 8)
     windows = Windows.of(tmp_path / "a.tif")
     decoded: list[int] = []
-    original = Windows._decoded
-    monkeypatch.setattr(Windows, "_decoded", lambda self, k: decoded.append(k) or original(self, k))
+    original = Windows.decoded
+    monkeypatch.setattr(Windows, "decoded", lambda self, k: decoded.append(k) or original(self, k))
     windows.read(10, 20, 200, 30)
     assert len(decoded) <= 3
     windows.read(20, 21, 30, 29)

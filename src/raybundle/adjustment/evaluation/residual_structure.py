@@ -57,10 +57,10 @@ def residual_structure(result: Adjustment) -> ResidualStructure | None:
     """
     o, block = result.given.observations, result.given
     s = result.image_observations
-    used = s.used.copy()
+    used = s.used
     safe = np.sqrt(np.maximum(s.redundancy, 0.05))
     z = s.residuals_px / np.sqrt(o.cov_px2[:, :2]) / safe
-    used &= np.isfinite(z).all(axis=1)
+    used = used & np.isfinite(z).all(axis=1)
     variance = float(np.mean(z[used] ** 2)) if used.any() else math.nan
     n = len(block.images)
     total, pairs, images = 0.0, 0, np.full(n, np.nan)

@@ -19,7 +19,8 @@ _CODES = {
     ),
     Severity.WARNING: (
         "approximate_values_replaced attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal "
-        "attitudes_steep blunder_not_located board_alike calibration_contradicted calibration_outweighed "
+        "attitudes_steep attitudes_undecided blunder_not_located board_alike calibration_contradicted "
+        "calibration_outweighed "
         "camera_constant camera_kept_apart camera_projection check_points_apart check_unseen control_file "
         "control_leaves_open control_not_observed control_sigma errors_independent "
         "control_without_photograph coordinate_system correlation datum_lost distance_lost global_test gps_too_near "
@@ -34,7 +35,8 @@ _CODES = {
         "target_without_normal two_cameras unstable_camera unusual_errors up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.NOTE: (
-        "attitudes axes_fitted camera camera_joined check_points_open control_unchecked dropped given_rejected gps "
+        "attitudes attitudes_reading axes_fitted camera camera_joined check_points_open control_unchecked dropped "
+        "given_rejected gps "
         "in_parts masks memory_exceeded model not_significant parallel_rays parts_joined photographs place "
         "positions_assumed read_out reduced_features rejected relative_positions "
         "scale_checked scene_joins stored_turned target_eccentricity "

@@ -19,14 +19,16 @@ import numpy as np
 
 from raybundle.errors import InputError, Message, message
 from raybundle.io.photos.exif import read_tags
+from raybundle.io.photos.tiff_bands import BandImage, band_image, colour_of, grey_of, jpeg2000_image
 from raybundle.io.reading.tiff import tiff_tags
 from raybundle.numerics.arrays import Array
 
-Kind = Literal["jpeg", "png", "tiff", "webp", "heic", "raw"]
+Kind = Literal["jpeg", "png", "tiff", "webp", "heic", "raw", "jp2"]
 RAW_SUFFIXES = {".dng", ".nef", ".nrw", ".cr2", ".cr3", ".crw", ".arw", ".raf", ".rw2", ".orf", ".pef", ".srw", ".3fr"}
 JPEG_SUFFIXES = {".jpg", ".jpeg", ".jpe"}
 HEIC_SUFFIXES = {".heic", ".heif", ".hif"}
-SUFFIXES = {".png", ".tif", ".tiff", ".webp", *JPEG_SUFFIXES, *HEIC_SUFFIXES, *RAW_SUFFIXES}
+JPEG2000_SUFFIXES = {".jp2", ".j2k", ".jpx"}
+SUFFIXES = {".png", ".tif", ".tiff", ".webp", *JPEG_SUFFIXES, *JPEG2000_SUFFIXES, *HEIC_SUFFIXES, *RAW_SUFFIXES}
 HEIC_BRANDS = {b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"msf1"}
 SEGMENT_BYTES = 1 << 22
 WHOLE_BYTES = 1 << 26
@@ -51,6 +53,8 @@ class Header:
     bits: int
     exif: bytes | memoryview | None = None
     xmp: bytes | None = None
+    remarks: tuple[str, ...] = ()
+    """How the numbers of a raster become grey values."""
 
 
 def kind_of(path: Path, head: bytes) -> Kind:
@@ -61,8 +65,10 @@ def kind_of(path: Path, head: bytes) -> Kind:
         return "jpeg"
     if head[:8] == b"\x89PNG\r\n\x1a\n":
         return "png"
-    if head[:4] in {b"II*\0", b"MM\0*"}:
+    if head[:4] in {b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"}:
         return "tiff"
+    if head[4:8] == b"jP  " or head[:4] == b"\xff\x4f\xff\x51":
+        return "jp2"
     if head[:4] == b"RIFF" and head[8:12] == b"WEBP":
         return "webp"
     if head[4:8] == b"ftyp" and head[8:12] in HEIC_BRANDS:
@@ -99,6 +105,11 @@ def read_header(path: Path, *, limit_pixels: int) -> Header:
     kind = kind_of(path, head)
     if kind == "webp":
         _check_size(*_webp_size(path), limit_pixels)
+    if (raster := _raster(path, kind)) is not None:
+        _check_size(raster.width_px, raster.height_px, limit_pixels)
+        exif = _tiff_structure(path) if kind == "tiff" else None
+        return Header(kind=kind, width_px=raster.width_px, height_px=raster.height_px, bits=raster.bits, exif=exif,
+                      remarks=raster.remarks)  # fmt: skip
     try:
         image = _open(path, kind)
     except Unusable:
@@ -113,6 +124,18 @@ def read_header(path: Path, *, limit_pixels: int) -> Header:
         return Header(kind=kind, width_px=width, height_px=height, bits=_bits(image, kind, path), exif=exif, xmp=xmp)
     finally:
         _close(image)
+
+
+def _raster(path: Path, kind: Kind) -> BandImage | None:
+    """The raster in a file that Pillow does not read; None for other files; raises Unusable."""
+    if kind not in {"tiff", "jp2"}:
+        return None
+    try:
+        return band_image(path) if kind == "tiff" else jpeg2000_image(path)
+    except InputError as error:
+        if kind == "tiff" and error.message is not None and error.message.code.startswith("tiff."):
+            return None  # which is found again, and named, by the usual decoder
+        raise Unusable(error.message or str(error)) from None
 
 
 BITS, SAMPLES, FORMAT, PLANAR = 258, 277, 339, 284
@@ -313,6 +336,8 @@ def decode(path: Path, kind: Kind, mode: Literal["grey", "colour"]) -> Array:
     try:
         if kind == "raw":
             return _decode_raw(path, mode)
+        if (raster := _raster(path, kind)) is not None:
+            return grey_of(raster) if mode == "grey" else _as_colour(colour_of(raster))
         image = _open(path, kind)
         try:
             return _decode(path, kind, image, mode)
@@ -353,6 +378,8 @@ def decode_channels(path: Path, kind: Kind) -> tuple[Array, Array | None]:
     """
     if kind in {"raw", "heic"}:
         return decode(path, kind, "colour"), None
+    if (raster := _raster(path, kind)) is not None:
+        return colour_of(raster), None
     try:
         image = _open(path, kind)
         try:
@@ -398,6 +425,11 @@ def _decode_16(path: Path, image: Any, mode: Literal["grey", "colour"]) -> Array
                 pixels = np.round(pixels @ np.array([0.299, 0.587, 0.114])).astype(pixels.dtype)
     if mode == "grey":
         return np.ascontiguousarray(pixels.reshape(pixels.shape[:2]))
+    return _as_colour(pixels)
+
+
+def _as_colour(pixels: Array) -> Array:
+    """(h, w, 3) uint8 of grey or colour values; of 16 bits the highest 8 that occur."""
     if pixels.dtype == np.uint16:
         pixels = pixels >> max(0, int(pixels.max(initial=0)).bit_length() - 8)
     colour = np.broadcast_to(pixels.reshape(*pixels.shape[:2], -1), (*pixels.shape[:2], 3))

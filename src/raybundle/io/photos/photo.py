@@ -180,6 +180,7 @@ def read_photo(path: Path, *, name: str = "", limit_pixels: int = LIMIT_PIXELS) 
     except OSError as error:
         raise InputError("file.not_readable", detail=error.strerror or str(error), file=path) from None
     metadata, orientation = read_metadata(header.exif, header.xmp)
+    metadata = replace(metadata, remarks=(*metadata.remarks, *header.remarks))
     photo = Photo(
         path=path,
         name=name or path.name,

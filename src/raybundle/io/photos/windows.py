@@ -109,7 +109,7 @@ class Windows:
             if k in self.held:
                 self.held.move_to_end(k)
                 return self.held[k][first:last]
-        pixels = self._grey(self._decoded(k))
+        pixels = self._grey(self.decoded(k))
         with self.lock:
             self.held[k] = pixels
             while len(self.held) > 1 and sum(a.nbytes for a in self.held.values()) > HELD_BYTES:
@@ -133,8 +133,8 @@ class Windows:
             raise InputError("tiff.pixels_end_early", file=self.path)
         return np.frombuffer(data, kind).reshape(last - first, self.segment[0], self.samples)
 
-    def _decoded(self, k: int) -> Array:
-        """A compressed strip or tile, by OpenCV as a TIFF of its own."""
+    def decoded(self, k: int, *, rgb: bool = False) -> Array:
+        """A compressed strip or tile, by OpenCV as a TIFF of its own; rgb: red first, where it has three bands."""
         import cv2
 
         with self.path.open("rb") as file:
@@ -146,7 +146,8 @@ class Windows:
                 "tiff.pixels_unreadable", compression=int(self.tags[COMPRESSION][0]), bands=self.samples,
                 bits=self.bits, file=self.path,
             )  # fmt: skip
-        return found.reshape(*found.shape[:2], -1)
+        found = found.reshape(*found.shape[:2], -1)
+        return found[..., ::-1] if rgb and found.shape[2] == 3 else found
 
     def _alone(self, k: int, data: bytes) -> bytes:
         """A classic TIFF that holds one strip or tile, compressed as it is."""
@@ -172,23 +173,7 @@ class Windows:
             entries[EXTRA_SAMPLES] = (3, (0,) * spare)
         if JPEG_TABLES in t:
             entries[JPEG_TABLES] = (7, tuple(int(v) for v in t[JPEG_TABLES]))
-        after = 8 + 2 + 12 * len(entries) + 4
-        extra, rows = b"", b""
-        for tag, (kind, values) in sorted(entries.items()):
-            packed = struct.pack(f"{self.order}{len(values)}{WRITTEN[kind]}", *values)
-            if len(packed) <= 4:
-                packed = packed.ljust(4, b"\0")
-            else:
-                packed, extra = (
-                    struct.pack(self.order + "I", after + len(extra)),
-                    extra + packed + b"\0" * (len(packed) % 2),
-                )
-            rows += struct.pack(self.order + "HHI", tag, kind, len(values)) + packed
-        place = struct.pack(self.order + "I", after + len(extra))
-        at = 12 * sorted(entries).index(STRIP_OFFSETS) + 8
-        rows = rows[:at] + place + rows[at + 4 :]
-        head = (b"II*\0" if self.order == "<" else b"MM\0*") + struct.pack(self.order + "I", 8)
-        return head + struct.pack(self.order + "H", len(entries)) + rows + b"\0\0\0\0" + extra + data
+        return tiff_of_segment(self.order, entries, data)
 
     def _grey(self, pixels: Array) -> Array:
         """The mean of the bands; MinIsWhite turned over."""
@@ -197,3 +182,28 @@ class Windows:
         if int(self.tags.get(PHOTOMETRIC, (1,))[0]) == 0:
             grey = (1 << self.bits) - 1 - grey.astype(np.int64)
         return np.ascontiguousarray(grey, kind)
+
+
+def tiff_of_segment(order: str, entries: dict[int, tuple[int, tuple[int, ...]]], data: bytes) -> bytes:
+    """A classic TIFF of one strip.
+
+    order    "<" or ">"
+    entries  tag -> type and values; the place of the strip is put in
+    """
+    after = 8 + 2 + 12 * len(entries) + 4
+    extra, rows = b"", b""
+    for tag, (kind, values) in sorted(entries.items()):
+        packed = struct.pack(f"{order}{len(values)}{WRITTEN[kind]}", *values)
+        if len(packed) <= 4:
+            packed = packed.ljust(4, b"\0")
+        else:
+            packed, extra = (
+                struct.pack(order + "I", after + len(extra)),
+                extra + packed + b"\0" * (len(packed) % 2),
+            )
+        rows += struct.pack(order + "HHI", tag, kind, len(values)) + packed
+    place = struct.pack(order + "I", after + len(extra))
+    at = 12 * sorted(entries).index(STRIP_OFFSETS) + 8
+    rows = rows[:at] + place + rows[at + 4 :]
+    head = (b"II*\0" if order == "<" else b"MM\0*") + struct.pack(order + "I", 8)
+    return head + struct.pack(order + "H", len(entries)) + rows + b"\0\0\0\0" + extra + data

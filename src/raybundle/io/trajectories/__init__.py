@@ -8,8 +8,10 @@ from pkgutil import iter_modules
 
 from raybundle.io.trajectories.attitudes import PhotoAttitudes, attitudes_of_file, attitudes_of_gimbals
 from raybundle.io.trajectories.base import (
+    Reading,
     Trajectory,
     TrajectoryFormat,
+    decided,
     in_wgs84,
     matched,
     read_trajectory,
@@ -25,10 +27,12 @@ for _module in iter_modules(__path__):
 
 __all__ = [
     "PhotoAttitudes",
+    "Reading",
     "Trajectory",
     "TrajectoryFormat",
     "attitudes_of_file",
     "attitudes_of_gimbals",
+    "decided",
     "in_wgs84",
     "matched",
     "read_trajectory",

@@ -11,7 +11,7 @@ from raybundle.errors import InputError
 from raybundle.io.digits import EVERY
 from raybundle.io.reading.dialects import header_cells
 from raybundle.io.tables import Column, Table, read_table, write_table
-from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory
+from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, no_attitudes
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.attitude import GON
 
@@ -118,7 +118,7 @@ def write_angles(trajectory: Trajectory, path: Path, angles: Sequence[str], valu
 def attitudes(trajectory: Trajectory, path: Path, *, true_north: bool) -> Array:
     """The rotations of a trajectory that is to be written with its attitudes, against these axes."""
     if trajectory.rotation is None:
-        raise InputError("trajectory.no_attitudes", file=path)
+        raise no_attitudes(trajectory, path)
     if trajectory.true_north != true_north:
         raise InputError("trajectory.attitude_reference", true_north=true_north, file=path)
     return trajectory.rotation

@@ -8,12 +8,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.io.photos.photo import Photo
-from raybundle.io.trajectories.base import Trajectory, in_wgs84, matched
+from raybundle.io.trajectories.base import Trajectory, decided, in_wgs84, matched
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.attitude import rotation_from_gimbal, rotation_from_opk, rotation_from_rpy
+from raybundle.numerics.attitude import rotation_from_gimbal, rotation_from_opk, rotation_from_pok, rotation_from_rpy
 from raybundle.numerics.rotation import vector_from_rotation
 
-ROTATIONS = {"opk": rotation_from_opk, "rpy-ned": rotation_from_rpy, "gimbal": rotation_from_gimbal}
+ROTATIONS = {
+    "opk": rotation_from_opk,
+    "pok": rotation_from_pok,
+    "rpy-ned": rotation_from_rpy,
+    "gimbal": rotation_from_gimbal,
+}
 """Conventions and the rotations that their three angles make."""
 TWICE_STEP = 2e-6
 """Base of numeric derivatives [rad]."""
@@ -30,13 +35,19 @@ class PhotoAttitudes:
     covariance: Array
     """(n, 3, 3) of a small rotation about the image axes [rad^2]; NaN where no standard deviation is known"""
     convention: str
-    """opk, rpy-ned or gimbal"""
+    """opk, pok, rpy-ned or gimbal"""
     angles: Array
     """(n, 3) as recorded, in the order of the convention [rad]"""
     against_enu: Array
     """(n, 3, 3) what turns the rotation of the angles: rotation = rotation(angles) @ against_enu"""
     source: str
     """name of a file, or gimbal: the metadata of the photographs"""
+    reading: str = ""
+    """name of the reading, where the file has several"""
+    others: tuple[PhotoAttitudes, ...] = ()
+    """the other readings, from which the photographs choose"""
+    customary: bool = False
+    """whether this reading is the one that its format usually has"""
 
     def __len__(self) -> int:
         return len(self.names)
@@ -48,14 +59,23 @@ class PhotoAttitudes:
 
 
 def attitudes_of_file(
-    trajectory: Trajectory, photos: Sequence[Photo], *, crs: str | None, sigma: tuple[float, float] | None
-) -> PhotoAttitudes | None:
+    trajectory: Trajectory, photos: Sequence[Photo], *, crs: str | None, sigma: tuple[float, float] | None,
+    use: str = "auto",
+) -> PhotoAttitudes | None:  # fmt: skip
     """The attitudes of a file for these photographs; None where it has none for them.
 
     crs     the system of a file that shows none
     sigma   about level axes and about the vertical [rad], where the file states no standard deviations
+    use     the convention that is expected, with or without the unit: of several readings those of that name
     raises  InputError where attitudes stand against a grid that is not known
     """
+    if trajectory.readings:
+        names = [r.name for r in trajectory.readings]
+        named = [n for n in names if n == use or n.startswith(f"{use}-")] or names
+        read = [attitudes_of_file(decided(trajectory, n), photos, crs=crs, sigma=sigma) for n in named]
+        found = [replace(r, reading=n) for r, n in zip(read, named, strict=True) if r is not None]
+        customary = trajectory.rotation is not None
+        return replace(found[0], others=tuple(found[1:]), customary=customary) if found else None
     if trajectory.rotation is None or trajectory.angles is None:
         return None
     turned = in_wgs84(trajectory, crs)

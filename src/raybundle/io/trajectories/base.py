@@ -30,6 +30,22 @@ NUMBER = re.compile(r"(?<!\d)\d{3,6}(?!\d)")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Reading:
+    """One of the conventions in which the angles or the matrices of a file can be read."""
+
+    name: str
+    """Convention and unit as the setting `attitudes` takes them: opk-gon, pok-deg, matrix, matrix-inverse"""
+    convention: str
+    """opk | pok"""
+    angles: Array
+    """(n, 3) in the order of the convention [rad]; NaN where not known"""
+    rotation: Array
+    """(n, 3, 3) object axes to image axes"""
+    sigma: Array | None = None
+    """(n, 3) standard deviations of the angles [rad]"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Trajectory:
     """Positions and attitudes at exposures."""
 
@@ -53,9 +69,14 @@ class Trajectory:
     rotation_sigma: Array | None = None
     """(n, 3) standard deviations of the three angles of the file, in its order [rad]."""
     convention: str = ""
-    """Of the angles in the file: "opk", "rpy-ned" or "gimbal"; empty without attitudes."""
+    """Of the angles in the file: "opk", "pok", "rpy-ned" or "gimbal"; empty without attitudes."""
     angles: Array | None = None
     """(n, 3) the angles as the file has them, in the order of its convention [rad]."""
+    readings: tuple[Reading, ...] = ()
+    """Readings that the photographs choose from, the first where all fit alike; `rotation` is None where the file does
+    not prefer one."""
+    undecided: str = ""
+    """Columns that have several readings."""
     true_north: bool = False
     """Whether the object axes of the attitudes are east, north, up at each position and not those of the grid."""
     time: Array | None = None
@@ -235,6 +256,25 @@ def stations_of(
     )
 
 
+def decided(trajectory: Trajectory, name: str) -> Trajectory:
+    """The trajectory with its attitudes in one of its readings, by the name of that."""
+    found = next(r for r in trajectory.readings if r.name == name)
+    return replace(
+        trajectory, rotation=found.rotation, rotation_sigma=found.sigma, convention=found.convention,
+        angles=found.angles, readings=(),
+    )  # fmt: skip
+
+
+def no_attitudes(trajectory: Trajectory, path: Path) -> InputError:
+    """Why a trajectory has no rotations: its file has none, or has several readings of them."""
+    if not trajectory.readings:
+        return InputError("trajectory.no_attitudes", file=path)
+    return InputError(
+        "trajectory.undecided", readings=[r.name for r in trajectory.readings], first=trajectory.readings[0].name,
+        file=trajectory.path, column=trajectory.undecided,
+    )  # fmt: skip
+
+
 def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
     """The trajectory in longitude, latitude and ellipsoidal height, its attitudes against true north.
 
@@ -302,7 +342,7 @@ def rotations_in(trajectory: Trajectory, frame: LocalFrame | None) -> Array:
     raises  InputError where the file has no attitudes, or true north needs a frame
     """
     if trajectory.rotation is None:
-        raise InputError("trajectory.no_attitudes", file=trajectory.path)
+        raise no_attitudes(trajectory, trajectory.path)
     if frame is None:
         if trajectory.true_north and trajectory.crs != WGS84_HEIGHT:
             raise InputError("trajectory.north_needs_frame", file=trajectory.path)

@@ -28,45 +28,26 @@ from raybundle.io.reading.dialects import table_text
 from raybundle.io.reading.ledger import enter
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
+from raybundle.io.trajectories.exterior_list import is_list
 from raybundle.io.trajectories.geo_txt import SYSTEM, WGS84_HEIGHTS, system_of
 from raybundle.io.trajectories.image_rows import (
     LIMITS,
+    METRES,
+    OURS,
+    PATTERNS,
     SEPARATORS,
+    STATED_SYSTEM,
     ImageRow,
     cell_number,
     cells_of_line,
+    kind_of,
     listed,
     separator_of,
 )
 
-OURS = {"image", "point"}
-"""First columns of raybundle's own tables."""
-_SYSTEM = re.compile(r"#?\s*(?:coordinate\s*system|crs)\s*[:=]\s*(.+)", re.IGNORECASE)
-_KINDS = {
-    "name": r"(image|photo|file|camera)?(name|label)|image|images|photo|file|label|name",
-    "enabled": r"enabled?",
-    "longitude": r"x?(longitude|lon|long|lng)(deg|decimaldegrees|wgs84)?",
-    "latitude": r"y?(latitude|lat)(deg|decimaldegrees|wgs84)?",
-    "x": r"xm?|x?(easting|east|e|rechtswert)m?",
-    "y": r"ym?|y?(northing|north|n|hochwert)m?",
-    "z": r"zm?|z?(altitude|alt|ellipsoidalheight|height|elevation|elev|up|h|hoehe)(m|meter)?",
-    "plan": r"(accuracy|error|sigma)(horz|horizontal|xy|h|plan)m?|(horz|horizontal|xy)accuracym?|accuracyxym?",
-    "sx": r"(accuracy|sigma)(x|xeasting|xlongitude|east|lon|longitude)m?|(x|east|easting|longitude)accuracym?|sx",
-    "sy": r"(accuracy|sigma)(y|ynorthing|ylatitude|north|lat|latitude)m?|(y|north|northing|latitude)accuracym?|sy",
-    "sz": r"(accuracy|sigma)(z|zaltitude|up|alt|altitude|vert|vertical|height|v)m?|"
-    r"(z|vert|vertical|altitude)accuracym?|sz",
-}
-_PATTERNS = {kind: re.compile(pattern) for kind, pattern in _KINDS.items()}
-_ABOUT = "gps|gnss|position|pos|local|coordinate|coord|camera|cam"
-_AROUND = {
-    estimated: re.compile(rf"(?:{words})*(.+?)(?:{words})*")
-    for estimated, words in ((False, _ABOUT), (True, f"estimated|est|{_ABOUT}"))
-}
-"""Words before and behind the name of a coordinate, which change nothing of it."""
 ESTIMATED = "position_list.estimated"
 SPREAD_DEG = 2.0
 """Extent of a block up to which two numbers are taken for degrees; at the equator 220 km."""
-METRES = {"", "m", "meter", "meters", "metre", "metres"}
 DEGREES = {"", "deg", "degree", "degrees", "decimaldegree", "decimaldegrees", "dd", "wgs84"}
 ELLIPSOID = {"wgs84", "ellipsoid", "ellipsoidal", "ellipsoidalheight", "hae"}
 """Words in brackets that the columns may have."""
@@ -98,7 +79,7 @@ def read(path: Path) -> Trajectory:
     comments: list[tuple[int, str]] = []
     content: list[tuple[int, str]] = []
     for line, text in lines:
-        if stated := _SYSTEM.fullmatch(text):
+        if stated := STATED_SYSTEM.fullmatch(text):
             crs, remarks = system_of(stated[1].strip().strip('"'), path, line)
         elif not content and not header and _header(text) is not None:
             header = text
@@ -134,7 +115,7 @@ def _header(text: str) -> _Columns | None:
     for estimated in (False, True):
         at: dict[str, int] = {}
         for k, word in enumerate(words):
-            if (kind := _kind(word, estimated=estimated)) is not None:
+            if (kind := kind_of(word, estimated=estimated)) is not None:
                 at.setdefault(kind, k)
         if "name" in at and ({"longitude", "latitude"} <= at.keys() or {"x", "y"} <= at.keys()):
             return _Columns(at, words, estimated)
@@ -148,17 +129,6 @@ def _names(text: str) -> list[str]:
     return [w.strip().strip('"') for w in (bare.split(separator) if counts[separator] else bare.split())]
 
 
-def _kind(word: str, *, estimated: bool) -> str | None:
-    """What a column of this name holds; None: not understood."""
-    plain = re.sub(r"[^a-z0-9]", "", re.sub(r"[\[(].*?[\])]", "", word.lower()))  # without units
-    core = _AROUND[estimated].fullmatch(plain)
-    for name in (plain, core[1] if core else plain):
-        for kind, pattern in _PATTERNS.items():
-            if pattern.fullmatch(name):
-                return kind
-    return None
-
-
 def _check_names(
     path: Path, comments: Sequence[tuple[int, str]], cells: Sequence[tuple[int, list[str]]], separator: str | None
 ) -> None:
@@ -170,14 +140,14 @@ def _check_names(
     wide = len(cells[0][1]) if cells else 0
     lines = [
         (n, w) for n, w in candidates
-        if (separator is not None and len(w) == wide > 2) or (len(w) > 2 and _kind(w[0], estimated=True) == "name")
+        if (separator is not None and len(w) == wide > 2) or (len(w) > 2 and kind_of(w[0], estimated=True) == "name")
     ]  # fmt: skip
     if len(cells) > 1 and _is_header(cells[0][1]):
         lines.append(cells[0])
     if not lines:
         return
     line, words = lines[-1]
-    unknown = [w for w in words if w and _kind(w, estimated=True) is None]
+    unknown = [w for w in words if w and kind_of(w, estimated=True) is None]
     raise InputError(
         "image_list.unknown_columns", names=[quoted(w) for w in (unknown or words)[:SHOWN]],
         file=path, line=line,
@@ -202,7 +172,7 @@ def _check_units(path: Path, columns: _Columns, *, compound: bool) -> None:
         for words in re.findall(r"[\[(](.*?)[\])]", columns.names[k]):
             plain = re.sub(r"[^a-z0-9]", "", words.lower())
             allowed = DEGREES if kind in {"longitude", "latitude"} else METRES
-            if plain in allowed or _PATTERNS[kind].fullmatch(plain):
+            if plain in allowed or PATTERNS[kind].fullmatch(plain):
                 continue
             if kind == "z" and (compound or plain in ELLIPSOID):
                 continue
@@ -286,7 +256,7 @@ def _row(path: Path, line: int, words: list[str], columns: _Columns, *, comma: b
 
 def _recognises(head: str, suffix: str) -> bool:
     lines = [t.strip() for t in head.splitlines() if t.strip()]
-    if suffix not in {".csv", ".txt"} or not lines or SYSTEM.match(lines[0]):
+    if suffix not in {".csv", ".txt"} or not lines or SYSTEM.match(lines[0]) or is_list(head):
         return False
     for text in lines[:5]:
         if _names(text)[0] in OURS:

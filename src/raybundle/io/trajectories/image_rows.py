@@ -19,6 +19,31 @@ _DECIMAL_COMMAS = re.compile(r"\S +[-+]?\d+,\d+ +[-+]?\d+,\d+( |$)")
 """Two numbers with decimal commas between blanks"""
 SEPARATORS = ("\t", ";", ",")
 LIMITS = (180.0, 90.0)
+METRES = {"", "m", "meter", "meters", "metre", "metres"}
+OURS = {"image", "point"}
+"""First columns of raybundle's own tables."""
+STATED_SYSTEM = re.compile(r"#?\s*(?:coordinate\s*system|crs)\s*[:=]\s*(.+)", re.IGNORECASE)
+_KINDS = {
+    "name": r"(image|photo|file|camera)?(name|label)|image|images|photo|file|label|name",
+    "enabled": r"enabled?",
+    "longitude": r"x?(longitude|lon|long|lng)(deg|decimaldegrees|wgs84)?",
+    "latitude": r"y?(latitude|lat)(deg|decimaldegrees|wgs84)?",
+    "x": r"xm?|x?(easting|east|e|rechtswert)m?",
+    "y": r"ym?|y?(northing|north|n|hochwert)m?",
+    "z": r"zm?|z?(altitude|alt|ellipsoidalheight|height|elevation|elev|up|h|hoehe)(m|meter)?",
+    "plan": r"(accuracy|error|sigma)(horz|horizontal|xy|h|plan)m?|(horz|horizontal|xy)accuracym?|accuracyxym?",
+    "sx": r"(accuracy|sigma)(x|xeasting|xlongitude|east|lon|longitude)m?|(x|east|easting|longitude)accuracym?|sx",
+    "sy": r"(accuracy|sigma)(y|ynorthing|ylatitude|north|lat|latitude)m?|(y|north|northing|latitude)accuracym?|sy",
+    "sz": r"(accuracy|sigma)(z|zaltitude|up|alt|altitude|vert|vertical|height|v)m?|"
+    r"(z|vert|vertical|altitude)accuracym?|sz",
+}
+PATTERNS = {kind: re.compile(pattern) for kind, pattern in _KINDS.items()}
+_ABOUT = "gps|gnss|position|pos|local|coordinate|coord|camera|cam"
+_AROUND = {
+    estimated: re.compile(rf"(?:{words})*(.+?)(?:{words})*")
+    for estimated, words in ((False, _ABOUT), (True, f"estimated|est|{_ABOUT}"))
+}
+"""Words before and behind the name of a coordinate, which change nothing of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +56,17 @@ class ImageRow:
     """x or longitude, y or latitude, height; NaN where not known"""
     sigma: tuple[float, float, float] = (math.nan, math.nan, math.nan)
     """east, north, up [m]"""
+
+
+def kind_of(word: str, *, estimated: bool) -> str | None:
+    """What a column of this name holds; None: not understood."""
+    plain = re.sub(r"[^a-z0-9]", "", re.sub(r"[\[(].*?[\])]", "", word.lower()))  # without units
+    core = _AROUND[estimated].fullmatch(plain)
+    for name in (plain, core[1] if core else plain):
+        for kind, pattern in PATTERNS.items():
+            if pattern.fullmatch(name):
+                return kind
+    return None
 
 
 def separator_of(lines: Sequence[str]) -> str | None:

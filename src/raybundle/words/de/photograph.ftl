@@ -130,3 +130,6 @@ photograph-in_no_folder = Die Datei ist in keinem der Ordner der Aufnahmen.
 
 photograph-none_readable = Keine Aufnahme des Blocks ist lesbar.
     .do = Den Ordner der Aufnahmen prüfen.
+
+photograph-map_raster = Ein Gleitkommaraster ({ $bits } Bit) in einer Karte enthält Höhen oder Ergebnisse, keine Aufnahme.
+    .do = Ist es eine Aufnahme, ihre Lage in der Karte entfernen (gdal_edit.py -unsetgt).

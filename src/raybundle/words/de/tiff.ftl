@@ -21,3 +21,6 @@ tiff-pixels_end_early = Die Pixel der TIFF-Datei enden zu früh.
 
 tiff-pixels_unreadable = Die Pixel sind nicht dekodierbar (Kompression { $compression }, Kanäle { $bands }, Bit { $bits }).
     .do = Die Datei umwandeln, zum Beispiel mit gdal_translate -co COMPRESS=NONE.
+
+tiff-compression = Die Pixel sind nach Verfahren { $compression } komprimiert; dafür ist das Extra [geo] nötig.
+    .do = Es installieren (pip install 'raybundle[geo]') oder die Datei mit gdal_translate -co COMPRESS=DEFLATE schreiben.

@@ -63,3 +63,6 @@ trajectory-parameter_count = Die Korrekturparameter haben die Dimension ({ $shap
 
 trajectory-velocity_contradicts = Tabelle { $table }, Eintrag { $entry }: Geschwindigkeit { NUM($stated, digits: 4) } m/s; die Positionen ändern sich um { NUM($moved, digits: 4) } m/s.
     .do = Einheiten, Vorzeichen und Spalten der Geschwindigkeiten prüfen.
+
+trajectory-undecided = Die Datei legt die Konvention dieser Spalten nicht fest: Möglich sind { $readings }.
+    .do = Die Spalten mit ihrer Einheit benennen (omega_gon) oder { OPTION("attitudes", $first) } angeben. Vier oder mehr Aufnahmen entscheiden.

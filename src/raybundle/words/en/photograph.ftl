@@ -193,3 +193,7 @@ photograph-in_no_folder = The file is in none of the folders of the photographs.
 
 photograph-none_readable = No photograph of the block can be read.
     .do = Check the folder of the photographs.
+
+# $bits = 32
+photograph-map_raster = A floating-point raster ({ $bits } bits) in a map holds heights or results, not a photograph.
+    .do = If it is a photograph, remove its place in the map (gdal_edit.py -unsetgt).

@@ -31,3 +31,7 @@ tiff-pixels_end_early = The pixels of the TIFF file end too early.
 # $bits = 8
 tiff-pixels_unreadable = The pixels cannot be decoded (compression { $compression }, bands { $bands }, bits { $bits }).
     .do = Convert the file, for example with gdal_translate -co COMPRESS=NONE.
+
+# $compression = 34887
+tiff-compression = The pixels are compressed by method { $compression }, which needs the extra [geo].
+    .do = Install it (pip install 'raybundle[geo]'), or write the file by gdal_translate -co COMPRESS=DEFLATE.

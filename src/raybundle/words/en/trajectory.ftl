@@ -99,3 +99,8 @@ trajectory-parameter_count = Correction parameters have shape ({ $shape }); { $n
 # $stated = 12
 trajectory-velocity_contradicts = Table { $table }, entry { $entry }: velocity { NUM($stated, digits: 4) } m/s; positions change by { NUM($moved, digits: 4) } m/s.
     .do = Check units, signs and columns of the velocities.
+
+# $readings = ["opk-deg", "opk-gon"]
+# $first = "opk-deg"
+trajectory-undecided = The file does not determine the convention of these columns: possible are { $readings }.
+    .do = Name the columns with their unit (omega_gon), or give { OPTION("attitudes", $first) }. Four photographs or more decide.

@@ -72,3 +72,5 @@ photograph-too_few_usable = { $n } photographies utilisables ; il en faut au moi
 photograph-in_no_folder = Le fichier n'est dans aucun des dossiers des photographies.
 
 photograph-none_readable = Aucune photographie du bloc ne peut être lue.
+
+photograph-map_raster = Une image matricielle à virgule flottante ({ $bits } bits) dans une carte contient des hauteurs, pas une photographie.

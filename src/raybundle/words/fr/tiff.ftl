@@ -13,3 +13,5 @@ tiff-too_few_tiles = Le fichier TIFF a { $n } bandes ou tuiles ; il en faut { $n
 tiff-pixels_end_early = Les pixels du fichier TIFF s'arrêtent trop tôt.
 
 tiff-pixels_unreadable = Les pixels ne peuvent être décodés (compression { $compression }, canaux { $bands }, bits { $bits }).
+
+tiff-compression = Les pixels sont compressés par la méthode { $compression }, qui demande l'extra [geo].

@@ -41,3 +41,5 @@ trajectory-degree = { $name } = { $degree } n'est pas possible.
 trajectory-parameter_count = Les paramètres de correction sont de forme ({ $shape }) ; il en faut { $needed }.
 
 trajectory-velocity_contradicts = Table { $table }, entrée { $entry } : vitesse { NUM($stated, digits: 4) } m/s ; les positions changent de { NUM($moved, digits: 4) } m/s.
+
+trajectory-undecided = Le fichier ne détermine pas la convention de ces colonnes : { $readings } sont possibles.

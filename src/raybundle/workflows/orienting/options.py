@@ -47,9 +47,12 @@ class OrientOptions:
         (), "Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or points "
         "of {control}. With several families: FAMILY:CODE.", metavar="FAMILY", also=("family",),
     )  # fmt: skip
-    attitudes: Literal["auto", "none", "opk", "rpy-ned", "gimbal"] = setting(
+    attitudes: Literal[
+        "auto", "none", "opk", "opk-deg", "opk-gon", "opk-rad", "pok", "pok-deg", "pok-gon", "pok-rad", "matrix",
+        "matrix-inverse", "rpy-ned", "gimbal",
+    ] = setting(
         "auto", "Observe attitudes of {positions}, or of the gimbal, by their convention. auto: attitudes with "
-        "standard deviations in the file.",
+        "standard deviations in the file. pok: phi is the primary angle.",
     )  # fmt: skip
     attitude_sigma: tuple[float, float] | None = setting(
         None, "Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.",

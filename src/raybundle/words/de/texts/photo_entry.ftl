@@ -86,3 +86,11 @@ photo_entry-xmp_damaged = XMP ist ab hier beschädigt und wird nicht weiter gele
 photo_entry-xmp_long = XMP von { $bytes } Byte ist länger als { $most } und wird nicht gelesen.
 
 photo_entry-xmp_no_number = XMP { $entry }: { $value } ist keine Zahl und zählt nicht.
+
+photo_entry-bands = Zugeordnet wird { $colour ->
+     [yes] die Luminanz aus Rot, Grün, Blau
+     *[no] Kanal { $band } von { $bands }
+    } ({ $numbers }{ $scaled ->
+     [yes] ; 0,1 bis 99,9 % als 0 bis 65535, wenn nicht ganzzahlig darin
+     *[no] { "" }
+    }).

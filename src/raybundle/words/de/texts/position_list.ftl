@@ -38,3 +38,10 @@ position_list-unnamed = Keine Spaltennamen: gelesen als { $order ->
     }.
 
 position_list-used = { $n } von { $of } Aufnahmen erhalten ihre Position aus { $name }.
+
+position_list-orientations = Die äußeren Orientierungen sind als { $reading } gelesen{ $by_size ->
+     [yes] , die Einheit nach der Größe der Winkel
+     *[no] { "" }
+    }.
+
+position_list-orientations_open = Die äußeren Orientierungen können { LIST($readings) } sein (Spalten: { $columns }); die Aufnahmen entscheiden.

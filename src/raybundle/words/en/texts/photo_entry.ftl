@@ -160,3 +160,16 @@ photo_entry-xmp_long = XMP of { $bytes } bytes is longer than { $most } and is n
 # $entry = "drone-dji:RelativeAltitude"
 # $value = "'x'"
 photo_entry-xmp_no_number = XMP { $entry }: { $value } is no number and is not used.
+
+# $bands = 4
+# $band = 1
+# $colour = false
+# $numbers = "float32"
+# $scaled = true
+photo_entry-bands = { $colour ->
+     [yes] Luminance of red, green, blue
+     *[no] Band { $band } of { $bands }
+    } is matched ({ $numbers }{ $scaled ->
+     [yes] ; 0.1 to 99.9 % as 0 to 65535, if not whole within these
+     *[no] { "" }
+    }).

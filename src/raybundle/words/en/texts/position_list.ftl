@@ -56,3 +56,14 @@ position_list-unnamed = No column names: taken as { $order ->
 # $of = 40
 # $name = "flight.MRK"
 position_list-used = { $n } of { $of } photographs get their position from { $name }.
+
+# $reading = "opk-gon"
+# $by_size = false
+position_list-orientations = Exterior orientations are read as { $reading }{ $by_size ->
+     [yes] , the unit by the size of the angles
+     *[no] { "" }
+    }.
+
+# $readings = ["opk-deg", "opk-gon"]
+# $columns = "kappa"
+position_list-orientations_open = Exterior orientations may be { LIST($readings) } (columns: { $columns }); the photographs decide.

@@ -1,0 +1,1 @@
+attitudes_reading = Les photographies décident : les attitudes de { $source } sont { $reading }.

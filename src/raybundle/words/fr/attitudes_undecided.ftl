@@ -1,0 +1,1 @@
+attitudes_undecided = Les attitudes de { $source } ne sont pas utilisées : { $ids } sont possibles.
