@@ -18,7 +18,8 @@ from raybundle.cli.summary import SUMMARY, data, lines, loud
 from raybundle.cli.trade_words import command_of
 from raybundle.errors import InputError
 
-COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
+HELP_NAMES = ["-h", "--help"]
+COMMAND_SETTINGS = {"help_option_names": HELP_NAMES, "max_content_width": 110}
 FACTS, HELP_ALL, JSON, QUIET, VERBOSE = (
     f"raybundle.{word}" for word in ("facts", "help_all", "json", "quiet", "verbose")
 )
@@ -50,7 +51,7 @@ class Command(click.Command):
 
     def get_help_option_names(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - as click calls it
         """The same in each context: click keeps the option that it makes for the first."""
-        return list(COMMAND_SETTINGS["help_option_names"])
+        return HELP_NAMES
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Those of most use, where the command has many; all with --help-all."""
