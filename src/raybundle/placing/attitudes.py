@@ -15,7 +15,7 @@ import numpy as np
 
 from raybundle.block import Block, Instrument
 from raybundle.block.block import Attitudes
-from raybundle.errors import InputError, Message, Text, message, note
+from raybundle.errors import InputError, Message, Text, message, warning
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import PhotoAttitudes, Trajectory, attitudes_of_file, attitudes_of_gimbals
@@ -130,12 +130,15 @@ def find_attitudes(
         return None, ()
     if use not in {"auto", found.convention, found.reading, found.reading.partition("-")[0]}:
         raise InputError(
-            "attitude.other_convention", source=found.source, convention=found.convention, expected=str(use)
+            "attitude.other_convention",
+            source=found.source,
+            convention=found.reading or found.convention,
+            expected=str(use),
         )
     if found.stated == 0:
         if use != "auto":
             raise InputError("attitude.no_sigma", source=found.source)
-        return None, (Text.of(note("attitude.no_sigma_unused", source=found.source)),)
+        return None, (Text.of(warning("attitude.no_sigma_unused", source=found.source)),)
     return replace(_with_covariance(found), others=tuple(_with_covariance(a) for a in found.others)), ()
 
 

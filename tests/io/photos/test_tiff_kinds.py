@@ -14,6 +14,7 @@ LUMINANCE = np.array([0.299, 0.587, 0.114])
 LIMITS = {"uint8": (0, 255), "int8": (-100, 120), "uint16": (300, 4000), "int16": (-500, 3000), "uint32": (0, 90_000),
           "int32": (-9000, 90_000), "float32": (-0.1, 1.3), "float64": (270.0, 320.0)}  # fmt: skip
 SIZE = 160, 96
+RGBN = {"photometric": "rgb", "ALPHA": "NO"}
 KINDS = [
     *((n, dtype, {"interleave": i}) for n in (1, 2, 3, 4, 5, 8) for dtype in LIMITS for i in ("pixel", "band")),
     *((n, dtype, {"compress": c, "tiled": n > 1, "blockxsize": 64, "blockysize": 64})
@@ -24,7 +25,7 @@ KINDS = [
     *((n, dtype, {"compress": "deflate", "predictor": p, "ENDIANNESS": e}) for e in ("LITTLE", "BIG")
       for n, dtype, p in ((1, "uint16", 2), (3, "int32", 2), (1, "float32", 3), (3, "float64", 3), (2, "float32", 3))),
     (1, "uint16", {"photometric": "miniswhite", "BIGTIFF": "YES"}), (3, "uint16", {"photometric": "rgb"}),
-    (3, "uint8", {"photometric": "minisblack"}), (3, "float32", {"photometric": "rgb"}),
+    (4, "uint16", RGBN), (3, "uint8", {"photometric": "minisblack"}), (3, "float32", {"photometric": "rgb"}),
     (1, "float32", {"compress": "lerc"}), (1, "int16", {"nodata": -500}),
     (1, "uint16", {"SPARSE_OK": "TRUE", "compress": "lzw"}),
 ]  # fmt: skip
@@ -77,7 +78,9 @@ def test_a_tiff_of_gdal_is_read(n, dtype, how, tmp_path):
     assert channels.shape[:2] == grey.shape
     assert alpha is None or n in {2, 4}
     remarks = [r for r in photo.metadata.remarks if code_of(r) == "photo_entry.bands"]
-    plain = dtype in {"uint8", "uint16"} and (n == 1 or colours or (dtype == "uint8" and n == 2))
+    plain = dtype in {"uint8", "uint16"} and (
+        n == 1 or (colours and (n == 3 or dtype == "uint8")) or (dtype == "uint8" and n == 2)
+    )
     assert len(remarks) == (not plain or ("band" in how.values() and n == 2))
 
 

@@ -87,6 +87,17 @@ def test_lists_that_cannot_be_read_are_refused_with_their_column(tmp_path, form)
     assert column is None or error.value.column == column
 
 
+@pytest.mark.parametrize("name", ["image", "Image", "photo"])
+def test_lists_begin_with_any_word_for_images(tmp_path, name):
+    """Tables of raybundle's own begin with the same word, and have units in their columns."""
+    path = tmp_path / "eo.csv"
+    path.write_text(f"{name},X,Y,Z,omega,phi,kappa\na.jpg,1,2,3,11,12,380.5\n")
+    assert read_trajectory(path).names == ("a.jpg",)
+    path.write_text("image,camera,file,X,Y,Z,omega_deg,phi_deg,kappa_deg\na,1,a.jpg,1,2,3,11,12,13\n")
+    with pytest.raises(InputError, match=r"table\.unknown_column"):
+        read_trajectory(path)
+
+
 def test_one_format_recognises_each_list():
     for form, (file, data, *_) in LISTS.items():
         head = data.decode("cp1252" if form == "degree signs" else "utf-8-sig")[:4096].replace("\r\n", "\n")

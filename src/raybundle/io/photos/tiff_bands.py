@@ -20,6 +20,7 @@ from raybundle.errors import InputError, phrase
 from raybundle.io.photos.windows import (
     BITS,
     COMPRESSION,
+    EXTRA_SAMPLES,
     HEIGHT,
     PHOTOMETRIC,
     PLANAR,
@@ -85,7 +86,7 @@ class BandImage:
     def remarks(self) -> tuple[str, ...]:
         """Which band is matched, and how its numbers become grey values."""
         scaled = self.dtype not in (np.dtype(np.uint8), np.dtype(np.uint16))
-        if not scaled and (self.bands == 1 or len(self.colours) == len(GREY)):
+        if not scaled and self.bands in {1, len(self.colours)}:
             return ()
         return (
             phrase(
@@ -111,7 +112,8 @@ def band_image(path: Path) -> BandImage | None:
     n, planar, colour = one(SAMPLES, 1), one(PLANAR, 1) == 2, one(PHOTOMETRIC, 1)
     together = n == 1 or not planar
     bytes_usual = bits == {8} and (n == 1 or (n == 2 and together) or (n in {3, 4} and colour > 1))
-    words_usual = bits == {16} and (n == 1 or colour == RGB) and one(PLANAR, 1) == 1
+    transparent = n == 4 and one(EXTRA_SAMPLES, 0) > 0
+    words_usual = bits == {16} and (n == 1 or (colour == RGB and (n == 3 or transparent))) and one(PLANAR, 1) == 1
     usual = formats == {1} and not big and (bytes_usual or words_usual or max(bits, default=1) < 8)
     if usual or not t:
         return None

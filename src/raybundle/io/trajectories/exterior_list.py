@@ -423,7 +423,7 @@ def is_list(head: str) -> bool:
     if not texts or SYSTEM.match(texts[0]) or texts[0].startswith("%") or has_angles(head, ANGLES):
         return False
     first, columns = _beginning([*enumerate(texts)])
-    return first < len(texts) and (columns is None or columns.names[0] not in OURS)
+    return first < len(texts) and (columns is None or not (columns.names[0] in OURS and "omega_deg" in columns.names))
 
 
 register(

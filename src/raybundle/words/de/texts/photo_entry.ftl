@@ -88,7 +88,7 @@ photo_entry-xmp_long = XMP von { $bytes } Byte ist länger als { $most } und wir
 photo_entry-xmp_no_number = XMP { $entry }: { $value } ist keine Zahl und zählt nicht.
 
 photo_entry-bands = Zugeordnet wird { $colour ->
-     [yes] die Luminanz aus Rot, Grün, Blau
+     [yes] die Luminanz aus Rot, Grün, Blau (von { $bands } Kanälen)
      *[no] Kanal { $band } von { $bands }
     } ({ $numbers }{ $scaled ->
      [yes] ; 0,1 bis 99,9 % als 0 bis 65535, wenn nicht ganzzahlig darin

@@ -167,7 +167,7 @@ photo_entry-xmp_no_number = XMP { $entry }: { $value } is no number and is not u
 # $numbers = "float32"
 # $scaled = true
 photo_entry-bands = { $colour ->
-     [yes] Luminance of red, green, blue
+     [yes] Luminance of red, green, blue (of { $bands } bands)
      *[no] Band { $band } of { $bands }
     } is matched ({ $numbers }{ $scaled ->
      [yes] ; 0.1 to 99.9 % as 0 to 65535, if not whole within these
