@@ -98,6 +98,17 @@ def test_lists_begin_with_any_word_for_images(tmp_path, name):
         read_trajectory(path)
 
 
+def test_no_row_of_a_list_without_names_is_taken_for_a_title(tmp_path):
+    """The first ones lie near the origin of a local grid, or have a cell that is no number."""
+    path = tmp_path / "eo.txt"
+    lines = [f"f{k}.jpg {100 + 50 * k}.000 10.000 80.000 96.05 16.17 -1.21" for k in range(4)]
+    path.write_text("\n".join(lines))
+    assert read_trajectory(path).names == ("f0.jpg", "f1.jpg", "f2.jpg", "f3.jpg")
+    path.write_text("\n".join([lines[3].replace("f3.jpg 250.000", "f.jpg 500,018.203"), *lines]))
+    with pytest.raises(InputError, match=r"line 1"):
+        read_trajectory(path)
+
+
 def test_one_format_recognises_each_list():
     for form, (file, data, *_) in LISTS.items():
         head = data.decode("cp1252" if form == "degree signs" else "utf-8-sig")[:4096].replace("\r\n", "\n")

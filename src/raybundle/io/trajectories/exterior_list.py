@@ -160,7 +160,8 @@ def _beginning(lines: Sequence[tuple[int, str]]) -> tuple[int, _Columns | None]:
             named = len(above) in WIDTHS and all(number_of(w) is None for w in above)
             if named and (separator_of([text]) is not None or _kind(above[0])[0] == "name"):
                 return len(lines), None  # names that are not understood
-            return k, None
+            width = len(_split(text))
+            return next((j for j in range(k) if _nearly_row(lines[j][1], width)), k), None
     return len(lines), None
 
 
@@ -178,6 +179,13 @@ def _is_row(text: str) -> bool:
     if None in numbers and glued:
         return True
     return len(numbers) + 1 in WIDTHS and None not in numbers and abs(numbers[0] or 0.0) > LIMITS[0]
+
+
+def _nearly_row(text: str, width: int) -> bool:
+    """Whether a line has so many cells and all numbers but one: a row, whether it can be read or not."""
+    words = _split(text)
+    missing = sum(number_of(w.replace(",", ".")) is None for w in words[1:])
+    return len(words) == width and missing < 2 and not text.lstrip().startswith("#")
 
 
 def _glued(text: str) -> bool:
