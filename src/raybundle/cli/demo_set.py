@@ -49,7 +49,9 @@ def run(folder: Path, out: Path, progress: str) -> None:
     a = done.adjustment
     facts(oriented=done.oriented, photographs=len(done.photos), result=result)
     points = len(a.given.points)
-    oriented = note("summary.oriented", oriented=done.oriented, of=len(done.photos), points=points, parts=0)
+    oriented = note(
+        "summary.oriented", oriented=done.oriented, of=len(done.photos), points=points, parts=0, lost=0, names=[]
+    )
     bars = [note("demo.scale_bar", length_m=b.length, sigma_mm=b.sigma * 1000) for b in given.scale_bars]
     report(of_adjustment(
         a, [result, result / "report.html"], done=[oriented, *compared(truth, a)],

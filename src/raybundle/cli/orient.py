@@ -84,7 +84,7 @@ def _summary(done: Orientation, settings: OrientSettings) -> Summary:
     apart = sum(len(set(part.photographs) - lost) for part in other)
     points = len(done.adjustment.given.points)
     first = [note("summary.oriented", oriented=done.oriented - apart, of=len(done.photos), points=points,
-                  parts=len(other))]  # fmt: skip
+                  parts=len(other), lost=len(lost), names=sorted(lost))]  # fmt: skip
     if not done.photos:
         first = []
     if done.scenes:

@@ -97,6 +97,9 @@ summary-oriented = Orientiert: { $oriented } von { $of } { $of ->
             [0] {""}
             [one] Ein weiterer Teil ist nicht damit verbunden.
             *[other] { $parts } weitere Teile sind nicht damit verbunden.
+        }{ $lost ->
+            [0] {""}
+            *[other] { " " }Nicht orientiert: { LIST($names, most: 4) }.
         }
 
 summary-image_points = Standardabweichung einer Bildkoordinate: { NUM($sigma_px, decimals: 3) } px (aus Verbesserungen).

@@ -154,6 +154,8 @@ summary-next_scale = Give a scale bar ({ OPTION("scale_bar", "A", "B", "LENGTH",
 # $of = 11
 # $points = 5312
 # $parts = 0
+# $lost = 1
+# $names = ["DSC_0007.JPG"]
 summary-oriented = Oriented: { $oriented } of { $of } { $of ->
         [one] photograph
         *[other] photographs
@@ -162,6 +164,9 @@ summary-oriented = Oriented: { $oriented } of { $of } { $of ->
             [0] {""}
             [one] One further part is not connected to it.
             *[other] { $parts } further parts are not connected to it.
+        }{ $lost ->
+            [0] {""}
+            *[other] { " " }Not oriented: { LIST($names, most: 4) }.
         }
 
 # $sigma_px = 0.21
