@@ -250,7 +250,8 @@ def test_a_photograph_that_changed_is_a_new_one(project, photos, tmp_path, count
     data = (PORTAL / "photos/portal_07.jpg").read_bytes()
     (changed / NAMES[0]).write_bytes(data)
     result = orient([changed], project, QUICK)
-    assert counted == {"grey_of": 1, "verify": 4}
+    assert counted["grey_of"] == 1
+    assert 4 <= counted["verify"] <= 8  # its pairs, those that are unlike at first look once more where they are needed
     assert result.photos[0].name == NAMES[0]
 
 
