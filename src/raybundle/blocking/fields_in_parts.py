@@ -218,3 +218,11 @@ class FieldsInParts:
             return {"blocks": found[points]}
 
         return parts.noted("retained", keys, find)["blocks"]
+
+
+class NormalsInParts(WholeNormals):
+    """The same, with noise fields."""
+
+    def with_fields(self, state: State, images: Index, kind: type[WithFields]) -> FieldsInParts:
+        """The normal equations with the columns of fields (`adjustment.statistics.field_system`)."""
+        return FieldsInParts.of(self, state, images, kind)

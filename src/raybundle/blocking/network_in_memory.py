@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import Self
 
 import numpy as np
 
-from raybundle.adjustment.statistics.fields import WithFields
 from raybundle.adjustment.system.assemble import State, System
 from raybundle.adjustment.system.datum import Transformation
 from raybundle.adjustment.system.normals import Normals
@@ -17,9 +16,6 @@ from raybundle.blocking.network_store import from_lists, lists
 from raybundle.blocking.normals import Parts, PartsNormals, PartsState
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
-
-if TYPE_CHECKING:
-    from raybundle.blocking.fields_in_parts import FieldsInParts
 
 NOTHING = np.zeros(0)
 
@@ -53,7 +49,7 @@ class WholeNormals(Normals):
     """Trials that the parts still have"""
 
     @classmethod
-    def whole(cls, system: System, parts: Parts) -> WholeNormals:
+    def whole(cls, system: System, parts: Parts) -> Self:
         """Of a system and the network that its block was cut into."""
         own = parts.network.skeleton.normals
         found = cls(
@@ -297,14 +293,6 @@ class WholeNormals(Normals):
         found = parts.noted("statistics", keys, find)
         parts.forget([by, *generators])
         return found["points"], found["hat"], found["effect"], found["H"]
-
-    # -- noise fields
-
-    def with_fields(self, state: State, images: Index, kind: type[WithFields]) -> FieldsInParts:
-        """The normal equations with the columns of fields (`adjustment.statistics.field_system`)."""
-        from raybundle.blocking.fields_in_parts import FieldsInParts
-
-        return FieldsInParts.of(self, state, images, kind)
 
 
 def _touched(system: System, parts: Parts) -> Touched:

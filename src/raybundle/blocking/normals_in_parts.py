@@ -10,9 +10,9 @@ from raybundle.adjustment.system.assemble import System
 from raybundle.adjustment.system.factoring import Factoring
 from raybundle.adjustment.system.normals import Normals
 from raybundle.blocking.columns import InMemory
+from raybundle.blocking.fields_in_parts import NormalsInParts
 from raybundle.blocking.memory import Memory, Serial
 from raybundle.blocking.network import LEAF, cut
-from raybundle.blocking.network_in_memory import WholeNormals
 from raybundle.blocking.network_store import cut_columns
 from raybundle.blocking.normals import Parts
 from raybundle.blocking.store import Store
@@ -41,13 +41,13 @@ def in_parts(
     ) -> Normals:
         if store is None:
             network = cut(system.block, options, free, rejected, leaf, shift=system.shift, worth=worth, ready=ready)
-            return WholeNormals.whole(system, Parts(network, Memory(), Serial()))
+            return NormalsInParts.whole(system, Parts(network, Memory(), Serial()))
         kept = store()
         made = cut_columns(
             InMemory(system.block), options, free, rejected, kept, leaf=leaf, ready=ready, worth=worth, notes=notes,
             shift=system.shift, number=next(numbers),
         )  # fmt: skip
         parts = Parts(made.network, kept, executor or Serial(), begin=made.keep_parts, notes=notes)
-        return WholeNormals.whole(system, parts)
+        return NormalsInParts.whole(system, parts)
 
     return factoring
