@@ -32,7 +32,8 @@ from tests.adjustment.test_noise import with_fields
 from tests.blocking.networks import flight
 from tests.blocking.test_elsewhere import OPTIONS as SNOOPING
 from tests.blocking.test_elsewhere import ByTwin, Counting, adjusted
-from tests.blocking.test_equal import held, per_image, stds
+from tests.blocking.test_equal import NETWORKS as PLAIN
+from tests.blocking.test_equal import stds
 from tests.pipeline.machines import Machines
 
 OPTIONS = AdjustmentOptions(jobs=1, noise="fields")
@@ -87,13 +88,7 @@ def some_without_fields():
 
 
 NETWORKS = {
-    "everything": (flight, OPTIONS),
-    "inner constraints": (lambda: flight(control=0, observed=False), OPTIONS),
-    "free, no scale": (lambda: flight(control=0, observed=False, bar=False), OPTIONS),
-    "minimal": (lambda: flight(control=0, observed=False), replace(OPTIONS, datum="minimal")),
-    "some points": (lambda: flight(observed=False), replace(OPTIONS, datum="inner", datum_over="good")),
-    "interior of each image": (lambda: per_image(flight()), OPTIONS),
-    "held": (lambda: held(flight()), OPTIONS),
+    **{n: (make, replace(o, noise="fields")) for n, (make, o) in PLAIN.items() if not o.robust_start},
     "two cameras": (of_two_cameras, OPTIONS),
     "fisheye": (lambda: by_model("fisheye"), OPTIONS),
     "rolling shutter": (lambda: by_model("brown_rolling", r=1e-3), OPTIONS),
