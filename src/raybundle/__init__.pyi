@@ -1747,7 +1747,7 @@ def surface(
     client: str = '',
     operator: str = '',
     pdf: bool = False,
-    language: str = 'en',
+    language: str = '',
 ) -> MeasuredSurface:
     """Measure dense surface points in the photographs of a result; OUT/points.ply holds them.
 
@@ -1794,7 +1794,8 @@ def surface(
     client      Client, on the first page of the report.
     operator    Operator, on the first page of the report.
     pdf         Also write surface.html as surface.pdf: A4, with page numbers and bookmarks.
-    language    Language of the report: en, de, fr. Tables and result.json stay English.
+    language    Language of the report: en, de, fr. Tables and result.json stay English.  [default: that of the project,
+                else en]
     """
 
 def transform_to_points(

@@ -96,7 +96,7 @@ def test_scans_end_in_a_block(archive):
         assert o.cov_px2[row, 0] == pytest.approx((0.5 * SCANNER_MM / PIXEL_MM) ** 2, rel=0.01)
     done = CliRunner().invoke(cli, ["mark", "adjust", str(folder), "--no-report"], standalone_mode=False)
     assert done.exception is None
-    again = rb.read_block(project / "measured-result" / "block")
+    again = rb.read_block(project / "result" / "block")
     assert again.images.frames == result.given.images.frames
     listed = CliRunner().invoke(cli, ["mark", "list", str(folder)], standalone_mode=False).output
     assert "F1" in listed

@@ -71,7 +71,7 @@ def test_four_photographs_end_in_a_block_with_its_report(tmp_path):
     assert done.exception is None, done.exception
     clicks += 1
     assert clicks < 60
-    result = tmp_path / "archive-project" / "measured-result"
+    result = tmp_path / "archive-project" / "result"
     assert (result / "report.html").is_file()
     told = json.loads((result / "result.json").read_text(encoding="utf-8"))
     assert 0.6 < told["sigma0"] < 1.5
@@ -356,7 +356,7 @@ def test_sceaux_castle_in_under_sixty_clicks(tmp_path):
     done = CliRunner().invoke(cli, ["mark", "adjust", str(photos)], standalone_mode=False)
     assert done.exception is None, done.exception
     assert clicks + 2 < 60
-    result = tmp_path / "castle-project" / "measured-result"
+    result = tmp_path / "castle-project" / "result"
     assert (result / "report.html").is_file()
     told = json.loads((result / "result.json").read_text(encoding="utf-8"))
     assert 0.5 < told["sigma0"] < 1.6

@@ -202,7 +202,7 @@ def test_a_project_has_one_journal_by_whatever_name(tmp_path):
     (project / "project.db").touch()
     for folder in (project, project / "result", project / "result" / "block"):
         assert journal_path(folder) == project / "measured.db"
-        assert measured_result(folder) == project / "measured-result"
+        assert measured_result(folder) == project / "result"
     assert journal_path(project / "result-2") == project / "result-2.measured.db"
     (project / "result.measured.db").touch()
     with pytest.raises(InputError, match=r"journal\.two_journals"):

@@ -242,7 +242,7 @@ def test_snapping_brings_a_click_to_the_picture_or_says_why_not(client, desk):
 
 
 def test_measured_points_are_adjusted_with_the_block(client, desk, studio, project):
-    """Three marks and a scale bar between two points of the block: a result of its own, the given one untouched."""
+    """Three marks and a scale bar between two points of the block: the current result; the one before is kept."""
     before = (project / "result" / "result.json").read_bytes()
     o, b = desk.block.observations, desk.block
     p = int(np.argmax(np.bincount(o.point)))
@@ -257,8 +257,8 @@ def test_measured_points_are_adjusted_with_the_block(client, desk, studio, proje
     found = client.get("/api/query", params={"kind": "distance", "points": [start, end]}).json()
     assert found["values"][0]["value"] == pytest.approx(2.0, abs=0.005)
     assert found["values"][0]["unit"] == "m"
-    assert (project / "result" / "result.json").read_bytes() == before
-    assert (project / "measured-result" / "report.html").is_file()
+    assert (project / "results" / "1-orient" / "result.json").read_bytes() == before
+    assert (project / "result" / "report.html").is_file()
     assert client.get("/api/overview").json()["unit"] == "m"
 
 

@@ -86,7 +86,7 @@ def test_photographs_are_oriented_while_points_are_marked(client, studio, desk, 
     assert report.headers["content-security-policy"].startswith("sandbox")
     assert "connect-src" not in report.headers["content-security-policy"]
     assert client.get("/report/result.json").status_code == 404
-    assert (desk.source / "measured-result" / "block" / "block.toml").is_file()
+    assert (desk.source / "result" / "block" / "block.toml").is_file()
 
 
 def test_a_mistaken_mark_is_named_with_its_place(client, studio, scene):

@@ -90,8 +90,8 @@ def test_measuring_by_mouse(page, hand, project):
     page.click("#bar-add")
     hand.wait("studio_point.bar_given")
     page.click("#adjust")
-    hand.wait("studio_page.adjusted", "measured-result")
-    assert (project / "measured-result" / "block" / "block.toml").is_file()
+    hand.wait("studio_page.adjusted", "result")
+    assert (project / "result" / "block" / "block.toml").is_file()
     assert undone(page, lambda: page.click("#undo")) == 7
     entries = list(entries_of(journal_path(project)))
     assert [e.verb for e in entries] == ["put"] * 6 + ["bar"] + ["undo"] * 7
@@ -134,7 +134,7 @@ def test_measuring_by_keyboard_alone(page, hand, project):
     hand.wait("studio_point.bar_given")
     hand.tab_to("#adjust")
     keys.press("Enter")
-    hand.wait("studio_page.adjusted", "measured-result")
+    hand.wait("studio_page.adjusted", "result")
     hand.tab_to(".canvas")
     assert undone(page, lambda: keys.press("Control+z")) == 8
     entries = list(entries_of(journal_path(project)))

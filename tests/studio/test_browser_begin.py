@@ -88,11 +88,11 @@ def test_photographs_alone_to_a_report_by_clicks(page, tmp_path):
     page.locator("#right", has_text=headline("studio_point.visible", {"n": 1})).wait_for()
     assert page.locator("#report").is_hidden()
     page.click("#adjust")
-    hand.wait("studio_page.adjusted", "measured-result")
+    hand.wait("studio_page.adjusted", "result")
     with page.context.expect_page() as opened:
         page.click("#report")
     opened.value.locator("h1").first.wait_for()
-    assert (tmp_path / "archive-project" / "measured-result" / "report.html").is_file()
+    assert (tmp_path / "archive-project" / "result" / "report.html").is_file()
     assert (tmp_path / "archive-project" / "measured.db").is_file()
 
 

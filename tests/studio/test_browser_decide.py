@@ -24,7 +24,7 @@ def adjusted(page, press):
     """Begin an adjustment and wait for its end."""
     page.evaluate("document.getElementById('message').dataset.code = ''")
     press()
-    Hand(page).wait("studio_page.adjusted", "measured-result")
+    Hand(page).wait("studio_page.adjusted", "result")
 
 
 def test_decide_adjust_compare_and_take_back(decide, hand, project):

@@ -91,7 +91,7 @@ def test_a_folder_that_becomes_read_only_loses_nothing(project, photo_folders, t
         assert mark(client, image, "p3", 10.0, 40.0).status_code == 200
         assert client.post("/api/adjust", json={}).json()["begun"]
         studio.work.wait()
-        assert (project / "measured-result/result.json").is_file()
+        assert (project / "result/result.json").is_file()
     assert len(entries_of(journal_path(project))) == kept + 1
 
 

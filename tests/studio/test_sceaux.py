@@ -150,7 +150,7 @@ def test_points_a_bar_and_control_on_a_facade(page, project, spots, measured, gi
         hand.wait(f"{name}: control")
     pressed(page, hand, "#adjust")
     hand.wait("Adjusted: sigma0", 120)
-    adjusted = read_result(project / "measured-result")
+    adjusted = read_result(project / "result")
     roles = dict(zip(adjusted.block.points.ids, np.asarray(adjusted.block.points.role).tolist(), strict=True))
     assert [roles[n] for n in names] == [1, 1, 1]
     of = adjusted.observations.text

@@ -17,17 +17,20 @@ from raybundle.settings import made
 
 @click.command("compare", cls=Command)
 @click.argument("first", type=FOLDER, metavar="RESULT")
-@click.argument("second", type=FOLDER, metavar="RESULT")
+@click.argument("second", type=FOLDER, required=False, metavar="[RESULT]")
 @options_of(CompareSettings, out=NEW_PAGE)
 @common_options
-def command(first: Path, second: Path, progress: str, **given: Any) -> None:
+def command(first: Path, second: Path | None, progress: str, **given: Any) -> None:
     """Compare two result folders: statistics, interior orientations, points after a similarity.
+
+    A project stands for its current result; a project alone is compared with its result before that.
 
     Points are identified by name. Points with a running number (t100) also need agreeing image points.
 
     \b
     Example:
       raybundle compare camcal21-result free --out camcal21.html
+      raybundle compare facade-project
     """
     from raybundle.cli.progress import reporting
 

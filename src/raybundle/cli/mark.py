@@ -19,7 +19,7 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, of_adjustment, of_texts, report
 from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.marks_settings import RejectSettings
-from raybundle.commands.pages import LANGUAGE_HELP
+from raybundle.commands.pages import PROJECT_LANGUAGE_HELP
 from raybundle.errors import InputError, Severity, named, note
 from raybundle.report.languages import checked_language
 from raybundle.report.paper.needed import check_typesetter
@@ -426,13 +426,13 @@ def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: 
 @click.argument("folder", type=FOLDER)
 @click.option(
     "--out", type=NEW_FOLDER, metavar="RESULT",
-    help="Result folder. An older result is replaced.  [default: FOLDER/measured-result of a project, else "
-    "FOLDER-measured]",
+    help="Result folder. An older result is replaced.  [default: the current result of a project, PROJECT/result; "
+    "the earlier one is kept in PROJECT/results; else FOLDER-measured]",
 )  # fmt: skip
 @options_of(AdjustmentOptions)
 @click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
 @click.option("--pdf", is_flag=True, help="Also write the report as report.pdf.")
-@click.option("--language", default="en", metavar="CODE", help=f"{LANGUAGE_HELP}  [default: en]")
+@click.option("--language", default="", metavar="CODE", help=PROJECT_LANGUAGE_HELP)
 @common_options
 def adjust_(
     folder: Path, out: Path | None, no_report: bool, pdf: bool, language: str, progress: str, **given: Any  # noqa: FBT001
@@ -450,27 +450,24 @@ def adjust_(
       raybundle mark adjust facade-project --out facade-with-control --reject snooping
     """
     from raybundle.cli.progress import reporting
+    from raybundle.commands.marked_results import write_marked
     from raybundle.commands.marks import adjust_marks
     from raybundle.commands.new_project import standing_folder
     from raybundle.measuring.journal import measured_result
-    from raybundle.pipeline.project import PHOTOGRAPHS_IN, photographs_of
     from raybundle.report.text.summary import adjusted
-    from raybundle.report.write import write_result
     from raybundle.results.folder import check_target
 
     folder = standing_folder(folder) or folder
-    target = out or measured_result(folder)
-    check_target(target)
-    known = [str(p.resolve()) for p in photographs_of(folder)]  # what is made of the result elsewhere asks for them
-    checked_language(language)
+    check_target(out or measured_result(folder))
+    if language:
+        checked_language(language)
     if pdf:
         check_typesetter()
     with reporting(progress) as notify:
         adjustment, left_out = adjust_marks(folder, notify, **values_of(AdjustmentOptions, given))
-        write_result(
-            adjustment, target, report="none" if no_report else "html", pdf=pdf, language=language, progress=notify,
-            additions={PHOTOGRAPHS_IN: known} if known else None,
-        )  # fmt: skip
+        target = write_marked(
+            folder, adjustment, out, report="none" if no_report else "html", pdf=pdf, language=language, progress=notify
+        )
     facts(out=target)
     names = [note("summary.marks_left_out", n=len(left_out), names=list(left_out))] if left_out else []
     report(of_adjustment(

@@ -34,8 +34,9 @@ def command(project: Path) -> None:
     facts(
         stages=found.stages, running=found.running, works=found.works, listed=found.listed, store=found.store,
         bytes=found.bytes, left=found.left, outgrown=found.outgrown, surface=found.surface,
+        results=found.results,
     )  # fmt: skip
-    report(Summary(done=[], table=list(rows(found)), notices=of_texts(outgrown(found), Severity.WARNING)))
+    report(Summary(done=[], table=list(rows(found, project)), notices=of_texts(outgrown(found), Severity.WARNING)))
 
 
 def outgrown(found: Status) -> list[str]:
@@ -44,9 +45,9 @@ def outgrown(found: Status) -> list[str]:
     return own if found.surface is None else [*own, *outgrown(found.surface)]
 
 
-def rows(found: Status) -> Iterator[Message | str]:
+def rows(found: Status, project: Path) -> Iterator[Message | str]:
     """The stages, and what is known of the run."""
-    width = max([12, *map(len, found.stages)])
+    width = max([16, *map(len, found.stages)])
     if found.stages:
         yield f"{'stage':{width}s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished"
     for name, r in found.stages.items():
@@ -71,11 +72,18 @@ def rows(found: Status) -> Iterator[Message | str]:
         yield note("project_status.listed", n=total, done=done)
     if found.stages:
         yield note("project_status.products", size=_size(found.bytes), store=found.store or "none")
+    if found.results:
+        yield f"{'result':{width}s} {'made by':>8s} {'sigma0':>8s} {'scale':>8s}  written"
+    for k in found.results:
+        name = k.path.name if k.path.parent == project else f"{k.path.parent.name}/{k.path.name}"
+        sigma0 = "-" if k.sigma0 is None else f"{k.sigma0:.4f}"
+        written = k.written.replace("T", " ").rstrip("Z")
+        yield f"{name:{width}s} {k.by:>8s} {sigma0:>8s} {'yes' if k.scale else 'no':>8s}  {written}"
     if found.folder is not None and found.written and not found.works:
         yield note("project_status.deletable", folder=str(found.folder))
     if found.surface is not None:
         yield note("project_status.surface")
-        yield from rows(found.surface)
+        yield from rows(found.surface, project)
     for left in found.left:
         yield note("project_status.parts", folder=str(left.folder), in_use=left.in_use, size=_size(left.bytes),
                    n=len(left.stores), stores=list(left.stores))  # fmt: skip

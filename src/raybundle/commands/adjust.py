@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from raybundle.adjustment.records.options import AdjustmentOptions
-from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, TABLES_HELP, check_pages
+from raybundle.commands.pages import (
+    COORDINATES_HELP,
+    NO_REPORT_HELP,
+    PDF_HELP,
+    PROJECT_LANGUAGE_HELP,
+    TABLES_HELP,
+    check_pages,
+)
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_of
+from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import NOT_NEGATIVE, setting
 
@@ -22,9 +31,9 @@ class AdjustSettings(AdjustmentOptions):
     """The options of an adjustment, what is adjusted with them, and where the result goes."""
 
     block: Path
-    """block folder"""
-    out: Path
-    """result folder; an older result is replaced"""
+    """block folder, result folder or project"""
+    out: Path | None = None
+    """result folder, an older result is replaced; None: the current result of a project, the earlier one is kept"""
     accuracy_class: str = setting("", ACCURACY_CLASS, metavar="WANTED")
     title: str = setting("", TITLE, metavar="TEXT")
     client: str = setting("", CLIENT, metavar="TEXT")
@@ -33,7 +42,7 @@ class AdjustSettings(AdjustmentOptions):
     pdf: bool = setting(False, PDF_HELP)
     tables: Literal["auto", "csv", "parquet"] = setting("auto", TABLES_HELP)
     all_coordinates: bool = setting(False, COORDINATES_HELP)
-    language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
+    language: str = setting("", PROJECT_LANGUAGE_HELP, metavar="CODE")
     cluster: str = setting(
         "", "Reduce the normal equations in parts on a cluster. Give its folder from `raybundle scheduler FOLDER` "
         "(extra [cluster]).", metavar="FOLDER",
@@ -58,25 +67,33 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     from raybundle.adjustment.blunders.accuracy_class import accuracy_class
     from raybundle.adjustment.records.notice import Notice, notice_of_text
     from raybundle.adjustment.records.severity import Severity
+    from raybundle.commands.marked_results import passed_on
     from raybundle.io.block.folder import unread_tables
     from raybundle.io.parquet import check_tables
+    from raybundle.measuring.session import block_folder
     from raybundle.report.write import write_result
     from raybundle.results.folder import check_target
+    from raybundle.results.project_results import ADJUST, RESULT, project_of, replacing
     from raybundle.workflows.adjust import adjust
     from raybundle.workflows.block_frame import in_block_frame
     from raybundle.workflows.within_memory import within_memory
 
-    check_target(settings.out)
+    project = None if settings.out is not None else project_of(settings.block)
+    out = settings.out if project is None else project / RESULT
+    if out is None:
+        raise InputError("adjustment.out_missing", file=settings.block)
+    source = block_folder(settings.block)
+    check_target(out)
     check_pages(settings)
     check_tables(settings.tables)
     wanted = accuracy_class(settings.accuracy_class)
     if settings.store:
         from raybundle.pipeline.stores import check_store
 
-        check_store(settings.store, out=settings.out, apart=(settings.block,), lasting=False)
+        check_store(settings.store, out=out, apart=(settings.block,), lasting=False)
     with within_memory(
-        Path(settings.block),
-        settings.out,
+        source,
+        out,
         settings.memory,
         progress,
         jobs=settings.jobs,
@@ -89,15 +106,20 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     notices = (
         notice_of_text("coordinate_system", r, measured=None if r in assumed else Severity.NOTE) for r in remarks
     )
-    unread = unread_tables(Path(settings.block))
+    unread = unread_tables(source)
     lost = [Notice(code="tables_not_read", values={"names": list(unread)}, ids=unread)] if unread else []
     done = replace(done, notices=(*done.notices, *notices, *room.notices(), *lost))
-    write_result(
-        done, settings.out, report="html" if settings.report else "none", pdf=settings.pdf,
-        all_coordinates=settings.all_coordinates, language=settings.language, wanted=wanted, frame=frame,
-        additions=None if frame is None else {"frame": frame.as_mapping()}, record=record_of(settings),
-        tables=settings.tables, progress=progress,
-    )  # fmt: skip
+    known = passed_on(settings.block)
+    frame = frame or known.frame
+    added = {**(known.additions or {}), **({} if frame is None else {"frame": frame.as_mapping()})}
+    with nullcontext() if project is None else replacing(project, ADJUST, marks=True) as made:
+        write_result(
+            done, out, report="html" if settings.report else "none", pdf=settings.pdf,
+            all_coordinates=settings.all_coordinates, language=settings.language or known.language,
+            wanted=wanted or known.wanted, frame=frame, known=known.known,
+            additions={**added, **({} if made is None else made.as_addition())},
+            record=record_of(settings).over(known.record), tables=settings.tables, progress=progress,
+        )  # fmt: skip
     return done
 
 

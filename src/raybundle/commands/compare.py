@@ -19,8 +19,9 @@ class CompareSettings:
     """Which results are compared, and where the comparison goes; in Python `raybundle.write_comparison` takes them."""
 
     first: Path
-    """result folder"""
-    second: Path
+    """result folder or project"""
+    second: Path | None = None
+    """the same; None: the current result of the project `first`, which itself stands for the one before"""
     out: Path = setting(
         Path("compare.html"), "HTML file to write. Only an older comparison is replaced.", metavar="FILE"
     )
@@ -48,7 +49,22 @@ def run_compare(settings: CompareSettings, progress: Progress = silent) -> Compa
     if not out.absolute().parent.is_dir():
         raise InputError("folder.missing", file=out)
     progress("reading results", 0.0)
-    a, b = read_result(settings.first), read_result(settings.second)
+    first, second = _compared(settings)
+    a, b = read_result(first), read_result(second)
     progress("comparing", 0.0)
     cautions = tuple(write_comparison(a, b, out))
     return Compared(results=(a, b), cautions=cautions, same=sameness(a.path, b.path).sentence)
+
+
+def _compared(settings: CompareSettings) -> tuple[Path, Path]:
+    """The two result folders; of one project alone the one before and the current one."""
+    from raybundle.results.project_results import earlier_results
+    from raybundle.workflows.sources import result_within
+
+    if settings.second is not None:
+        return result_within(settings.first), result_within(settings.second)
+    current = result_within(settings.first)
+    earlier = earlier_results(settings.first)
+    if not earlier:
+        raise InputError("comparison.one_result", file=settings.first)
+    return earlier[0], current

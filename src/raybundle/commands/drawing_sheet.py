@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.block.frames import in_file_frames
 from raybundle.commands.drawn_lengths import length_words
+from raybundle.commands.pages import language_in
 from raybundle.commands.plane_settings import plane_in
 from raybundle.errors import InputError, Message, Text, message_of_text, note, phrase
 from raybundle.io.formats.base import Export, PlaneAxes
@@ -18,12 +19,11 @@ from raybundle.io.formats.surveyed import Surveyed, surveyed
 from raybundle.io.geo.parsed_names import parsed_system, plan_system
 from raybundle.io.geo.parsed_systems import system_name
 from raybundle.io.pictures.plane_file import PICTURES, PlaneFile, axes_in, plane_file_of
-from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.report.drawing.content import Drawing, DrawnLine, DrawnPicture, DrawnPoints, Field
 from raybundle.report.drawing.pictures import size_of
 from raybundle.report.drawing.words import drawing_in
-from raybundle.report.languages import ENGLISH, Localised, checked_language
+from raybundle.report.languages import Localised
 from raybundle.report.languages.language import language_of
 from raybundle.results.record import STATE, Record
 from raybundle.workflows.object_plane import Lean, MapLevel, Plane
@@ -37,8 +37,6 @@ METRES = {"m": 1000.0, "mm": 1.0}
 """Millimetres in units of a block"""
 VISIBLE_PX, BESIDE = 2.0, 5
 """Pixels from which on a point is seen to lie beside its image; points that are named then"""
-PROJECT_FILE, SECTIONS = "project.toml", ("orient", "calibrate")
-"""Where a project states in which language its reports are"""
 AIR = 0.05
 """Round points, as a share of their extent"""
 SAME = 1e-6
@@ -99,20 +97,8 @@ def drawn(s: DrawingSheetSettings, progress: Progress) -> tuple[Drawing, tuple[s
         *(n.name for n in lines),
         *([] if export is None else [export.block.name]),
     )
-    language = language_of(_language(s, folder), names)
+    language = language_of(language_in(folder, s.language), names)
     return drawing_in(named, language), tuple(dict.fromkeys(remarks)), " ".join(doubts)
-
-
-def _language(s: DrawingSheetSettings, folder: Path | None) -> str:
-    """Of the sheet: as asked for, else that of the reports of the project to which the result belongs."""
-    if s.language:
-        return s.language
-    project = None if folder is None else folder.parent / PROJECT_FILE
-    if project is None or not project.is_file():
-        return ENGLISH
-    tree = read_toml(project).tree()
-    found = [tree.get(n).get("language").text() for n in SECTIONS if tree.has(n) and tree.get(n).has("language")]
-    return checked_language(found[0]) if found else ENGLISH
 
 
 def _pictures(files: Sequence[Path]) -> tuple[list[PlaneFile], tuple[DrawnPicture, ...]]:

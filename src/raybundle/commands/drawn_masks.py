@@ -28,12 +28,12 @@ def masks_of_result(source: Path, given: Path | None, folders: Sequence[Path], i
     """
     from raybundle.io.block.folder import read_block
     from raybundle.measuring.actions.masks import photographs_in
-    from raybundle.measuring.session import block_folder
+    from raybundle.measuring.session import given_block
     from raybundle.pipeline.project import masks_given
     from raybundle.workflows.sources import result_within
 
     def photos() -> Sequence[Photo]:
-        return photographs_in(read_block(block_folder(source)), folders)
+        return photographs_in(read_block(given_block(source)), folders)
 
     return _with_drawn(source, given or masks_given(result_within(source)), photos, into)
 
@@ -43,14 +43,14 @@ def _with_drawn(project: Path, given: Path | None, photos: Callable[[], Sequence
     from raybundle.io.block.folder import read_block
     from raybundle.measuring.actions.masks import FOLDER, drawn_by_file, write_masks
     from raybundle.measuring.journal import journal_path, state_of
-    from raybundle.measuring.session import block_folder, holds_block
+    from raybundle.measuring.session import given_block, holds_block
 
     if not holds_block(project):
         return given
     state = state_of(journal_path(project))
     if not state.masks:
         return given
-    drawn = drawn_by_file(read_block(block_folder(project)), state)
+    drawn = drawn_by_file(read_block(given_block(project)), state)
     found = photos()
     if not any(p.name in drawn for p in found):
         return given

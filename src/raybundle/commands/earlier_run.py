@@ -19,13 +19,14 @@ def earlier_run(project: Path) -> Earlier | None:
     from raybundle.block.points import is_automatic
     from raybundle.io.block.folder import read_block
     from raybundle.measuring.journal import entries_of, journal_path
+    from raybundle.results.project_results import base_result
     from raybundle.workflows.orienting.previous_names import Earlier
 
-    folder = project / "result" / "block"
-    if not (folder / "block.toml").is_file():
+    result = base_result(project)
+    if result is None:
         return None
     try:
-        block = read_block(folder)
+        block = read_block(result / "block")
         texts = [text for e in entries_of(journal_path(project)) for text in _texts(e.arguments)]
     except InputError:
         return None

@@ -13,6 +13,7 @@ import numpy as np
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Role
+from raybundle.commands.marked_results import adjust_marks_of
 from raybundle.commands.marks_settings import DatumSettings, QuerySettings
 from raybundle.commands.new_project import measuring_folder, standing_folder
 from raybundle.errors import InputError, phrase
@@ -21,7 +22,6 @@ from raybundle.io.digits import STD, computed, in_network, jointly, of_covarianc
 from raybundle.io.folders import check_free, new_folder
 from raybundle.io.tables import write_table
 from raybundle.measuring.actions.control import control_of
-from raybundle.measuring.actions.decisions import with_decisions
 from raybundle.measuring.actions.masks import drawn_by_file, photographs_in, write_masks
 from raybundle.measuring.export import (
     lost_in_csv,
@@ -37,15 +37,13 @@ from raybundle.measuring.names import Known
 from raybundle.measuring.quantities import QUANTITIES, Quantity
 from raybundle.measuring.query import Answer, ask, in_axes
 from raybundle.measuring.selection import latest_figures, quantity_of, selected
-from raybundle.measuring.session import adjusted_again, block_folder, readjusted
-from raybundle.measuring.start import adjusted
+from raybundle.measuring.session import adjusted_again, block_folder, given_block, readjusted
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.project import masks_given, photographs_of
 from raybundle.results.folder import ResultFolder
 from raybundle.results.stored_options import made_as
 from raybundle.settings import keywords, made
-from raybundle.workflows.adjust import adjust
 
 LISTS: tuple[Quantity, ...] = tuple(q for q in QUANTITIES if q not in {"coordinates", "distance", "angle"})
 """Quantities of one list of points each"""
@@ -91,7 +89,8 @@ def _check_named(folder: Path, block: Block, points: Sequence[str]) -> None:
     waiting = [p for p in points if p not in there and p in marks(folder).points]
     if waiting:
         made = measured_result(folder)
-        raise InputError("mark.not_in_result", point=waiting[0], adjusted=made.is_dir(), folder=str(made))
+        adjusted = made.is_dir() and made.resolve() != block_folder(folder).resolve().parent
+        raise InputError("mark.not_in_result", point=waiting[0], adjusted=adjusted, folder=str(made))
 
 
 @keywords(DatumSettings)
@@ -145,7 +144,7 @@ def open_journal(folder: str | Path) -> Journal:
     folder = measuring_folder(folder)
     scans = read_scans(folder)
     fiducials = () if scans is None else scans.calibrated.names
-    return Journal.open(journal_path(folder), Known.of(read_block(block_folder(folder)), fiducials))
+    return Journal.open(journal_path(folder), Known.of(read_block(given_block(folder)), fiducials))
 
 
 def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **arguments: Any) -> int:  # noqa: A002
@@ -210,7 +209,7 @@ def history(folder: str | Path) -> list[Entry]:
 def merged(folder: str | Path) -> Merged:
     """The block of a folder with what was measured by hand."""
     project = _standing(folder)
-    return merge(read_block(block_folder(project)), marks(folder), read_scans(project))
+    return merge(read_block(given_block(project)), marks(folder), read_scans(project))
 
 
 def _standing(folder: str | Path) -> Path:
@@ -226,10 +225,9 @@ def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) 
     raises  NoOrientation if no photograph is oriented, with the missing marks
     Photographs without orientation are oriented from their marks if possible.
     """
-    options = with_decisions(made(AdjustmentOptions, given), marks(folder))
-    found = merged(folder)
-    lacking = {k.image: k.words for k in found.lacking if k.kind != "marks"}
-    return adjusted(found, lambda block: adjust(block, options, progress)), {**found.left_out, **lacking}
+    project = _standing(folder)
+    options = made(AdjustmentOptions, given)
+    return adjust_marks_of(given_block(project), marks(folder), read_scans(project), options, progress)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -244,7 +242,7 @@ class Exported:
 def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> Exported:
     """Export the manual measurements: NAME.csv for orient, NAME.txt as gcp_list (with `crs`), else a block."""
     out, state = Path(out), marks(folder)
-    block = read_block(block_folder(_standing(folder)))
+    block = read_block(given_block(_standing(folder)))
     if out.suffix.lower() == ".csv":
         return Exported(files=write_csv(state, out, Known.of(block)), remarks=lost_in_csv(state))
     if out.suffix.lower() == ".txt":
@@ -266,7 +264,7 @@ def export_masks(folder: str | Path, out: str | Path) -> Exported:
     """
     folder, out = _standing(folder), Path(out)
     check_free(out)
-    block = read_block(block_folder(folder))
+    block = read_block(given_block(folder))
     photos = photographs_in(block, photographs_of(folder))
     written = write_masks(out, photos, drawn_by_file(block, marks(folder)), masks_given(folder))
     lost = len(block.images) - len(photos)

@@ -145,11 +145,13 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     from raybundle.adjustment.blunders.accuracy_class import accuracy_class
     from raybundle.commands.drawn_masks import masks_of_run
     from raybundle.commands.earlier_run import earlier_run
+    from raybundle.commands.marked_results import with_marks
     from raybundle.io.block.toml import read_cameras
     from raybundle.io.photos.photo import shown
     from raybundle.io.trajectories import read_trajectory
     from raybundle.pipeline.project import discard_empty
     from raybundle.results.folder import check_target
+    from raybundle.results.project_results import ORIENT, replacing
     from raybundle.workflows.orient import orient as oriented
     from raybundle.workflows.orienting.previous_result import less_fixed
 
@@ -172,15 +174,17 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
             positions=None if settings.positions is None else read_trajectory(settings.positions),
             earlier=earlier_run(out),
         )  # fmt: skip
-        lost = less_fixed(result, done.adjustment)
-        if lost is not None:
-            done = replace(done, adjustment=replace(done.adjustment, notices=(lost, *done.adjustment.notices)))
-        with report_stage(out, done.stages):
+        with report_stage(out, done.stages), replacing(out, ORIENT, marks=False) as made:
+            marked = with_marks(done, out, made, progress)
+            done = marked.orientation
+            lost = less_fixed(result, done.adjustment)
+            if lost is not None:
+                done = replace(done, adjustment=replace(done.adjustment, notices=(lost, *done.adjustment.notices)))
             asked = {name: in_words(value) for name, value in other_than_usual(settings).items()}
             write_orientation(
                 done, result, report="html" if settings.report else "none", progress=progress, settings=asked,
                 wanted=wanted, record=record, pdf=settings.pdf, all_coordinates=settings.all_coordinates,
-                language=settings.language,
+                language=settings.language, additions=marked.made.as_addition(),
             )  # fmt: skip
     except InputError:
         if begins and out.is_dir():

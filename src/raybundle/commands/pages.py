@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Protocol
 
-from raybundle.report.languages import checked_language, language_codes
+from raybundle.io.reading.trees import read_toml
+from raybundle.report.languages import ENGLISH, checked_language, language_codes
 from raybundle.report.paper.needed import check_typesetter
 
 NO_REPORT_HELP = "Leave out report.html and network.html."
@@ -15,6 +16,9 @@ TABLES_HELP = (
 )
 PDF_HELP = "Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without report.html."
 LANGUAGE_HELP = f"Language of the report: {', '.join(language_codes())}. Tables and result.json stay English."
+PROJECT_LANGUAGE_HELP = f"{LANGUAGE_HELP}  [default: that of the project, else en]"
+PROJECT_FILE, SECTIONS = "project.toml", ("orient", "calibrate")
+"""Where a project states in which language its reports are"""
 COORDINATES_HELP = (
     "List every object point in the appendix of the report. Without it, only the first of many are listed."
 )
@@ -36,9 +40,26 @@ class Pages(Protocol):
 
 def check_pages(settings: Pages) -> None:
     """Raise InputError, before anything is computed, for a report that cannot be written: its language, the PDF."""
-    checked_language(settings.language)
+    if settings.language:
+        checked_language(settings.language)
     if settings.pdf:
         check_typesetter()
+
+
+def language_in(folder: Path | None, given: str = "") -> str:
+    """Of the pages: as asked for, else that of the reports of the project that a folder is or belongs to.
+
+    raises  InputError for a language that there is not
+    """
+    if given:
+        return checked_language(given)
+    places = () if folder is None else (folder, folder.parent, folder.parent.parent)
+    project = next((p / PROJECT_FILE for p in places if (p / PROJECT_FILE).is_file()), None)
+    if project is None:
+        return ENGLISH
+    tree = read_toml(project).tree()
+    found = [tree.get(n).get("language").text() for n in SECTIONS if tree.has(n) and tree.get(n).has("language")]
+    return checked_language(found[0]) if found else ENGLISH
 
 
 def page_files(folder: Path, *, report: bool, pdf: bool, network: str = "network.html") -> list[Path]:

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from raybundle.commands.record_settings import record_in
 from raybundle.errors import InputError, phrase
+from raybundle.results.project_results import project_of
 from raybundle.results.record import NAMES, RECORD, RECORD_FILE, Record, checked
 from raybundle.settings import keywords, made, path_of, setting
 
 if TYPE_CHECKING:
+    from raybundle.io.reading.trees import Json
     from raybundle.results.recording_sheet import KnownByPhotographs
 
 
@@ -90,7 +92,7 @@ def run_record(settings: RecordSettings) -> Recorded:
     reported = Record(**{**reported.as_mapping(), **given})
     files = [_write(folder, reported)]
     if result.is_dir():
-        text = recorded_text(reported.over(_of_run(folder)), known)
+        text = recorded_text(reported.over(record_of_run(folder)), known)
         _replace(result / RECORD_FILE, text)
         files.append(result / RECORD_FILE)
     return Recorded(record=reported, known=known, files=tuple(files))
@@ -143,17 +145,19 @@ def _replace(file: Path, text: str) -> None:
         temporary.unlink(missing_ok=True)
 
 
-def _of_run(folder: Path) -> Record:
-    """What the last run was asked to print on its first page."""
+def run_of(folder: Path) -> Json | None:
+    """What the last run of `orient` in a project was asked for; None where there was none."""
     from raybundle.io.reading.trees import read_toml
 
     file = folder / "project.toml"
     tree = read_toml(file).tree() if file.is_file() else None
-    if tree is None or not tree.has("orient"):
-        return Record()
-    run = tree.get("orient")
-    names = ("title", "client", "operator")
-    return Record(**{n: str(run.get(n).value) for n in names if run.has(n)})
+    return tree.get("orient") if tree is not None and tree.has("orient") else None
+
+
+def record_of_run(folder: Path) -> Record:
+    """What the last run was asked to print on its first page."""
+    run, names = run_of(folder), ("title", "client", "operator")
+    return Record() if run is None else Record(**{n: str(run.get(n).value) for n in names if run.has(n)})
 
 
 def known_record(folder: Path) -> Record:
@@ -164,8 +168,8 @@ def known_record(folder: Path) -> Record:
     from raybundle.results.recording_sheet import read_recorded
 
     own, known = read_recorded(folder)
-    project = folder.parent
-    if folder.name == "result" and (project / "project.db").is_file():
+    project = project_of(folder)
+    if project is not None:
         own = record_in(project).over(own)
     if known is None:
         return own

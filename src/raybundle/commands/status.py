@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from raybundle.io.reading.trees import Json
     from raybundle.pipeline.project import StageRecord
     from raybundle.pipeline.running import Running
+    from raybundle.results.project_results import Kept
     from raybundle.workflows.unfinished_parts import Left
 
 
@@ -48,6 +49,8 @@ class Status:
     """that the result was adjusted again since a surface was measured of it, in words; empty: nothing states it"""
     surface: Status | None = None
     """of the dense points that were measured of it"""
+    results: tuple[Kept, ...] = ()
+    """the current result first"""
 
 
 def status_of(folder: Path) -> Status:
@@ -61,6 +64,7 @@ def status_of(folder: Path) -> Status:
     from raybundle.pipeline.shards import tasks_listed
     from raybundle.results.fingerprint import adjusted_since
     from raybundle.results.folder import PROJECT
+    from raybundle.results.project_results import kept_results
     from raybundle.workflows.unfinished_parts import OF_STAGES, bytes_in, left_beside
 
     surface = _surface_in(folder)
@@ -87,7 +91,7 @@ def status_of(folder: Path) -> Status:
         folder=project if of_surface else None, written=of_surface and all_written(project),
         outgrown=adjusted_since(project.parent, measured_of(project)) if of_surface else "",
         works=works(project), listed=listed, store="" if store == HERE else store, bytes=bytes_in(project),
-        elsewhere=_elsewhere(project), left=left,
+        elsewhere=_elsewhere(project), left=left, results=tuple(kept_results(project)),
     )  # fmt: skip
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.convert import FREE_SCALE_HELP
-from raybundle.commands.pages import LANGUAGE_HELP
+from raybundle.commands.pages import PROJECT_LANGUAGE_HELP, language_in
 from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE
 from raybundle.commands.worker import store_of
@@ -91,7 +91,7 @@ class SurfaceSettings(PlaneSettings):
     client: str = setting("", CLIENT, metavar="TEXT")
     operator: str = setting("", OPERATOR, metavar="TEXT")
     pdf: bool = setting(False, "Also write surface.html as surface.pdf: A4, with page numbers and bookmarks.")
-    language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
+    language: str = setting("", PROJECT_LANGUAGE_HELP, metavar="CODE")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -172,17 +172,15 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     from raybundle.measuring.session import adjusted_again
     from raybundle.pipeline.choosing import check_cluster
     from raybundle.pipeline.place import ProductGone
-    from raybundle.report.languages.language import language_of
     from raybundle.results.fingerprint import fingerprint
     from raybundle.surfaces.products import PRODUCTS
 
-    s = settings
-    result, export, folders = _source_of(s)
+    result, export, folders = _source_of(settings)
+    s = replace(settings, language=language_in(result, settings.language))
     out = s.out or s.source / "surface"
     wanted = frozenset(name for name in PRODUCTS if not name or getattr(s, name) not in (None, False))
     _check_out(out)
     _check_needed(wanted, pdf=s.pdf)
-    language_of(s.language, [])  # one that there is not is reported before anything is measured
     check_cluster(s.cluster)
     adjusted = cache(lambda: adjusted_again(result, progress))  # once for all that needs it
     grids, region = _grid_of(s, result, export, adjusted, progress)

@@ -31,6 +31,7 @@ from raybundle.io.reading.words import quoted
 from raybundle.measuring.actions.verbs import Action, action_of
 from raybundle.measuring.names import Known
 from raybundle.measuring.state import Fold, State
+from raybundle.results.project_results import RESULT, project_of
 
 SCHEMA = "1"
 LONGEST_ID, LONGEST_AUTHOR = 200, 200
@@ -47,18 +48,6 @@ CREATE TRIGGER IF NOT EXISTS actions_are_kept BEFORE DELETE ON actions
 INSERT OR IGNORE INTO about VALUES ('schema', '1');
 COMMIT;
 """
-
-
-def project_of(folder: str | Path) -> Path | None:
-    """The project folder that a folder is, or whose own result (or block of it) it is."""
-    folder = Path(folder)
-    if (folder / "project.db").is_file():
-        return folder
-    whole = folder.resolve()  # "." and "a/.." have no name of their own
-    result = whole.parent if whole.name == "block" else whole
-    if result.name == "result" and (result.parent / "project.db").is_file():
-        return result.parent
-    return None
 
 
 def named_folder(folder: str | Path) -> Path:
@@ -85,9 +74,9 @@ def journal_path(folder: str | Path) -> Path:
 
 
 def measured_result(folder: str | Path) -> Path:
-    """Where the result of what was measured is written by default: in a project, beside any other folder."""
+    """Where the result of what was measured is written by default: that of a project, else beside the folder."""
     if (project := project_of(folder)) is not None:
-        return project / "measured-result"
+        return project / RESULT
     whole = named_folder(folder)
     return whole.with_name(f"{whole.name}-measured")
 

@@ -19,6 +19,7 @@ from raybundle.measuring.joint import Joint
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.names import Known
 from raybundle.numerics.progress import Progress, silent
+from raybundle.results.project_results import base_result, project_of
 from raybundle.results.stored_options import made_as
 
 Adjust = Callable[[Block], Adjustment]
@@ -152,6 +153,15 @@ def block_folder(folder: str | Path) -> Path:
         "session.no_project",
         file=folder,
     )
+
+
+def given_block(folder: str | Path) -> Path:
+    """The block folder that marks are merged into: in a project that of its result without marks."""
+    project = project_of(folder)
+    base = None if project is None else base_result(project)
+    if base is not None:
+        return base / "block"
+    return block_folder(folder) if project is None or not (project / "block").is_dir() else project / "block"
 
 
 def latest_block(folder: str | Path) -> Path:

@@ -136,6 +136,14 @@ class State:
     """actions that can be taken back"""
     can_redo: int = 0
 
+    @property
+    def adjusts(self) -> bool:
+        """Whether something of it takes part in an adjustment: masks alone do not."""
+        return any((
+            self.marks, self.points, self.bars, self.lines, self.datum, self.fiducials, self.rejected, self.renamed,
+            self.parameters,
+        ))  # fmt: skip
+
     def marks_of(self, point: str) -> dict[str, Mark]:
         """The marks of a point, by image."""
         return {image: m for (image, p), m in self.marks.items() if p == point}

@@ -4,7 +4,8 @@
     PROJECT/project.db       stages, photographs, verified pairs (SQLite)
     PROJECT/cache/xx/KEY.npz products of stages; a key holds the hash of everything that the product depends on.
                              Of a run with an object store they lie there (`objects`), which project.toml remembers
-    PROJECT/result/          the result folder
+    PROJECT/result/          the current result folder
+    PROJECT/results/         earlier ones (`raybundle.results.project_results`)
     PROJECT/block/           the photographs alone, where they are measured by hand and `orient` made no result
     PROJECT/running.json     how far a stage in work is
     PROJECT/failed-tasks.log what tasks stated that failed three times
@@ -48,8 +49,8 @@ SCHEMA = 1
 HERE = "project"
 """Name of a store: the project folder itself."""
 OWN = {
-    "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "block", "film", "surface",
-    "measured.db", "measured.db-wal", "measured.db-shm", "measured-result", "measured-masks", "failed-tasks.log",
+    "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "results", "block", "film",
+    "surface", "measured.db", "measured.db-wal", "measured.db-shm", "measured-masks", "failed-tasks.log",
     "running.json",
 }  # fmt: skip
 _LEFTOVER = re.compile(r"\.result\.[0-9a-f]{8}\.(?:partial|old)|\.(?:project\.toml|running\.json)\.[0-9a-f]{8}")

@@ -15,7 +15,7 @@ from raybundle.report.languages import ENGLISH, checked_language
 from raybundle.report.paper.needed import check_typesetter
 from raybundle.results.folder import MAP, MAP_CONTROL, written_folder
 from raybundle.results.record import RECORD_FILE, Record
-from raybundle.results.recording_sheet import known_by_photographs, recorded_text
+from raybundle.results.recording_sheet import KnownByPhotographs, known_by_photographs, recorded_text
 
 if TYPE_CHECKING:
     from raybundle.adjustment.blunders.accuracy_class import AccuracyClass
@@ -42,6 +42,7 @@ def write_result(
     qualities: tuple[CalibrationQuality, ...] = (),
     wanted: AccuracyClass | None = None,
     record: Record | None = None,
+    known: KnownByPhotographs | None = None,
     outcomes: tuple[Outcome, ...] = (),
     findings: tuple[object, ...] = (),
     more: Callable[[Path], None] | None = None,
@@ -60,6 +61,7 @@ def write_result(
     qualities    verdicts on calibrated cameras; calibration.toml, as orient takes it, is written beside them
     wanted       accuracy that is asked for at check points
     record       title, client and the like
+    known        dates and cameras of the photographs, where `photographs` is not there
     outcomes     outcomes of further requests
     findings     what else was found with the points, for the report: a best fit, a length test
     more         writes further files of the result into the folder
@@ -89,8 +91,9 @@ def write_result(
 
             text = calibration_text(adjustment, qualities)
             (folder / "calibration.toml").write_text(text, encoding="utf-8", newline="\n")
-        if photographs is not None or delivery.record.as_mapping():
-            (folder / RECORD_FILE).write_text(_recorded(adjustment, delivery.record, photographs), encoding="utf-8")
+        if photographs is not None or known is not None or delivery.record.as_mapping():
+            text = _recorded(adjustment, delivery.record, photographs, known)
+            (folder / RECORD_FILE).write_text(text, encoding="utf-8")
         if more is not None:
             more(folder)
         pages = [folder / name for name, wanted in (("report.html", report == "html"), ("report.pdf", pdf)) if wanted]
@@ -111,9 +114,10 @@ def write_result(
             write_network_page(adjustment, folder / "network.html", title=delivery.record.title, language=language)
 
 
-def _recorded(adjustment: Adjustment, record: Record, facts: PhotographFacts | None) -> str:
+def _recorded(
+    adjustment: Adjustment, record: Record, facts: PhotographFacts | None, known: KnownByPhotographs | None
+) -> str:
     """The recording sheet with what the photographs know."""
-    known = None
     if facts is not None:
         devices = {p.camera: p.device for p in facts.photographs if p.device}
         known = known_by_photographs(adjustment, devices, tuple(p.taken for p in facts.photographs))

@@ -178,8 +178,10 @@ def columns_of_table(name: str) -> tuple[Column, ...]:
 
 
 def read_result(path: str | Path) -> ResultFolder:
-    """A result folder's tables and result.json; raises InputError where it is not one."""
+    """Tables and result.json of a result folder, or of the current result of a project; raises InputError."""
     folder = Path(path)
+    if (folder / "project.db").is_file():
+        folder /= "result"
     if not (folder / "result.json").is_file():
         raise InputError("result.no_result", file=folder)
     if not _is_ours(folder / "result.json"):

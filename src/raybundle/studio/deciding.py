@@ -91,9 +91,9 @@ class Deciding:
         return await _document(lambda: self.work.shelf.page(_number(number), name))
 
     async def _last(self, request: Request) -> Response:
-        """A page of the last adjustment with what was measured."""
+        """A page of the last adjustment."""
         name, stored = request.path_params["name"], self.work.shelf.adjustments
-        if not stored or stored[-1].number == 0:
+        if not stored:
             raise HTTPException(404, phrase("studio_page.no_page"))
         return await _document(lambda: self.work.shelf.page(stored[-1].number, name))
 

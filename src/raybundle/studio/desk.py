@@ -17,7 +17,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.measuring.film import Scans, read_scans
 from raybundle.measuring.journal import Journal, journal_path
 from raybundle.measuring.names import Known
-from raybundle.measuring.session import Session, block_folder, latest_block, readjusted
+from raybundle.measuring.session import Session, block_folder, given_block, latest_block, readjusted
 from raybundle.measuring.start import Standing, standing_of, to_begin
 from raybundle.numerics.arrays import Index
 from raybundle.numerics.progress import Progress, silent
@@ -63,7 +63,7 @@ class Desk:
         raises  InputError where it is none of these, or a file of it is damaged
         """
         stamp = _stamp(source)
-        given = read_block(block_folder(source))
+        given = read_block(given_block(source))
         scans = read_scans(source)
         known = Known.of(given, () if scans is None else scans.calibrated.names)
         journal = Journal.open_or_look(journal_path(source), known)
@@ -78,7 +78,7 @@ class Desk:
         raises  InputError where the folder holds no block any more; the desk is then as it was
         """
         stamp = _stamp(self.source)
-        given = read_block(block_folder(self.source))
+        given = read_block(given_block(self.source))
         known = Known.of(given, () if self.scans is None else self.scans.calibrated.names)
         block, times = _latest_block(self.source, given), self.times + 1
         folder = self.tiles.folder.parent if self.times else self.tiles.folder
@@ -159,7 +159,7 @@ def _kind(source: Path) -> Kind:
 def _stamp(source: Path) -> tuple[int, ...]:
     """What changes when a block is written again; raises InputError where there is none."""
     try:
-        stat = (block_folder(source) / "block.toml").stat()
+        stat = (given_block(source) / "block.toml").stat()
     except OSError:
         return ()
     return stat.st_mtime_ns, stat.st_size, stat.st_ino
@@ -167,7 +167,7 @@ def _stamp(source: Path) -> tuple[int, ...]:
 
 def _latest_block(source: Path, given: Block) -> Block:
     folder = latest_block(source)
-    return given if folder == block_folder(source) else read_block(folder)
+    return given if folder == given_block(source) else read_block(folder)
 
 
 def _tiles(folder: Path, source: Path, given: Block, known: Known, photos: Sequence[Path]) -> Tiles:

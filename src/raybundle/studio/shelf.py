@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import threading
 from dataclasses import dataclass, field, replace
@@ -15,6 +14,7 @@ from raybundle.errors import InputError
 from raybundle.measuring.journal import measured_result
 from raybundle.report.comparison.page import comparison
 from raybundle.results.folder import ResultFolder, read_result
+from raybundle.results.project_results import base_result, linked, project_of
 from raybundle.results.stored_options import as_mapping, options_of
 from raybundle.settings import as_typed
 from raybundle.studio.answers import finite
@@ -56,11 +56,12 @@ class Shelf:
         folder  for the copies, which goes with the server
         """
         found = cls(folder)
-        own = own_result(source)
-        before = measured_result(source)
-        if own is not None:
-            found._put(Stored(number=0, folder=own, origin="opened"))
-        if (before / "result.json").is_file():
+        own, before = own_result(source), measured_result(source)
+        project = project_of(source)
+        first = own if project is None else base_result(project)
+        if first is not None:
+            found._put(Stored(number=0, folder=first, origin="opened"))
+        if (before / "result.json").is_file() and before != first:
             found._made = 1
             found._put(Stored(number=1, folder=before, origin="before"))
         return found
@@ -78,7 +79,7 @@ class Shelf:
 
     def _put(self, made: Stored) -> None:
         copy = self.folder / f"adjustment-{made.number}"
-        shutil.copytree(made.folder, copy, copy_function=_linked, ignore=shutil.ignore_patterns("project"))
+        shutil.copytree(made.folder, copy, copy_function=linked, ignore=shutil.ignore_patterns("project"))
         self.adjustments.append(replace(made, folder=copy))
 
     def one(self, number: int) -> Stored:
@@ -116,16 +117,8 @@ class Shelf:
 
 
 def own_result(source: Path) -> Path | None:
-    """The result folder that a project or result folder has without anything measured; None where there is none."""
+    """The current result folder of a project, or a result folder itself; None where there is none."""
     return next((f for f in (source / "result", source) if (f / "result.json").is_file()), None)
-
-
-def _linked(source: str, target: str) -> None:
-    """The file under another name, which costs nothing, or a copy: results are replaced whole, never changed."""
-    try:
-        os.link(source, target)
-    except OSError:
-        shutil.copy2(source, target)
 
 
 def _figures(stored: Stored) -> dict[str, Any]:

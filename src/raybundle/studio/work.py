@@ -7,13 +7,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.commands.marked_results import write_marked
 from raybundle.errors import code_of, phrase
 from raybundle.measuring.actions.decisions import with_decisions
-from raybundle.measuring.journal import measured_result
 from raybundle.measuring.merge import merge
 from raybundle.measuring.session import Session
 from raybundle.measuring.start import adjusted, begun, standing_after
-from raybundle.report.write import write_result
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
 from raybundle.studio.shelf import Origin, Shelf, own_result
@@ -175,8 +174,7 @@ class Work:
         decided = with_decisions(options, state)
         made = merge(desk.given, state, desk.scans)
         done = adjusted(made, lambda block: adjust(block, decided, self._notify))
-        folder = measured_result(desk.source)
-        write_result(done, folder, language=self.live.reader.language, progress=self._notify)
+        folder = write_marked(desk.source, done, language=self.live.reader.language, progress=self._notify)
         self.shelf.put(folder, command_of_adjusting(desk.source, options))
         desk.replaced(Session.of(done), standing_after(made, done))
         return str(folder)

@@ -70,3 +70,6 @@ adjustment-identical_images = Keine Konvergenz: { $pairs } { $pairs ->
     } auf ein halbes Pixel dieselben Bildpunkte.
     .why = Es ist zweimal dieselbe Aufnahme, oder es fehlt die Basis.
     .do = Von jedem Paar ein Bild ausschließen.
+
+adjustment-out_missing = Es fehlt, wohin das Ergebnis geschrieben wird: dies ist kein Projekt.
+    .do = Einen Ordner angeben: { OPTION("out") }.

@@ -101,3 +101,6 @@ adjustment-identical_images = No convergence: { $pairs } { $pairs ->
     } the same image points within half a pixel.
     .why = They are the same photograph twice, or have no base between them.
     .do = Exclude one image of each pair.
+
+adjustment-out_missing = Nothing states where the result goes: this is no project.
+    .do = Give a folder: { OPTION("out") }.

@@ -187,7 +187,7 @@ mark-outside_photograph = { NUM($x_px, digits: 6) }, { NUM($y_px, digits: 6) } i
 
 # $point = "M7"
 # $adjusted = true
-# $folder = "facade/measured-result"
+# $folder = "facade-result-measured"
 mark-not_in_result = Point { $point } is marked by hand, but is not in this result.
     .do = { $adjusted ->
         [yes] Use { $folder }, the result with the marked points

@@ -34,3 +34,5 @@ adjustment-not_finite = Pas de convergence : après { $iterations } itérations 
 adjustment-no_convergence = Pas de convergence après { $iterations } itérations (dernier pas { NUM($step_sigmas, digits: 2) } écarts-types).
 
 adjustment-identical_images = Pas de convergence : { $pairs } paires d'images ont les mêmes points image à un demi-pixel près.
+
+adjustment-out_missing = Le dossier du résultat manque : ce n'est pas un projet.

@@ -55,7 +55,7 @@ studio_page-adjusting = Adjusting the block with the marks.
 studio_page-busy = An adjustment is in progress already.
 
 # $sigma0 = 0.97
-# $folder = "facade/measured-result"
+# $folder = "facade/result"
 studio_page-adjusted = Adjusted: sigma0 { $sigma0 }{ $folder ->
         [none] .
         *[other] ; result in { $folder }.

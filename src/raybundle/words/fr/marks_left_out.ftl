@@ -1,0 +1,1 @@
+marks_left_out = { $n } points mesurés ne sont pas dans la compensation : { $names }.
