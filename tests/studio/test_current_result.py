@@ -96,7 +96,7 @@ def test_the_oldest_make_room_and_the_one_without_marks_stays(project, monkeypat
     monkeypatch.setattr("raybundle.results.project_results.MOST", 2)
     marked(project)
     for k in range(3):
-        rb.mark(project, "bar", start="A", end="B", length=2.0 + k / 10, sigma=0.001)
+        rb.mark(project, "bar", start="A", end="B", length=2.1 + k / 10, sigma=0.001)
         adjusted(project)
     names = [p.name for p in earlier_results(project)]
     assert names == ["4-marks", "3-marks", "1-orient"]
