@@ -12,7 +12,9 @@ from raybundle.io.table_files import TableFormat
 from raybundle.io.tables import write_table
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.languages import ENGLISH, checked_language
+from raybundle.report.languages.language import language_of
 from raybundle.report.paper.needed import check_typesetter
+from raybundle.report.readme import README, readme
 from raybundle.results.folder import MAP, MAP_CONTROL, written_folder
 from raybundle.results.record import RECORD_FILE, Record
 from raybundle.results.recording_sheet import KnownByPhotographs, known_by_photographs, recorded_text
@@ -97,11 +99,13 @@ def write_result(
         if more is not None:
             more(folder)
         pages = [folder / name for name, wanted in (("report.html", report == "html"), ("report.pdf", pdf)) if wanted]
+        names = [*(entry.name for entry in folder.iterdir() if not _empty(entry)), *(p.name for p in pages)]
+        names += ["network.html"] * (report == "html")
+        text = readme(adjustment, sorted(names), language_of(language, [adjustment.adjusted.name]))
+        (folder / README).write_text(text, encoding="utf-8", newline="\n")
         if pages:
             from raybundle.report.writing import write_reports
 
-            names = [*(entry.name for entry in folder.iterdir() if not _empty(entry)), *(p.name for p in pages)]
-            names += ["network.html"] * (report == "html")
             write_reports(
                 adjustment, pages, progress, photographs=photographs, qualities=qualities,
                 delivery=replace(delivery, files=tuple(sorted(names)), surface=_surface_beside(Path(path))),

@@ -47,6 +47,7 @@ ENTRIES = {
     "coordinate_list.csv",
     "nominal.csv",
     "lengths.csv",
+    "README.txt",
 }
 """Of a result folder beside its tables"""
 EXACT = {"frame", "calibration"}
@@ -73,7 +74,7 @@ class ResultFolder:
     distances: Table
     stations: Table
     attitudes: Table | None
-    """None in results of versions before observed attitudes."""
+    """None where there are none."""
     others: Mapping[str, Table] = field(default_factory=dict[str, Table])
     """Tables of further kinds of observations, by their names: "planes" ..."""
 
@@ -136,6 +137,8 @@ def written_folder(
         for name in TABLES:  # one after the other: those of the image observations are large
             columns = {n: _readable(v) for n, v in result_table(adjustment, name).items()}
             rows = max(map(len, columns.values()))
+            if not rows and name not in ALWAYS:
+                continue
             file = new_table_file(folder, name, rows, tables)
             write_table(file, columns, result_digits(adjustment, name, columns))
         added = {k: v if k in EXACT else reported(v) for k, v in (additions or {}).items()}
@@ -192,7 +195,7 @@ def read_result(path: str | Path) -> ResultFolder:
     tables: dict[str, Table] = {}
     for name in TABLES:
         file = table_file(folder, name)
-        if (name == "attitudes" or name not in ALWAYS) and not file.is_file():
+        if name not in ALWAYS and not file.is_file():
             continue
         tables[name] = read_table(file, columns_of_table(name), least_rows=0, own=True)
         for column, ids in known.items():
@@ -209,7 +212,7 @@ def read_result(path: str | Path) -> ResultFolder:
         distances=tables["distances"],
         stations=tables["stations"],
         attitudes=tables.get("attitudes"),
-        others={name: tables[name] for name in tables if name not in ALWAYS},
+        others={name: tables[name] for name in tables if name not in {*ALWAYS, "attitudes"}},
     )
 
 

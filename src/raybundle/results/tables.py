@@ -78,7 +78,7 @@ TABLES: Mapping[str, Layout] = OfKinds(
 """Table -> text columns, numbers, text columns at the end."""
 
 
-ALWAYS = ("images", "points", "observations", "control", "check", "distances", "stations", "attitudes")
+ALWAYS = ("images", "points", "observations", "control", "check", "distances", "stations")
 """Tables that a result folder has with or without rows; the others stand there where the block has rows of them."""
 
 
