@@ -38,7 +38,7 @@ def one(density: int, how: str) -> dict:
     with tempfile.TemporaryDirectory() as folder:
         for kind in ("html", "pdf"):
             began = time.perf_counter()
-            write_report(result, Path(folder) / f"report.{kind}", all_coordinates=True)
+            write_report(result, Path(folder) / f"report.{kind}", appendix="all")
             seconds[kind] = round(time.perf_counter() - began, 2)
         peak = peak_mb()
         pdf = (Path(folder) / "report.pdf").read_bytes()

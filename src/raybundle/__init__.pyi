@@ -385,7 +385,7 @@ def calibrate(
     operator: str = '',
     report: bool = True,
     pdf: bool = False,
-    all_coordinates: bool = False,
+    appendix: Literal['none', 'short', 'all'] = 'none',
     language: str = 'en',
 ) -> Calibration:
     """Calibrate the cameras of photographs of coded targets or a board; the result and its report stand in `out`.
@@ -398,37 +398,36 @@ def calibrate(
     Limits: the calibration holds for the zoom and focus of the photographs, and for the part of the
     format in which targets were seen.
 
-    target           Targets in the photographs, e.g. aicon14 or chessboard-9x6. How-to Coded targets lists them.
-                     [default: detected; natural points if there are none]
-    table            Table of custom rings: id,code; with bits=.
-    bits             Number of sectors of the rings of table=.
-    sheet            TOML file of the printed sheet, instead of target=.
-    masks            Masks of the photographs for natural points. They apply if there are no targets. File names as for
-                     `raybundle orient`.
-    own_camera       Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For
-                     photographs without metadata.
-    model            Distortion model: aicon, brown, brown_harmonic, division, eucm, field_of_view, fisheye,
-                     kannala_brandt, radial, rational, spline, thin_prism. auto: brown, or the better model for a wide
-                     lens or for systematic residuals.
-    parameters       Parameters to estimate, e.g. c,x0,y0,K1,K2,P1,P2.  [default: significant and determinable ones]
-    spacing          Distance of neighbouring points of a board, e.g. 25mm. It gives lengths in mm; the calibration does
-                     not depend on it.
-    dots             Also use dots without a code among the targets.
-    shear            Allow any shear and affinity of the pixels, for scanned pictures.
-    keep             Store a good calibration in the camera library. orient finds it there.
-    jobs             Number of processors; 0: all.
-    noise            Error model of image coordinates. white: independent errors. fields: smooth errors that differ from
-                     image to image, and a floor, both estimated from the residuals. auto: fields for five photographs
-                     or more that are measured here; white for a given block.
-    title            Title of the report.
-    client           Client, on the first page of the report.
-    operator         Operator, on the first page of the report.
-    report           False: Leave out report.html and network.html.
-    pdf              Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without
-                     report.html.
-    all_coordinates  List every object point in the appendix of the report. Without it, only the first of many are
-                     listed.
-    language         Language of the report: en, de, fr. Tables and result.json stay English.
+    target      Targets in the photographs, e.g. aicon14 or chessboard-9x6. How-to Coded targets lists them.  [default:
+                detected; natural points if there are none]
+    table       Table of custom rings: id,code; with bits=.
+    bits        Number of sectors of the rings of table=.
+    sheet       TOML file of the printed sheet, instead of target=.
+    masks       Masks of the photographs for natural points. They apply if there are no targets. File names as for
+                `raybundle orient`.
+    own_camera  Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For photographs
+                without metadata.
+    model       Distortion model: aicon, brown, brown_harmonic, division, eucm, field_of_view, fisheye, kannala_brandt,
+                radial, rational, spline, thin_prism. auto: brown, or the better model for a wide lens or for systematic
+                residuals.
+    parameters  Parameters to estimate, e.g. c,x0,y0,K1,K2,P1,P2.  [default: significant and determinable ones]
+    spacing     Distance of neighbouring points of a board, e.g. 25mm. It gives lengths in mm; the calibration does not
+                depend on it.
+    dots        Also use dots without a code among the targets.
+    shear       Allow any shear and affinity of the pixels, for scanned pictures.
+    keep        Store a good calibration in the camera library. orient finds it there.
+    jobs        Number of processors; 0: all.
+    noise       Error model of image coordinates. white: independent errors. fields: smooth errors that differ from
+                image to image, and a floor, both estimated from the residuals. auto: fields for five photographs or
+                more that are measured here; white for a given block.
+    title       Title of the report.
+    client      Client, on the first page of the report.
+    operator    Operator, on the first page of the report.
+    report      False: Leave out report.html and network.html.
+    pdf         Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without report.html.
+    appendix    Appendix of report.pdf. none; short: all but most of many object points; all: every object point, in
+                report.html too. report.html always has the short one.
+    language    Language of the report: en, de, fr. Tables and result.json stay English.
     """
 
 def calibrate_zoom(
@@ -903,7 +902,7 @@ def measure(
     operator: str = '',
     report: bool = True,
     pdf: bool = False,
-    all_coordinates: bool = False,
+    appendix: Literal['none', 'short', 'all'] = 'none',
     language: str = 'en',
 ) -> Measured:
     """Measure targets in photographs, or take a result of them, and hold the points against what is known.
@@ -914,34 +913,34 @@ def measure(
     raises    InputError for points that were not measured; NotSolvable where the photographs cannot be oriented
     Limits: a length test looks at no arrangement of lines, as guidelines ask of an acceptance test.
 
-    target           Targets in the photographs, e.g. aicon14. How-to Coded targets lists them.  [default: detected]
-    dots             Also use dots without a code among the targets.
-    calibration      Fix this calibration.  [default: the camera is calibrated with the object]
-    scale_bar        Known distance between two targets with its standard deviation [m]. May be repeated.
-    control          Known targets that define the datum: point,X,Y,Z; optional sX,sY,sZ (0: fixed) and role (control or
-                     check). In units of unit=. Without standard deviations, they are estimated from the fit.
-    nominal          Nominal coordinates: point,X,Y,Z; optional sX,sY,sZ and tolerance. In units of unit=.
-    by               Points for the fit of the axes.  [default: all nominal ones]
-    fit_scale        Also fit the scale to nominal=. Without a measured scale, it is always fitted.
-    weighting        Weights of the fit: the joint covariance, or equal weights as in other programs.
-    check_length     Known distance between two targets as an independent check [m]. May be repeated.
-    lengths          Table of check distances: from,to,length; optional sigma. In units of unit=.
-    allowed          Maximum permissible length error: A + K L, in mm and mm per metre.
-    unit             Metres per unit of the files.
-    significance     Probability of any false significant deviation or length.
-    jobs             Number of processors; 0: all.
-    noise            Error model of image coordinates. white: independent errors. fields: smooth errors that differ from
-                     image to image, and a floor, both estimated from the residuals. auto: fields for five photographs
-                     or more, also of a result.
-    title            Title of the report.
-    client           Client, on the first page of the report.
-    operator         Operator, on the first page of the report.
-    report           False: Leave out report.html and network.html.
-    pdf              Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without
-                     report.html.
-    all_coordinates  List every object point in the appendix of the report. Without it, only the first of many are
-                     listed.
-    language         Language of the report: en, de, fr. Tables and result.json stay English.
+    target        Targets in the photographs, e.g. aicon14. How-to Coded targets lists them.  [default: detected]
+    dots          Also use dots without a code among the targets.
+    calibration   Fix this calibration.  [default: the camera is calibrated with the object]
+    scale_bar     Known distance between two targets with its standard deviation [m]. May be repeated.
+    control       Known targets that define the datum: point,X,Y,Z; optional sX,sY,sZ (0: fixed) and role (control or
+                  check). In units of unit=. Without standard deviations, they are estimated from the fit.
+    nominal       Nominal coordinates: point,X,Y,Z; optional sX,sY,sZ and tolerance. In units of unit=.
+    by            Points for the fit of the axes.  [default: all nominal ones]
+    fit_scale     Also fit the scale to nominal=. Without a measured scale, it is always fitted.
+    weighting     Weights of the fit: the joint covariance, or equal weights as in other programs.
+    check_length  Known distance between two targets as an independent check [m]. May be repeated.
+    lengths       Table of check distances: from,to,length; optional sigma. In units of unit=.
+    allowed       Maximum permissible length error: A + K L, in mm and mm per metre.
+    unit          Metres per unit of the files.
+    significance  Probability of any false significant deviation or length.
+    jobs          Number of processors; 0: all.
+    noise         Error model of image coordinates. white: independent errors. fields: smooth errors that differ from
+                  image to image, and a floor, both estimated from the residuals. auto: fields for five photographs or
+                  more, also of a result.
+    title         Title of the report.
+    client        Client, on the first page of the report.
+    operator      Operator, on the first page of the report.
+    report        False: Leave out report.html and network.html.
+    pdf           Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without
+                  report.html.
+    appendix      Appendix of report.pdf. none; short: all but most of many object points; all: every object point, in
+                  report.html too. report.html always has the short one.
+    language      Language of the report: en, de, fr. Tables and result.json stay English.
     """
 
 def merge_projects(
@@ -1055,7 +1054,7 @@ def orient(
     operator: str = '',
     report: bool = True,
     pdf: bool = False,
-    all_coordinates: bool = False,
+    appendix: Literal['none', 'short', 'all'] = 'none',
     language: str = 'en',
 ) -> Orientation:
     """Orient photographs and satellite scenes; the result and its report stand in `out`/result.
@@ -1068,73 +1067,72 @@ def orient(
     Limits: without control or scale bars the position, orientation and scale of the result are
     arbitrary; and photographs of an object with similar parts can be oriented wrongly with small residuals.
 
-    own_camera       Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For
-                     photographs without metadata.
-    masks            Masks of the photographs: nothing is measured where they are 0. Named photo.jpg.png (COLMAP),
-                     photo_mask.png or photo.png (Metashape).
-    library          False: Ignore calibrations of the camera library.
-    target           Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or
-                     points of control=. With several families: FAMILY:CODE.
-    attitudes        Observe attitudes of positions=, or of the gimbal, by their convention. auto: attitudes with
-                     standard deviations in the file. pok: phi is the primary angle.
-    attitude_sigma   Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.
-    relative         Use only differences of positions and attitudes within a flight line (relative aerial control).
-                     drift: also after a drift of the positions.
-    scene_bias       Parameters to estimate for the RPC of a satellite scene.
-    crs              Coordinate system of inputs that define none, e.g. EPSG:32633: control, check points, positions= in
-                     a grid. With heights (EPSG:32633+5773, EPSG:32633+ellipsoid) also for files that define only the
-                     plan.
-    features         Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).
-    feature_count    Number of features per photograph.
-    start            Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto:
-                     parts for very many photographs; all pairs if image by image leaves photographs out or the view is
-                     narrow.
-    precise          False: Skip least-squares matching: several times less precise.
-    jobs             Number of processors; 0: all.
-    cluster          Run tasks such as features and depth maps on other machines. Give the cluster folder from
-                     `raybundle scheduler FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and
-                     end.
-    store            Storage of the products of stages. Give the URL of an object store for this project alone, e.g.
-                     s3://bucket/folder (extra [cluster] and the package of the service). The project remembers it.
-                     project: its own folder.  [default: as the last run, at first in the folder]
-    memory           Memory limit for pixels during measurement, and for an adjustment [GB]. 0: 4 for pixels; for
-                     adjustments four fifths of the free memory, at least 1. Larger adjustments run in parts, from 0.2
-                     on.
-    redo_from        Repeat this stage and all later ones. `raybundle status` lists them.
-    read_out         Read-out time of a rolling shutter; 0: none. Without it, photographs with recorded times are tested
-                     for it.
-    noise            Error model of image coordinates. white: independent errors. fields: smooth errors that differ from
-                     image to image, and a floor, both estimated from the residuals. auto: fields for five photographs
-                     or more that are measured here; white for a given block.
-    calibration      File of known cameras. `estimate = []` in it fixes them. Calibrations of `raybundle calibrate` are
-                     observed with their covariance.
-    control          Control points with their image points: gcp_list.txt, CSV or a block folder. Image points alone are
-                     possible, e.g. of the ends of a scale bar: image,point,x_px,y_px.
-    check            Check points, in the same formats.
-    control_sigma    Standard deviation of control, if its file has none. In metres, regardless of the unit of the file.
-                     [default: 0.01 0.02]
-    mark_sigma       Standard deviation of a marked image point.
-    scale_bar        Known distance between two points, with its standard deviation [m]. The points are in control= or
-                     are targets. May be repeated.
-    positions        Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB,
-                     aerial lists).
-    misalignment     False: Take attitudes as those of the camera: estimate no misalignment.
-    lever_arm        Lever arm from the projection centre to the antenna, in the axes of the image. SIGMA 0 fixes it.
-    shift            False: Take control and positions in one datum: estimate no shift of the positions of each flight.
-    gps              False: Ignore positions in the photographs.
-    up               Up direction, if neither control nor positions determine it. auto: from the attitude of the camera;
-                     terrestrial, aerial, oblique; or two points A,B of control=, B plumb above A.
-    accuracy_class   Largest permitted RMSE at the check points. In metres: 0.03, or plan and height: 0.03,0.05 (-: no
-                     limit). Or a class of ASPRS (2024): asprs:2.5cm,5cm. If it is exceeded, the exit status is 4.
-    title            Title of the report.
-    client           Client, on the first page of the report.
-    operator         Operator, on the first page of the report.
-    report           False: Leave out report.html and network.html.
-    pdf              Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without
-                     report.html.
-    all_coordinates  List every object point in the appendix of the report. Without it, only the first of many are
-                     listed.
-    language         Language of the report: en, de, fr. Tables and result.json stay English.
+    own_camera      Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For
+                    photographs without metadata.
+    masks           Masks of the photographs: nothing is measured where they are 0. Named photo.jpg.png (COLMAP),
+                    photo_mask.png or photo.png (Metashape).
+    library         False: Ignore calibrations of the camera library.
+    target          Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or
+                    points of control=. With several families: FAMILY:CODE.
+    attitudes       Observe attitudes of positions=, or of the gimbal, by their convention. auto: attitudes with
+                    standard deviations in the file. pok: phi is the primary angle.
+    attitude_sigma  Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.
+    relative        Use only differences of positions and attitudes within a flight line (relative aerial control).
+                    drift: also after a drift of the positions.
+    scene_bias      Parameters to estimate for the RPC of a satellite scene.
+    crs             Coordinate system of inputs that define none, e.g. EPSG:32633: control, check points, positions= in
+                    a grid. With heights (EPSG:32633+5773, EPSG:32633+ellipsoid) also for files that define only the
+                    plan.
+    features        Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).
+    feature_count   Number of features per photograph.
+    start           Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto:
+                    parts for very many photographs; all pairs if image by image leaves photographs out or the view is
+                    narrow.
+    precise         False: Skip least-squares matching: several times less precise.
+    jobs            Number of processors; 0: all.
+    cluster         Run tasks such as features and depth maps on other machines. Give the cluster folder from `raybundle
+                    scheduler FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and end.
+    store           Storage of the products of stages. Give the URL of an object store for this project alone, e.g.
+                    s3://bucket/folder (extra [cluster] and the package of the service). The project remembers it.
+                    project: its own folder.  [default: as the last run, at first in the folder]
+    memory          Memory limit for pixels during measurement, and for an adjustment [GB]. 0: 4 for pixels; for
+                    adjustments four fifths of the free memory, at least 1. Larger adjustments run in parts, from 0.2
+                    on.
+    redo_from       Repeat this stage and all later ones. `raybundle status` lists them.
+    read_out        Read-out time of a rolling shutter; 0: none. Without it, photographs with recorded times are tested
+                    for it.
+    noise           Error model of image coordinates. white: independent errors. fields: smooth errors that differ from
+                    image to image, and a floor, both estimated from the residuals. auto: fields for five photographs or
+                    more that are measured here; white for a given block.
+    calibration     File of known cameras. `estimate = []` in it fixes them. Calibrations of `raybundle calibrate` are
+                    observed with their covariance.
+    control         Control points with their image points: gcp_list.txt, CSV or a block folder. Image points alone are
+                    possible, e.g. of the ends of a scale bar: image,point,x_px,y_px.
+    check           Check points, in the same formats.
+    control_sigma   Standard deviation of control, if its file has none. In metres, regardless of the unit of the file.
+                    [default: 0.01 0.02]
+    mark_sigma      Standard deviation of a marked image point.
+    scale_bar       Known distance between two points, with its standard deviation [m]. The points are in control= or
+                    are targets. May be repeated.
+    positions       Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB,
+                    aerial lists).
+    misalignment    False: Take attitudes as those of the camera: estimate no misalignment.
+    lever_arm       Lever arm from the projection centre to the antenna, in the axes of the image. SIGMA 0 fixes it.
+    shift           False: Take control and positions in one datum: estimate no shift of the positions of each flight.
+    gps             False: Ignore positions in the photographs.
+    up              Up direction, if neither control nor positions determine it. auto: from the attitude of the camera;
+                    terrestrial, aerial, oblique; or two points A,B of control=, B plumb above A.
+    accuracy_class  Largest permitted RMSE at the check points. In metres: 0.03, or plan and height: 0.03,0.05 (-: no
+                    limit). Or a class of ASPRS (2024): asprs:2.5cm,5cm. If it is exceeded, the exit status is 4.
+    title           Title of the report.
+    client          Client, on the first page of the report.
+    operator        Operator, on the first page of the report.
+    report          False: Leave out report.html and network.html.
+    pdf             Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without
+                    report.html.
+    appendix        Appendix of report.pdf. none; short: all but most of many object points; all: every object point, in
+                    report.html too. report.html always has the short one.
+    language        Language of the report: en, de, fr. Tables and result.json stay English.
     """
 
 def photos(

@@ -186,7 +186,7 @@ def test_points_stand_in_natural_order_and_all_where_asked(case, monkeypatch):
 
     monkeypatch.setattr(tables, "MOST_ROWS", 7)
     view = view_of(case("rich"))
-    few, every = (tables_section(view, all_coordinates=a).parts[0].parts[0] for a in (False, True))
+    few, every = (tables_section(view, every_point=a).parts[0].parts[0] for a in (False, True))
     ids = [row[0] for row in every.rows]
     assert ids == sorted(view.given.points.ids, key=int)
     assert [row[0] for row in few.rows] == ids[:7]
@@ -208,7 +208,7 @@ def test_paper_holds_a_page_of_points_with_the_known_and_the_worst(case):
 
         patch.setattr(tables, "PRINTED", 12)
         shorter = tables_section(view).parts[0].parts[0]
-        every = tables_section(view, all_coordinates=True).parts[0].parts[0]
+        every = tables_section(view, every_point=True).parts[0].parts[0]
     assert count > 12
     assert table_.printed is None or len(table_.printed.rows) <= PRINTED
     assert every.printed is None

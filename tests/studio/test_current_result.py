@@ -70,6 +70,7 @@ def test_record_language_and_photographs_go_with_the_project(project, photo_fold
     file.write_text(file.read_text().replace('language = "en"', 'language = "de"'))
     adjustment = rb.adjust_marks(project)[0]
     write_marked(project, adjustment)
+    assert (project / "result" / "report.html").read_text().count("data:image/jpeg") == 1
     assert '<html lang="de"' in (project / "result" / "report.html").read_text()
     assert 'client = "Monument office"' in (project / "result" / "record.toml").read_text()
     assert "[photographs]" in (project / "result" / "record.toml").read_text()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.commands.pages import (
-    COORDINATES_HELP,
+    APPENDIX_HELP,
     NO_REPORT_HELP,
     PDF_HELP,
     PROJECT_LANGUAGE_HELP,
@@ -19,6 +19,7 @@ from raybundle.commands.pages import (
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
+from raybundle.report.arrangement import Appendix
 from raybundle.settings import NOT_NEGATIVE, setting
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ class AdjustSettings(AdjustmentOptions):
     report: bool = setting(True, NO_REPORT_HELP, flag="no-report")
     pdf: bool = setting(False, PDF_HELP)
     tables: Literal["auto", "csv", "parquet"] = setting("auto", TABLES_HELP)
-    all_coordinates: bool = setting(False, COORDINATES_HELP)
+    appendix: Appendix = setting("none", APPENDIX_HELP)
     language: str = setting("", PROJECT_LANGUAGE_HELP, metavar="CODE")
     cluster: str = setting(
         "", "Reduce the normal equations in parts on a cluster. Give its folder from `raybundle scheduler FOLDER` "
@@ -70,6 +71,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     from raybundle.commands.marked_results import passed_on
     from raybundle.io.block.folder import unread_tables
     from raybundle.io.parquet import check_tables
+    from raybundle.measuring.actions.masks import photograph_files
     from raybundle.measuring.session import block_folder
     from raybundle.report.write import write_result
     from raybundle.results.folder import check_target
@@ -115,10 +117,11 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     with nullcontext() if project is None else replacing(project, ADJUST, marks=True) as made:
         write_result(
             done, out, report="html" if settings.report else "none", pdf=settings.pdf,
-            all_coordinates=settings.all_coordinates, language=settings.language or known.language,
+            appendix=settings.appendix, language=settings.language or known.language,
             wanted=wanted or known.wanted, frame=frame, known=known.known,
             additions={**added, **({} if made is None else made.as_addition())},
-            record=record_of(settings).over(known.record), tables=settings.tables, progress=progress,
+            record=record_of(settings).over(known.record),
+            pictures=photograph_files(done.adjusted, known.folders), tables=settings.tables, progress=progress,
         )  # fmt: skip
     return done
 

@@ -10,10 +10,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.adjustment.records.options import NOISE_HELP, NoiseModel
-from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
+from raybundle.commands.pages import APPENDIX_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError, NotSolvable, Text, as_detail, note, phrase, text_json
 from raybundle.numerics.progress import Progress, silent
+from raybundle.report.arrangement import Appendix
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, keywords, setting
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ class CalibrateSettings:
     operator: str = setting("", OPERATOR, metavar="TEXT")
     report: bool = setting(True, NO_REPORT_HELP, flag="no-report")
     pdf: bool = setting(False, PDF_HELP)
-    all_coordinates: bool = setting(False, COORDINATES_HELP)
+    appendix: Appendix = setting("none", APPENDIX_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
     def options(self) -> CalibrateOptions:
@@ -122,7 +123,7 @@ def run_calibrate(settings: CalibrateSettings, progress: Progress = silent) -> C
     began = time.perf_counter()
     write_result(
         done.adjustment, out, report="html" if settings.report else "none", pdf=settings.pdf,
-        all_coordinates=settings.all_coordinates, language=settings.language, additions=additions(done),
+        appendix=settings.appendix, language=settings.language, additions=additions(done),
         qualities=done.quality,
         record=record_of(settings), progress=progress,
     )  # fmt: skip

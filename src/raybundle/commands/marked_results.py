@@ -53,6 +53,8 @@ class Passed:
     wanted: AccuracyClass | None = None
     frame: LocalFrame | None = None
     additions: dict[str, object] | None = None
+    folders: tuple[Path, ...] = ()
+    """of the photographs"""
 
 
 def passed_on(folder: Path) -> Passed:
@@ -77,13 +79,14 @@ def passed_on(folder: Path) -> Passed:
             wanted = accuracy_class(run.get("accuracy_class").text())
     tree = read_json(result / "result.json") if (result / "result.json").is_file() else None
     found: Any = tree.get("frame").value if tree is not None and tree.has("frame") else None
-    photographs = [str(p.resolve()) for p in photographs_of(folder)]  # commands that are given the result ask for them
+    folders = photographs_of(folder)
+    photographs = [str(p.resolve()) for p in folders]  # commands that are given the result ask for them
     additions: dict[str, object] = {
         **({PHOTOGRAPHS_IN: photographs} if photographs else {}),
         **({"frame": found} if found else {}),
     }
     return Passed(
-        language=language_in(folder), record=stated, known=known, wanted=wanted, additions=additions,
+        language=language_in(folder), record=stated, known=known, wanted=wanted, additions=additions, folders=folders,
         frame=frame_from_mapping(found) if isinstance(found, dict) else None,
     )  # fmt: skip
 
@@ -97,6 +100,7 @@ def write_marked(
     out       None: a project's current result, the earlier one is kept; FOLDER-measured beside any other folder
     language  empty: that of the project
     """
+    from raybundle.measuring.actions.masks import photograph_files
     from raybundle.measuring.journal import measured_result
     from raybundle.report.write import write_result
 
@@ -107,7 +111,7 @@ def write_marked(
         write_result(
             adjustment, target, report=report, pdf=pdf, language=language or known.language, record=known.record,
             known=known.known, wanted=known.wanted, frame=known.frame, additions={**additions, **added},
-            progress=progress,
+            pictures=photograph_files(adjustment.adjusted, known.folders), progress=progress,
         )  # fmt: skip
         return target
 

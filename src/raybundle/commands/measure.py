@@ -21,10 +21,11 @@ from raybundle.commands.measure_files import (
     write_tables,
 )
 from raybundle.commands.measure_scale import bars_of, controlled, scaled, with_bars_compared
-from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
+from raybundle.commands.pages import APPENDIX_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
+from raybundle.report.arrangement import Appendix
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, keywords, setting
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ class MeasureSettings:
     operator: str = setting("", OPERATOR, metavar="TEXT")
     report: bool = setting(True, NO_REPORT_HELP, flag="no-report")
     pdf: bool = setting(False, PDF_HELP)
-    all_coordinates: bool = setting(False, COORDINATES_HELP)
+    appendix: Appendix = setting("none", APPENDIX_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
 
@@ -194,7 +195,7 @@ def _write(s: MeasureSettings, done: Measured, source: _Source, progress: Progre
 
     known = {} if source.calibration is None else additions(source.calibration)
     write_result(
-        done.adjustment, s.out, report="html" if s.report else "none", pdf=s.pdf, all_coordinates=s.all_coordinates,
+        done.adjustment, s.out, report="html" if s.report else "none", pdf=s.pdf, appendix=s.appendix,
         language=s.language, progress=progress, record=record_of(s),
         additions={name: known[name] for name in ("images", "targets") if name in known},
         outcomes=outcomes(done.fit, done.lengths),

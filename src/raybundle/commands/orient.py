@@ -8,11 +8,12 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
+from raybundle.commands.pages import APPENDIX_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_in, record_of
 from raybundle.commands.worker import store_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
+from raybundle.report.arrangement import Appendix
 from raybundle.report.languages import ENGLISH
 from raybundle.settings import (
     ANY,
@@ -95,7 +96,7 @@ class OrientSettings(OrientOptions):
     operator: str = setting("", OPERATOR, metavar="TEXT")
     report: bool = setting(True, NO_REPORT_HELP, flag="no-report")
     pdf: bool = setting(False, PDF_HELP)
-    all_coordinates: bool = setting(False, COORDINATES_HELP)
+    appendix: Appendix = setting("none", APPENDIX_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
     def given(self) -> Given:
@@ -183,7 +184,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
             asked = {name: in_words(value) for name, value in other_than_usual(settings).items()}
             write_orientation(
                 done, result, report="html" if settings.report else "none", progress=progress, settings=asked,
-                wanted=wanted, record=record, pdf=settings.pdf, all_coordinates=settings.all_coordinates,
+                wanted=wanted, record=record, pdf=settings.pdf, appendix=settings.appendix,
                 language=settings.language, additions=marked.made.as_addition(),
             )  # fmt: skip
     except InputError:
@@ -249,7 +250,7 @@ def report_stage(out: Path, before: Sequence[StageRecord]) -> Generator[None]:
 def write_orientation(
     done: Orientation, result: Path, *, report: Literal["html", "none"], progress: Progress,
     settings: dict[str, str] | None = None, wanted: AccuracyClass | None = None, record: Record | None = None,
-    pdf: bool = False, all_coordinates: bool = False, language: str = ENGLISH,
+    pdf: bool = False, appendix: Appendix = "none", language: str = ENGLISH,
     additions: Mapping[str, object] | None = None,
 ) -> None:  # fmt: skip
     """Write the result folder of oriented photographs.
@@ -264,14 +265,14 @@ def write_orientation(
 
     facts = replace(facts_of(done), settings=tuple((settings or {}).items()))
     write_result(
-        done.adjustment, result, report=report, pdf=pdf, all_coordinates=all_coordinates, language=language,
+        done.adjustment, result, report=report, pdf=pdf, appendix=appendix, language=language,
         additions={**done.additions(), **(additions or {})}, photographs=facts, frame=done.frame, wanted=wanted,
-        record=record, progress=progress,
+        record=record, progress=progress, pictures={p.name: p.path for p in done.photos},
     )  # fmt: skip
     for k, part in enumerate(done.other_components):
         write_result(
             part.adjustment, result.parent / component_folder(k), report=report, pdf=pdf,
-            all_coordinates=all_coordinates, language=language, record=record, progress=progress,
+            appendix=appendix, language=language, record=record, progress=progress,
         )  # fmt: skip
     _remove_older(result.parent, len(done.other_components))
 

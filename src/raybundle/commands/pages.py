@@ -19,8 +19,9 @@ LANGUAGE_HELP = f"Language of the report: {', '.join(language_codes())}. Tables 
 PROJECT_LANGUAGE_HELP = f"{LANGUAGE_HELP}  [default: that of the project, else en]"
 PROJECT_FILE, SECTIONS = "project.toml", ("orient", "calibrate")
 """Where a project states in which language its reports are"""
-COORDINATES_HELP = (
-    "List every object point in the appendix of the report. Without it, only the first of many are listed."
+APPENDIX_HELP = (
+    "Appendix of report.pdf. none; short: all but most of many object points; all: every object point, in report.html "
+    "too. report.html always has the short one."
 )
 
 

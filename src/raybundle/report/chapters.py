@@ -8,7 +8,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, TypeVar
 
-from raybundle.report.arrangement import PartName
+from raybundle.report.arrangement import Appendix, PartName
 from raybundle.report.languages.language import Language
 from raybundle.report.parts import Section
 from raybundle.report.view import View
@@ -28,8 +28,8 @@ class Occasion:
 
     view: View
     reported: Verdict
-    all_coordinates: bool = False
-    """Whether the appendix holds every object point, and not the first of many alone"""
+    appendix: Appendix = "none"
+    """What is printed of it"""
     photographs: PhotographFacts | None = None
     """what is known of the photographs; None: the adjustment does not come from any"""
     qualities: tuple[CalibrationQuality, ...] = ()

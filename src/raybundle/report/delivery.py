@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -38,6 +40,8 @@ class Delivery:
     """what else was found with the points of the result, each given by a chapter: a best fit, a length test"""
     files: tuple[str, ...] = ()
     """names of what stands beside the report"""
+    pictures: Mapping[str, Path] = field(default_factory=dict[str, Path])
+    """file of an image in the block -> where the photograph is"""
     surface: str = ""
     """where the page of dense points stands that were measured of an earlier result in its place; empty: nowhere"""
 

@@ -48,6 +48,8 @@ class Document:
     """the sections in the order of their chapters, and who reads each"""
     divided: bool = True
     """whether it has the three parts of a report"""
+    appendix: bool = True
+    """whether it is printed"""
     language: Language = field(default_factory=Language)
     """in which its texts are"""
     written: datetime = field(default_factory=lambda: datetime.now(UTC).astimezone())
@@ -113,5 +115,6 @@ def document_of(occasion: Occasion, progress: Progress = silent) -> Document:
         headline=say.text(joined_texts(head, *not_kept(occasion))),
         grade=grade_of(occasion),
         made=tuple(made),
+        appendix=occasion.appendix != "none",
         language=say,
     )

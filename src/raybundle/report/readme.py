@@ -46,11 +46,11 @@ def readme(adjustment: Adjustment, files: Sequence[str], language: Language) -> 
     lines = [language.text(phrase("result_readme.title", name=block.name, version=__version__)), ""]
     for name in sorted(files):
         key = stems[name] if stems[name] in TABLES else name.replace(".", "_")
-        lines.append(f"{name:{WIDTH}s}{language.text(phrase('result_readme.file', file=key))}")
+        lines.append(f"{name:{WIDTH}s}{language.text(phrase('result_readme.file', entry=key))}")
     lines += ["", language.text(phrase("result_readme.rules", unit=unit)), ""]
     for names, key in COLUMNS.items():
         shown = ", ".join(n for n in names.split(", ") if n in there)
         if shown:
             gap = "\n" + " " * WIDTH if len(shown) >= WIDTH else " " * (WIDTH - len(shown))
-            lines.append(f"{shown}{gap}{language.text(phrase('result_readme.column', column=key))}")
+            lines.append(f"{shown}{gap}{language.text(phrase('result_readme.column', content=key))}")
     return "\n".join(lines) + "\n"

@@ -11,6 +11,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.io.table_files import TableFormat
 from raybundle.io.tables import write_table
 from raybundle.numerics.progress import Progress, silent
+from raybundle.report.arrangement import Appendix
 from raybundle.report.languages import ENGLISH, checked_language
 from raybundle.report.languages.language import language_of
 from raybundle.report.paper.needed import check_typesetter
@@ -36,7 +37,7 @@ def write_result(
     *,
     report: Literal["html", "none"] = "html",
     pdf: bool = False,
-    all_coordinates: bool = False,
+    appendix: Appendix = "none",
     language: str = ENGLISH,
     additions: Mapping[str, object] | None = None,
     photographs: PhotographFacts | None = None,
@@ -45,6 +46,7 @@ def write_result(
     wanted: AccuracyClass | None = None,
     record: Record | None = None,
     known: KnownByPhotographs | None = None,
+    pictures: Mapping[str, Path] | None = None,
     outcomes: tuple[Outcome, ...] = (),
     findings: tuple[object, ...] = (),
     more: Callable[[Path], None] | None = None,
@@ -55,7 +57,7 @@ def write_result(
 
     report       "html": report.html and network.html, the network in three dimensions
     pdf          whether report.pdf is written, beside report.html or without it
-    all_coordinates  whether the report holds every object point, and not the first of many alone
+    appendix     of report.pdf: "none"; "short"; "all": with every object point. report.html has the short one at least
     language     of the report: "de"; tables and result.json are English in any
     additions    further keys of result.json
     photographs  what is known of the photographs that the adjustment comes from
@@ -63,6 +65,7 @@ def write_result(
     qualities    verdicts on calibrated cameras; calibration.toml, as orient takes it, is written beside them
     wanted       accuracy that is asked for at check points
     record       title, client and the like
+    pictures     file of an image in the block -> where the photograph is, for the client's page
     known        dates and cameras of the photographs, where `photographs` is not there
     outcomes     outcomes of further requests
     findings     what else was found with the points, for the report: a best fit, a length test
@@ -108,8 +111,10 @@ def write_result(
 
             write_reports(
                 adjustment, pages, progress, photographs=photographs, qualities=qualities,
-                delivery=replace(delivery, files=tuple(sorted(names)), surface=_surface_beside(Path(path))),
-                all_coordinates=all_coordinates,
+                delivery=replace(
+                    delivery, files=tuple(sorted(names)), surface=_surface_beside(Path(path)), pictures=pictures or {}
+                ),
+                appendix=appendix,
                 language=language,
             )  # fmt: skip
         if report == "html":

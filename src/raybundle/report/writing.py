@@ -9,6 +9,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.calibration.quality import CalibrationQuality
 from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
+from raybundle.report.arrangement import Appendix
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import Delivery, delivery_of
 from raybundle.report.document import PDF, Document, document_of, html
@@ -29,7 +30,7 @@ def write_report(
     qualities: tuple[CalibrationQuality, ...] = (),
     delivery: Delivery | None = None,
     *,
-    all_coordinates: bool = False,
+    appendix: Appendix = "none",
     language: str = ENGLISH,
 ) -> None:
     """Write the report of an adjustment: report.html for the screen, report.pdf for print and archive.
@@ -40,21 +41,21 @@ def write_report(
     photographs      what is known of the photographs that the adjustment comes from; None: those sections are left out
     qualities        verdicts on calibrated cameras; they come first then
     delivery         client, coordinate system, and compliance with the required accuracy; None: not given
-    all_coordinates  whether the appendix holds every object point, and not the first of many alone
+    appendix         of a PDF: "none"; "short"; "all": with every object point. A page has the short one at least
     language         of the report, as "de"; InputError for one that there is not
 
     Long tables and dense figures are thinned evenly and say so; the result folder's tables hold every row.
     """
     write_reports(
         adjustment, (Path(path),), progress, photographs=photographs, qualities=qualities, delivery=delivery,
-        all_coordinates=all_coordinates, language=language,
+        appendix=appendix, language=language,
     )  # fmt: skip
 
 
 def write_reports(
     adjustment: Adjustment, files: Sequence[Path], progress: Progress = silent, *,
     photographs: PhotographFacts | None = None, qualities: tuple[CalibrationQuality, ...] = (),
-    delivery: Delivery | None = None, all_coordinates: bool = False, language: str = ENGLISH,
+    delivery: Delivery | None = None, appendix: Appendix = "none", language: str = ENGLISH,
 ) -> None:  # fmt: skip
     """Write one report, as `write_report` does, into several files of one folder."""
     delivery = delivery or delivery_of(adjustment)
@@ -62,7 +63,7 @@ def write_reports(
     occasion = Occasion(
         view=view,
         reported=verdict(view),
-        all_coordinates=all_coordinates,
+        appendix=appendix,
         photographs=photographs,
         qualities=qualities,
         delivery=delivery,

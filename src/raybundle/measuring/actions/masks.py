@@ -131,13 +131,18 @@ def drawn_by_file(block: Block, state: State) -> dict[str, list[Array]]:
 
 def photographs_in(block: Block, folders: Sequence[Path]) -> list[Photo]:
     """The photographs of a block that are found in some folders, each called as the block calls its file."""
-    found: list[Photo] = []
+    return [read_photo(path, name=name) for name, path in photograph_files(block, folders).items()]
+
+
+def photograph_files(block: Block, folders: Sequence[Path]) -> dict[str, Path]:
+    """Where the photographs of a block are, by the names of their files in it; those found in some folders."""
+    found: dict[str, Path] = {}
     for name in block.images.file:
         parts = Path(name.replace("\\", "/"))
         inside = bool(name) and not parts.is_absolute() and ".." not in parts.parts
         path = next((p for f in folders if inside for p in (f / parts, f / parts.name) if p.is_file()), None)
         if path is not None:
-            found.append(read_photo(path, name=name))
+            found[name] = path
     return found
 
 

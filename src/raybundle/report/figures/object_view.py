@@ -36,6 +36,8 @@ class ObjectView:
 
     drawing: Drawing
     caption: str
+    classes: Classes | None = None
+    """of standard deviations"""
 
 
 def object_view(view: View, *, from_above: bool, heights: bool = True, width: float = WIDTH) -> ObjectView | None:
@@ -51,7 +53,7 @@ def object_view(view: View, *, from_above: bool, heights: bool = True, width: fl
     if len(rows) < 3:
         return None
     centres = _centres(view)
-    std = np.full(len(rows), np.nan) if view.std is None else _rms(view.std[rows, : 3 if heights else 2])
+    std = np.full(len(rows), np.nan) if view.std is None else rms_of(view.std[rows, : 3 if heights else 2])
     front = _object(std)
     towards, side = (np.eye(3), "above") if from_above else _square_to(xyz[rows[front]], centres, view)
     at, stations = xyz[rows] @ towards[:2].T, centres @ towards[:2].T
@@ -65,7 +67,7 @@ def object_view(view: View, *, from_above: bool, heights: bool = True, width: fl
     def placed(p: Array) -> Array:
         return MARGIN + np.column_stack([p[:, 0] - low[0], high[1] - p[:, 1]]) * scale
 
-    parts = [_dots(placed(at), std, classes) if len(at) <= DOTS else _cells(placed(at), std, classes)]
+    parts = [coloured_dots(placed(at), std, classes) if len(at) <= DOTS else _cells(placed(at), std, classes)]
     inside: Mask = np.asarray(((stations >= low) & (stations <= high)).all(axis=1))
     shown = np.flatnonzero(inside)[spread_rows(int(inside.sum()), MOST_STATIONS)]
     parts.append(_stations(placed(stations[shown])))
@@ -76,7 +78,8 @@ def object_view(view: View, *, from_above: bool, heights: bool = True, width: fl
     height = max(bottom, lines + 24) + MARGIN
     what = phrase("drawn.object", side=side, n=len(rows))
     drawn = drawing(right + max(wide, long), height, parts, what)
-    return ObjectView(drawing=drawn, caption=_caption(view, side, len(rows), near, inside, heights=heights))
+    caption = _caption(view, side, len(rows), near, inside, heights=heights)
+    return ObjectView(drawing=drawn, caption=caption, classes=classes)
 
 
 def _caption(view: View, side: str, points: int, near: Mask, inside: Mask, *, heights: bool) -> Text:
@@ -146,8 +149,8 @@ def _near(at: Array, of: Mask) -> Mask:
     return np.asarray(((at >= low - pad) & (at <= high + pad)).all(axis=1))
 
 
-def _rms(std: Array) -> Array:
-    """(k,) of the free coordinates of each point; NaN where none is."""
+def rms_of(std: Array) -> Array:
+    """Root mean squares (k,) of the free coordinates of each point; NaN where none is."""
     known = np.isfinite(std)
     with np.errstate(invalid="ignore"):
         return np.sqrt(np.where(known, std, 0.0).__pow__(2).sum(axis=1) / known.sum(axis=1))
@@ -178,7 +181,8 @@ def _colours(classes: Classes | None) -> tuple[str, ...]:
     return ("#66727e",) if classes is None else (*classes.colours, "#999999")
 
 
-def _dots(px: Array, std: Array, classes: Classes | None) -> str:
+def coloured_dots(px: Array, std: Array, classes: Classes | None) -> str:
+    """Points (k, 2) [px] in the colours of their standard deviations (k,)."""
     of, parts = _class_of(std, classes), list[str]()
     size = float(np.clip(60 / math.sqrt(len(px)), 3.0, 8.0))
     for k, colour in enumerate(_colours(classes)):

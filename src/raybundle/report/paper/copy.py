@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import unescape
 from typing import TYPE_CHECKING, Any
 
@@ -23,6 +23,7 @@ from raybundle.report.parts import (
     Paragraph,
     Part,
     Pointer,
+    Section,
     Statements,
     Table,
 )
@@ -69,10 +70,31 @@ def copy_of(document: Document, measure: Measure | None = None, *, appendix: boo
         "page": [say(phrase("report_page.page")), say(phrase("report_page.of_pages"))],
         "title": _clean(document.title), "subtitle": _clean(document.subtitle), "headline": _clean(document.headline),
         "grade": document.grade, "when": document.when, "date": [w.year, w.month, w.day],
-        "divisions": [
-            _division(d, whole=appendix or d.name != "appendix") for d in document.divisions(measure)
-        ],
+        "divisions": _divisions(document, measure, appendix=appendix),
     }  # fmt: skip
+
+
+def _divisions(document: Document, measure: Measure | None, *, appendix: bool) -> list[Copy]:
+    """Those that are printed; in place of an appendix that is not, one line that states where its contents are."""
+    made = document.divisions(measure)
+    if document.appendix or not any(d.name == "appendix" for d in made):
+        return [_division(d, whole=appendix or d.name != "appendix") for d in made]
+    kept = [
+        replace(d, sections=tuple(replace(p, section=_without_pointers(p.section)) for p in d.sections))
+        for d in made if d.name != "appendix"
+    ]  # fmt: skip
+    copies = [_division(d, whole=True) for d in kept]
+    note = Paragraph(text=document.language.text(phrase("report_page.not_printed")), note=True)
+    copies[-1]["sections"][-1]["parts"] += part_copies([note])
+    return copies
+
+
+def _without_pointers(section: Section) -> Section:
+    """A section without what points to the appendix, and without headings below which nothing else stands."""
+    parts = [p for p in section.parts if not isinstance(p, Pointer)]
+    last = [k + 1 == len(parts) or isinstance(parts[k + 1], Heading) for k in range(len(parts))]
+    kept = (p for p, end in zip(parts, last, strict=True) if not (end and isinstance(p, Heading)))
+    return replace(section, parts=tuple(kept))
 
 
 def _division(division: Division, *, whole: bool) -> Copy:

@@ -17,6 +17,7 @@ from raybundle.numerics.counting import decimals_for
 from raybundle.report.chapters import Occasion, chapter
 from raybundle.report.delivery import Delivery, delivery_of
 from raybundle.report.figures.object_view import object_view
+from raybundle.report.figures.photograph_view import photograph_view
 from raybundle.report.figures.svg import spread_rows
 from raybundle.report.parts import (
     Column,
@@ -72,7 +73,9 @@ def glance_parts(o: Occasion, d: Delivery) -> tuple[Part, ...]:
     parts: list[Part] = [Facts(facts=_facts(o, d))]
     drawn = object_view(o.view, from_above=d.flight is not None, heights=d.heights)
     if drawn is not None:
-        parts.append(Figures(figures=(Figure(drawing=drawn.drawing, caption=drawn.caption),)))
+        seen = photograph_view(o.view, d.pictures, drawn.classes)
+        views = (drawn,) if seen is None else (drawn, seen)
+        parts.append(Figures(figures=tuple(Figure(drawing=v.drawing, caption=v.caption) for v in views)))
     return (*parts, *(_cameras(o) if o.qualities else (*_accuracy(o.view, d), *length_parts(o.view))))
 
 

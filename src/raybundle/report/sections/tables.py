@@ -41,12 +41,12 @@ MOST_CORRELATED = 200
 """Points up to which a list shows correlations of coordinates: one that is read, point by point"""
 
 
-def tables_section(view: View, *, all_coordinates: bool = False) -> Section:
+def tables_section(view: View, *, every_point: bool = False) -> Section:
     """Points and images in natural order: as many as can be read, or every point."""
     count = len(view.adjusted.points)
     order = natural_order(view.adjusted.points.ids)
-    points = _points(view, np.array(order[: count if all_coordinates else MOST_ROWS], np.int32))
-    if not all_coordinates and count > PRINTED:
+    points = _points(view, np.array(order[: count if every_point else MOST_ROWS], np.int32))
+    if not every_point and count > PRINTED:
         rows = printed_points(view, np.array(order, np.int32))
         points = replace(points, printed=replace(_points(view, rows), note=_printed_note(len(rows), count)))
     images = _images(view)
@@ -148,7 +148,7 @@ def _images(view: View) -> Table:
 
 @chapter("tables", after="network", part="appendix")
 def _tables(o: Occasion) -> tuple[Section, ...]:
-    return (tables_section(o.view, all_coordinates=o.all_coordinates),)
+    return (tables_section(o.view, every_point=o.appendix == "all"),)
 
 
 def stated(words: Iterable[str]) -> list[str]:

@@ -195,3 +195,8 @@ drawn-vectors_in = { $kind ->
     }, mit ihrem Maßstab.
 
 drawn-vectors_of_image = Verbesserungsvektoren von Bild { $image }
+
+drawn-photograph_points = Foto { $name } mit { $n ->
+        [one] seinem Objektpunkt
+        *[other] seinen { $n } Objektpunkten
+    } in denselben Farben.

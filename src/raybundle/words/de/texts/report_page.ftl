@@ -21,3 +21,6 @@ report_page-page = Seite
 report_page-of_pages = von
 
 report_page-table = Tabelle: { LIST($columns, most: 40) }
+
+report_page-not_printed = Weitere Tabellen und Abbildungen stehen in report.html und in den Tabellen des Ergebnisordners.
+    .do = { OPTION("appendix") } short druckt sie.

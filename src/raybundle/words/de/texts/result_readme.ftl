@@ -1,6 +1,6 @@
 result_readme-title = { $name }: Ergebnisordner, geschrieben von raybundle { $version }.
 
-result_readme-file = { $file ->
+result_readme-file = { $entry ->
         [report_html] Bericht für den Browser
         [report_pdf] Bericht für den Druck
         [network_html] Netz in drei Dimensionen für den Browser
@@ -9,7 +9,7 @@ result_readme-file = { $file ->
         [coordinate_list_csv] gemessene Koordinaten für die Tabellenkalkulation
         [nominal_csv] Abweichungen von Sollkoordinaten
         [lengths_csv] gemessene gegen bekannte Längen
-        [calibration_toml] kalibrierte Kameras für --calibration späterer Läufe
+        [calibration_toml] kalibrierte Kameras für { OPTION("calibration") } späterer Läufe
         [record_toml] Aufnahmebogen: Auftraggeber, Objekt, Ort, Bearbeiter, Rechte
         [result_json] Statistik, Kameras, Korrelationen und Warnungen für Programme
         [block] ausgeglichener Block mit allen Stellen für weitere Ausgleichungen
@@ -24,12 +24,13 @@ result_readme-file = { $file ->
        *[other] Beobachtungen dieser Art mit Residuen und Tests
     }
 
-result_readme-rules = Tabellen: UTF-8, Kommas, Dezimalpunkte; eine leere Zelle ist keine Zahl. Spalten ohne Einheit im Namen sind { $unit ->
+result_readme-rules = Tabellen: UTF-8, Kommas, Dezimalpunkte; eine leere Zelle ist keine Zahl.
+    .why = Spalten ohne Einheit im Namen sind { $unit ->
         [none] in einer willkürlichen Einheit: nichts bestimmt den Maßstab
        *[other] in { $unit }
     }.
 
-result_readme-column = { $column ->
+result_readme-column = { $content ->
         [coordinates] Koordinaten im Objektraum
         [angles] Drehung des Bildes, R = R(omega) R(phi) R(kappa)
         [image_point] Bildpunkt: x nach rechts, y nach unten, von der linken oberen Ecke des Formats

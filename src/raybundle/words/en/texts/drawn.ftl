@@ -236,3 +236,10 @@ drawn-vectors_in = { $kind ->
 
 # $image = "a.jpg"
 drawn-vectors_of_image = residual vectors of image { $image }
+
+# $name = "IMG_3.jpg"
+# $n = 1200
+drawn-photograph_points = Photograph { $name } with its { $n } object { $n ->
+        [one] point
+        *[other] points
+    } in the same colours.

@@ -27,3 +27,6 @@ report_page-of_pages = of
 
 # $columns = ["point", "X"]
 report_page-table = Table: { LIST($columns, most: 40) }
+
+report_page-not_printed = Further tables and figures are in report.html and in the tables of the result folder.
+    .do = { OPTION("appendix") } short prints them.

@@ -2,8 +2,8 @@
 # $version = "0.1.0"
 result_readme-title = { $name }: result folder, written by raybundle { $version }.
 
-# $file = "points"
-result_readme-file = { $file ->
+# $entry = "points"
+result_readme-file = { $entry ->
         [report_html] report, for a browser
         [report_pdf] report, for print
         [network_html] network in three dimensions, for a browser
@@ -12,7 +12,7 @@ result_readme-file = { $file ->
         [coordinate_list_csv] measured coordinates, for a spreadsheet
         [nominal_csv] deviations from nominal coordinates
         [lengths_csv] measured against known lengths
-        [calibration_toml] calibrated cameras, for --calibration of later runs
+        [calibration_toml] calibrated cameras, for { OPTION("calibration") } of later runs
         [record_toml] recording sheet: client, object, place, operator, rights
         [result_json] statistics, cameras, correlations and warnings, for programs
         [block] adjusted block with all digits, for further adjustments
@@ -28,13 +28,14 @@ result_readme-file = { $file ->
     }
 
 # $unit = "m"
-result_readme-rules = Tables: UTF-8, commas, decimal points; an empty cell is no number. Columns without a unit in their name are { $unit ->
+result_readme-rules = Tables: UTF-8, commas, decimal points; an empty cell is no number.
+    .why = Columns without a unit in their name are { $unit ->
         [none] in an arbitrary unit: nothing determines the scale
        *[other] in { $unit }
     }.
 
-# $column = "sigma"
-result_readme-column = { $column ->
+# $content = "sigma"
+result_readme-column = { $content ->
         [coordinates] coordinates in object space
         [angles] rotation of the image, R = R(omega) R(phi) R(kappa)
         [image_point] image point: x right, y down, from the upper left corner of the format

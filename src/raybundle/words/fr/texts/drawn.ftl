@@ -26,3 +26,5 @@ drawn-object_stations = Petits triangles : photographies{ $outside ->
         [0] {""}
         *[other] {" "}({ $outside } à l’extérieur)
     }.
+
+drawn-photograph_points = Photographie { $name } avec ses { $n } points, dans les mêmes couleurs.
