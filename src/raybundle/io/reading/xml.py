@@ -127,17 +127,18 @@ class Element:
         return float(self.get(name).numbers(1)[0])
 
 
-def read_xml(path: Path, root: str) -> Element:
+def read_xml(path: Path, root: str, *, local: bool = False) -> Element:
     """The root element; document types and entities of their own are refused, and so is deep nesting.
 
+    local   leave out prefixes of namespaces
     raises  InputError with the line
     """
-    top = xml_of(read_bytes(path), path, root)
+    top = xml_of(read_bytes(path), path, root, local=local)
     enter_tree(top)
     return top
 
 
-def xml_of(data: bytes, path: Path, root: str) -> Element:
+def xml_of(data: bytes, path: Path, root: str, *, local: bool = False) -> Element:
     """The root element of a document of these bytes; `path` is named in messages."""
     parser = expat.ParserCreate()
     stack: list[Element] = []
@@ -145,6 +146,7 @@ def xml_of(data: bytes, path: Path, root: str) -> Element:
     top: list[Element] = []
 
     def begin(name: str, attributes: dict[str, str]) -> None:
+        name = name.rpartition(":")[2] if local else name
         element = Element(path, parser.CurrentLineNumber, name, Attributes(attributes))
         if len(stack) >= DEEPEST:
             element.fail("file.nested_too_deeply", most=DEEPEST)

@@ -73,8 +73,7 @@ def read_scene(path: str | Path) -> Scene:
     raises  InputError where the file cannot be read, has no known format, or contradicts itself
     """
     path = file_of_product(Path(path))
-    with opened(path) as file:
-        head = as_utf8(file.read(HEAD_BYTES), whole=False)
+    head = _head(path)
     if not head.strip():
         raise InputError("file.empty", file=path)
     for format_ in scene_formats.values():
@@ -86,7 +85,10 @@ def read_scene(path: str | Path) -> Scene:
 
 def file_of_product(path: Path) -> Path:
     """The only scene in the folder of a product; anything else as it is."""
-    found = sorted({f for k in scene_formats.values() if k.within and path.is_dir() for f in path.glob(k.within)})
+    inside = [(f, k) for k in scene_formats.values() if k.within and path.is_dir() for f in path.glob(k.within)]
+    found = sorted({f for f, k in inside if k.recognises(f, _head(f))})
+    if not found and len({f for f, _ in inside}) == 1:
+        return inside[0][0]
     if len(found) > 1:
         raise InputError("scene.several_in_folder", names=[str(f.relative_to(path)) for f in found], file=path)
     return found[0] if found else path
@@ -94,9 +96,13 @@ def file_of_product(path: Path) -> Path:
 
 def is_scene(path: Path) -> bool:
     """Whether a file has a known format, by its beginning; not whether it can be read."""
-    with opened(path) as file:
-        head = as_utf8(file.read(HEAD_BYTES), whole=False)
+    head = _head(path)
     return bool(head.strip()) and any(f.recognises(path, head) for f in scene_formats.values())
+
+
+def _head(path: Path) -> bytes:
+    with opened(path) as file:
+        return as_utf8(file.read(HEAD_BYTES), whole=False)
 
 
 def _placed(path: Path, format_: SceneFormat) -> Scene:

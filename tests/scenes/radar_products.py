@@ -1,0 +1,282 @@
+"""Products of radar scenes made from an orbit, as the vendors' files state them; independent of their readers.
+
+Image points are solved here by bisection of the Doppler equation on the circular orbit itself, not on its table.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from raybundle.numerics.geodesy import WGS84, enu_from_geocentric, geocentric_from_geographic
+from raybundle.scenes.simulate import GM
+
+C = 299792458.0
+TARGET = (15.0, 48.0, 300.0)
+START = np.datetime64("2023-05-06T17:06:00.000000", "us")
+
+
+@dataclass(kw_only=True)
+class Product:
+    """A radar image by its own truth: times of lines and slant ranges of columns are exact in the file's digits."""
+
+    columns: int = 1200
+    rows: int = 2000
+    forwards: bool = True
+    near_first: bool = True
+    ground: bool = False
+    side: float = 1.0
+    vectors: int = 13
+    step_s: float = 10.0
+    line_s: float = 0.0005
+    spacing_m: float = 2.5
+    polynomials: int = 1
+    linear: bool = False
+    timed: bool = False
+    delay_s: float = 0.0
+    shift_s: float = 0.0
+    orbit: tuple = field(init=False)
+
+    def __post_init__(self):
+        T = geocentric_from_geographic(np.array([TARGET]), WGS84)[0]
+        E, N, _ = enu_from_geocentric(np.array([TARGET]))[0]
+        far, heading = np.linalg.norm(T), np.radians(190.0)
+        along = np.sin(heading) * E + np.cos(heading) * N
+        along -= T * (along @ T) / far**2
+        along /= np.linalg.norm(along)
+        turn = -np.radians(3.5) * self.side  # about the direction of flight
+        up = T / far
+        p0 = up * np.cos(turn) + np.cross(along, up) * np.sin(turn)
+        self.orbit = (far + 693e3, p0, along)
+        self.near_m = round(float(np.linalg.norm(T - self.orbit[0] * p0)) - self.columns / 2 * self.spacing_m, 3)
+
+    def at(self, t):
+        """Position and velocity at times in s after the middle of the image."""
+        radius, p0, along = self.orbit
+        rate = np.sqrt(GM / radius**3)
+        c, s = np.cos(rate * t)[:, None], np.sin(rate * t)[:, None]
+        return radius * (c * p0 + s * along), radius * rate * (c * along - s * p0)
+
+    def utc(self, t):
+        """A time of the file, in whole microseconds."""
+        return f"{START + np.timedelta64(round(t * 1e6), 'us')}Z"
+
+    @property
+    def first_s(self):
+        """Time of the first line of the image: the centre of its first pixel."""
+        half = (self.rows - 1) * self.line_s / 2
+        return -half if self.forwards else half
+
+    def table(self):
+        t = (np.arange(self.vectors) - (self.vectors - 1) / 2) * self.step_s
+        return t, *self.at(t)
+
+    def sets(self):
+        """Times, and polynomials of slant range by ground range: changing by metres from one to the next."""
+        n = self.polynomials
+        reach = self.rows * self.line_s / 2
+        times = np.linspace(-reach, reach, n) if n > 1 else np.zeros(1)
+        rows = [[self.near_m + 9.0 * k, 0.55 + 1e-4 * k, 3.5e-7, -1e-13] for k in range(n)]
+        return np.round(times, 6), np.array(rows)
+
+    def slant(self, ground, t):
+        """Slant ranges of ground ranges at times."""
+        times, c = self.sets()
+        if self.linear and len(times) > 1:
+            rows = np.stack([np.interp(t, times, k) for k in c.T], axis=1)
+        else:
+            rows = c[np.abs(t[:, None] - times).argmin(axis=1)]
+        return np.sum(rows * ground[:, None] ** np.arange(4), axis=1)
+
+    def by_time(self):
+        """Two-way times of the nearest and farthest pixel, their mean, and ground range by powers of time off it."""
+        span = (self.columns - 1) * self.spacing_m
+        near, far = 2 * self.near_m / C, 2 * (self.near_m + 0.55 * span) / C
+        w = (far - near) / 2
+        bent = np.polynomial.Polynomial([0.0, 1.0, -0.03 / w, 1e-3 / w**2])
+        g = (bent - bent(-w)) * (span / (bent(w) - bent(-w)))
+        return near, far, (near + far) / 2, g.coef
+
+    def truth(self, n=200, seed=1):
+        """Geographic points in the image, their times [s] and slant ranges [m] there, and image points (x, y) [px]."""
+        rng = np.random.default_rng(seed)
+        geographic = np.column_stack([
+            TARGET[0] + rng.uniform(-0.02, 0.02, 4 * n), TARGET[1] + rng.uniform(-0.02, 0.02, 4 * n),
+            rng.uniform(0, 900, 4 * n),
+        ])  # fmt: skip
+        X = geocentric_from_geographic(geographic, WGS84)
+        low, high = np.full(len(X), -20.0), np.full(len(X), 20.0)
+        for _ in range(80):
+            middle = (low + high) / 2
+            P, V = self.at(middle)
+            ahead = np.sum((X - P) * V, axis=1) > 0
+            low, high = np.where(ahead, middle, low), np.where(ahead, high, middle)
+        t = (low + high) / 2
+        R = np.linalg.norm(X - self.at(t)[0], axis=1)
+        image_t, image_R = t + self.shift_s, R + C / 2 * self.delay_s
+        if self.timed:
+            _, _, mean, g = self.by_time()
+            column = np.polynomial.Polynomial(g)(2 * image_R / C - mean) / self.spacing_m
+        elif self.ground:
+            a, b = np.full(len(X), -1e5), np.full(len(X), 1e5)
+            for _ in range(90):
+                m = (a + b) / 2
+                short = self.slant(m, image_t) < image_R
+                a, b = np.where(short, m, a), np.where(short, b, m)
+            column = (a + b) / 2 / self.spacing_m
+        else:
+            column = (image_R - self.near_m) / self.spacing_m
+        column = column if self.near_first else self.columns - 1 - column
+        line = (image_t - self.first_s) / self.line_s * (1 if self.forwards else -1)
+        inside = (column > 0) & (column < self.columns) & (line > 0) & (line < self.rows)
+        kept = np.flatnonzero(inside)[:n]
+        return geographic[kept], t[kept], R[kept], np.column_stack([column, line])[kept] + 0.5
+
+
+def tag(name, value, attributes=""):
+    return f"<{name}{' ' + attributes if attributes else ''}>{value}</{name}>"
+
+
+def _vectors(p):
+    names = [f"{a}{k}" for k in ("Position", "Velocity") for a in "xyz"]
+    units = ["m"] * 3 + ["m/s"] * 3
+    return "".join(
+        tag("stateVector", tag("timeStamp", p.utc(t)) + "".join(
+            tag(n, repr(float(v)), f'units="{u}"') for n, u, v in zip(names, units, [*P, *V], strict=True)))
+        for t, P, V in zip(*p.table(), strict=True)
+    )  # fmt: skip
+
+
+def _ties(p, n=60):
+    geographic, _, _, xy = p.truth(n, 5)
+    return "".join(
+        tag("imageTiePoint", tag("imageCoordinate", tag("line", repr(y)) + tag("pixel", repr(x)))
+            + tag("geodeticCoordinate", tag("latitude", repr(lat), 'units="deg"') + tag("longitude", repr(lon))
+                  + tag("height", repr(h), 'units="m"')))
+        for (lon, lat, h), (x, y) in zip(geographic.tolist(), (xy - 0.5).tolist(), strict=True)
+    )  # fmt: skip
+
+
+def functions(rpc):
+    """The element rationalFunctions; its image points count from 0 at centres."""
+    parts = [("pixel", rpc.image_offset[0] - 0.5, rpc.image_scale[0]), ("line", rpc.image_offset[1] - 0.5,
+             rpc.image_scale[1])]  # fmt: skip
+    parts += zip(("longitude", "latitude", "height"), rpc.ground_offset, rpc.ground_scale, strict=True)
+    names = [f"{a}{b}Coefficients" for a in ("line", "pixel") for b in ("Numerator", "Denominator")]
+    text = "".join(tag(f"{n}Offset", repr(float(o))) + tag(f"{n}Scale", repr(float(s))) for n, o, s in parts)
+    rows = zip(names, rpc.coefficients.tolist(), strict=True)
+    return tag("rationalFunctions", text + "".join(tag(n, " ".join(map(repr, c))) for n, c in rows))
+
+
+def _common(p):
+    word = {True: "Increasing", False: "Decreasing"}
+    source = tag("radarParameters", tag("beams", "W1") + tag("polarizations", "HH HV")
+                 + tag("antennaPointing", "Right" if p.side > 0 else "Left"))  # fmt: skip
+    source += tag("orbitAndAttitude", tag("orbitInformation", tag("passDirection", "Descending") + _vectors(p)))
+    last = p.first_s + (p.rows - 1) * p.line_s * (1 if p.forwards else -1)
+    processing = tag("zeroDopplerTimeFirstLine", p.utc(p.first_s)) + tag("zeroDopplerTimeLastLine", p.utc(last))
+    for pole in ("HH", "HV"):
+        processing += tag("numberOfLinesProcessed", p.rows, f'pole="{pole}"')
+    raster = tag("sampledPixelSpacing", p.spacing_m, 'units="m"') + tag("sampledLineSpacing", 3.3, 'units="m"')
+    raster += tag("lineTimeOrdering", word[p.forwards]) + tag("pixelTimeOrdering", word[p.near_first])
+    tables = ""
+    if p.ground:
+        order = range(p.polynomials)[:: 1 if p.forwards else -1]
+        times, rows = p.sets()
+        for k in order:
+            t, c, origin = times[k], rows[k], 100.0 * k
+            # powers of the distance from an origin: the same polynomial, which NumPy moves
+            moved = np.polynomial.Polynomial(c)(np.polynomial.Polynomial([origin, 1.0])).coef
+            tables += tag("slantRangeToGroundRange", tag("zeroDopplerAzimuthTime", p.utc(t))
+                          + tag("groundRangeOrigin", origin, 'units="m"')
+                          + tag("groundToSlantRangeCoefficients", " ".join(repr(float(v)) for v in moved)))  # fmt: skip
+    return source, processing, raster, tables
+
+
+def radarsat2(p, rpc=None, *, ties=True):
+    source, processing, raster, tables = _common(p)
+    kind = "SGF" if p.ground else "SLC"
+    near = "" if p.ground else tag("slantRangeNearEdge", p.near_m, 'units="m"')
+    geographic = tag("referenceEllipsoidParameters", tag("ellipsoidName", "WGS84") + tag("geodeticTerrainHeight", 310))
+    geographic += tag("geolocationGrid", _ties(p)) if ties else ""
+    geographic += functions(rpc) if rpc else ""
+    raster += tag("numberOfSamplesPerLine", p.columns) + tag("numberOfLines", p.rows)
+    return '<?xml version="1.0"?>' + tag(
+        "product",
+        tag("productId", "made up") + tag("sourceAttributes", tag("satellite", "RADARSAT-2") + source)
+        + tag("imageGenerationParameters", tag("generalProcessingInformation", tag("productType", kind))
+              + tag("sarProcessingInformation", processing + near) + tables)
+        + tag("imageAttributes", tag("rasterAttributes", raster) + tag("geographicInformation", geographic)),
+        'xmlns="http://www.rsi.ca/rs2/prod/xml/schemas"',
+    )  # fmt: skip
+
+
+def rcm(p, rpc=None, *, ties=True, images=1, prefix=""):
+    source, processing, raster, tables = _common(p)
+    far = float(p.slant(np.array([(p.columns - 1) * p.spacing_m]), np.zeros(1))[0]) if p.ground else (
+        p.near_m + (p.columns - 1) * p.spacing_m)  # fmt: skip
+    geographic = tag("ellipsoidParameters", tag("geodeticTerrainHeight", 310, 'units="m"'))
+    geographic += tag("geolocationGrid", _ties(p)) if ties else ""
+    geographic += functions(rpc) if rpc else ""
+    image = tag("slantRangeFarEdge", far, 'units="m"') + tag("samplesPerLine", p.columns) + tag("numLines", p.rows)
+    image += tag("slantRangeNearEdge", p.near_m, 'units="m"') + tag("lineOffset", 0) + tag("pixelOffset", 0)
+    text = tag(
+        "product",
+        tag("productId", "made up")
+        + tag("imageReferenceAttributes", tag("rasterAttributes", raster) + tag("geographicInformation", geographic))
+        + tag("sceneAttributes", "".join(tag("imageAttributes", image, f'burst="{k}"') for k in range(images)))
+        + tag("sourceAttributes", tag("satellite", "RCM-1") + source)
+        + tag("imageGenerationParameters", tables + tag("sarProcessingInformation", processing)
+              + tag("generalProcessingInformation", tag("productType", "GRD" if p.ground else "SLC"))),
+        f'xmlns{":" + prefix if prefix else ""}="rcmGsProductSchema"',
+    )  # fmt: skip
+    if prefix:
+        text = text.replace("</", "\0").replace("<", f"<{prefix}:").replace("\0", f"</{prefix}:")
+    return '<?xml version="1.0" encoding="UTF-8"?>' + text
+
+
+def terrasar(p):
+    """The annotation; ground ranges are polynomials of time."""
+    start, length = -(p.rows - 1) * p.line_s / 2, (p.rows - 1) * p.line_s
+    place = ("EARLY" if p.forwards else "LATE") + "AZ" + ("NEAR" if p.near_first else "FAR") + "RG"
+    if p.timed:
+        near, far, mean, g = p.by_time()
+        table = tag("referencePoint", repr(mean)) + tag("polynomialDegree", len(g) - 1)
+        table += "".join(tag("coefficient", repr(float(v)), f'exponent="{k}"') for k, v in enumerate(g))
+        specific = tag("projectedImageInfo", tag("slantToGroundRangeProjection", table))
+        spacing = tag("rowSpacing", p.spacing_m, 'units="m"') + tag("columnSpacing", 3.3, 'units="m"')
+    else:
+        near, far = (2 * (p.near_m + k * p.spacing_m) / C for k in (0, p.columns - 1))
+        specific = tag("complexImageInfo", tag("imageCoordinateType", "ZERODOPPLER"))
+        spacing = tag("rowSpacing", repr(2 * p.spacing_m / C), 'units="s"')
+        spacing += tag("columnSpacing", repr(p.line_s), 'units="s"')
+    variant, names = "MGD" if p.timed else "SSC", [f"{k}{a}" for k in ("pos", "vel") for a in "XYZ"]
+    vectors = "".join(
+        tag("stateVec", tag("timeUTC", p.utc(t)[:-1]) + "".join(
+            tag(n, repr(float(v))) for n, v in zip(names, [*P, *V], strict=True)), 'num="1" qualInd="1"')
+        for t, P, V in zip(*p.table(), strict=True)
+    )  # fmt: skip
+    raster = tag("numberOfRows", p.rows) + tag("numberOfColumns", p.columns) + spacing
+    times = tag("start", tag("timeUTC", p.utc(start))) + tag("stop", tag("timeUTC", p.utc(start + length)))
+    times += tag("rangeTime", tag("firstPixel", repr(near)) + tag("lastPixel", repr(far)))
+    return '<?xml version="1.0" encoding="utf-8"?>' + tag(
+        "level1Product",
+        tag("generalHeader", tag("mission", "TSX-1"))
+        + tag("productInfo", tag("missionInfo", tag("mission", "TSX-1"))
+              + tag("acquisitionInfo", tag("imagingMode", "SM") + tag("numberOfLayers", 1)
+                    + tag("lookDirection", "RIGHT" if p.side > 0 else "LEFT"))
+              + tag("productVariantInfo", tag("productVariant", variant))
+              + tag("imageDataInfo", tag("imageDataStartWith", place) + tag("imageRaster", raster))
+              + tag("sceneInfo", times + tag("sceneAverageHeight", 320.0)))
+        + tag("productSpecific", specific) + tag("platform", tag("orbit", vectors)),
+        'xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"',
+    )  # fmt: skip
+
+
+def georef(p):
+    """Delays in two parts each."""
+    parts = "".join(
+        tag(name, tag("coefficient", repr(share * value), 'exponent="0"'), f'source="{source}"')
+        for name, value in (("rangeDelay", p.delay_s), ("azimuthShift", p.shift_s))
+        for source, share in (("IONOSPHERE", 0.25), ("TROPOSPHERE", 0.75))
+    )
+    return tag("geoReference", tag("signalPropagationEffects", parts))
