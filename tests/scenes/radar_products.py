@@ -30,6 +30,8 @@ class Product:
     line_s: float = 0.0005
     spacing_m: float = 2.5
     polynomials: int = 1
+    off_deg: float = 3.5
+    heading_deg: float = 190.0
     linear: bool = False
     timed: bool = False
     delay_s: float = 0.0
@@ -39,11 +41,11 @@ class Product:
     def __post_init__(self):
         T = geocentric_from_geographic(np.array([TARGET]), WGS84)[0]
         E, N, _ = enu_from_geocentric(np.array([TARGET]))[0]
-        far, heading = np.linalg.norm(T), np.radians(190.0)
+        far, heading = np.linalg.norm(T), np.radians(self.heading_deg)
         along = np.sin(heading) * E + np.cos(heading) * N
         along -= T * (along @ T) / far**2
         along /= np.linalg.norm(along)
-        turn = -np.radians(3.5) * self.side  # about the direction of flight
+        turn = -np.radians(self.off_deg) * self.side  # about the direction of flight
         up = T / far
         p0 = up * np.cos(turn) + np.cross(along, up) * np.sin(turn)
         self.orbit = (far + 693e3, p0, along)
@@ -96,13 +98,8 @@ class Product:
         g = (bent - bent(-w)) * (span / (bent(w) - bent(-w)))
         return near, far, (near + far) / 2, g.coef
 
-    def truth(self, n=200, seed=1):
-        """Geographic points in the image, their times [s] and slant ranges [m] there, and image points (x, y) [px]."""
-        rng = np.random.default_rng(seed)
-        geographic = np.column_stack([
-            TARGET[0] + rng.uniform(-0.02, 0.02, 4 * n), TARGET[1] + rng.uniform(-0.02, 0.02, 4 * n),
-            rng.uniform(0, 900, 4 * n),
-        ])  # fmt: skip
+    def project(self, geographic):
+        """Times [s] and slant ranges [m] of points on the orbit, and image points (x, y) [px]."""
         X = geocentric_from_geographic(geographic, WGS84)
         low, high = np.full(len(X), -20.0), np.full(len(X), 20.0)
         for _ in range(80):
@@ -127,9 +124,15 @@ class Product:
             column = (image_R - self.near_m) / self.spacing_m
         column = column if self.near_first else self.columns - 1 - column
         line = (image_t - self.first_s) / self.line_s * (1 if self.forwards else -1)
-        inside = (column > 0) & (column < self.columns) & (line > 0) & (line < self.rows)
-        kept = np.flatnonzero(inside)[:n]
-        return geographic[kept], t[kept], R[kept], np.column_stack([column, line])[kept] + 0.5
+        return t, R, np.column_stack([column, line]) + 0.5
+
+    def truth(self, n=200, seed=1):
+        """Geographic points in the image, and what `project` has for them."""
+        rng = np.random.default_rng(seed)
+        geographic = TARGET + rng.uniform([-0.02, -0.02, -300], [0.02, 0.02, 600], (4 * n, 3))
+        t, R, xy = self.project(geographic)
+        kept = np.flatnonzero(((xy > 0.5) & (xy < [self.columns, self.rows])).all(axis=1))[:n]
+        return geographic[kept], t[kept], R[kept], xy[kept]
 
 
 def tag(name, value, attributes=""):

@@ -56,6 +56,8 @@ class SceneFormat:
     read: Callable[[Path], Scene]
     within: str = ""
     """Pattern of such files in the folder of a product"""
+    companions: Callable[[Path], tuple[Path, ...]] | None = None
+    """Other files that a file of this format is read with, in or below its folder"""
 
 
 scene_formats: dict[str, SceneFormat] = {}
@@ -92,6 +94,13 @@ def file_of_product(path: Path) -> Path:
     if len(found) > 1:
         raise InputError("scene.several_in_folder", names=[str(f.relative_to(path)) for f in found], file=path)
     return found[0] if found else path
+
+
+def companions_of(path: Path) -> tuple[Path, ...]:
+    """The files that a scene file is read with."""
+    head = _head(path)
+    found = next((f for f in scene_formats.values() if f.recognises(path, head)), None)
+    return () if found is None or found.companions is None else found.companions(path)
 
 
 def is_scene(path: Path) -> bool:

@@ -114,10 +114,10 @@ def _coefficients(polynomial: Element) -> Iterator[tuple[int, float]]:
 
 def _delays(path: Path, root: Element) -> tuple[float, float, Message]:
     """Sums of the delays of range and of time [s] that the file states, or GEOREF.xml beside it."""
-    beside = path.parent / "ANNOTATION" / "GEOREF.xml"
     found = root.find("signalPropagationEffects")
-    if found is None and beside.is_file():
-        found = read_xml(beside, "geoReference", local=True).find("signalPropagationEffects")
+    if found is None:
+        for beside in _companions(path):
+            found = read_xml(beside, "geoReference", local=True).find("signalPropagationEffects")
     if found is None:
         return 0.0, 0.0, note("scene.delays_missing")
     sums: list[float] = []
@@ -133,6 +133,11 @@ def _delays(path: Path, root: Element) -> tuple[float, float, Message]:
     return delay_s, shift_s, note("scene.delays_applied", range_m=C_LIGHT / 2 * delay_s, seconds=shift_s)
 
 
+def _companions(path: Path) -> tuple[Path, ...]:
+    beside = path.parent / "ANNOTATION" / "GEOREF.xml"
+    return (beside,) if beside.is_file() else ()
+
+
 def _recognises(path: Path, head: bytes) -> bool:
     del path
     return b"level1Product" in head
@@ -141,6 +146,6 @@ def _recognises(path: Path, head: bytes) -> bool:
 register(
     SceneFormat(
         name="terrasar", title="TerraSAR-X, TanDEM-X, PAZ annotation XML (SSC, MGD)", recognises=_recognises, read=read,
-        within="*.xml",
+        within="*.xml", companions=_companions,
     )
 )  # fmt: skip
