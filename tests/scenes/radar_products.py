@@ -265,7 +265,7 @@ def terrasar(p):
         "level1Product",
         tag("generalHeader", tag("mission", "TSX-1"))
         + tag("productInfo", tag("missionInfo", tag("mission", "TSX-1"))
-              + tag("acquisitionInfo", tag("imagingMode", "SM") + tag("numberOfLayers", 1)
+              + tag("acquisitionInfo", tag("imagingMode", "SM")
                     + tag("lookDirection", "RIGHT" if p.side > 0 else "LEFT"))
               + tag("productVariantInfo", tag("productVariant", variant))
               + tag("imageDataInfo", tag("imageDataStartWith", place) + tag("imageRaster", raster))
@@ -283,3 +283,56 @@ def georef(p):
         for source, share in (("IONOSPHERE", 0.25), ("TROPOSPHERE", 0.75))
     )
     return tag("geoReference", tag("signalPropagationEffects", parts))
+
+
+def sicd(p, first=(0, 0)):
+    """The XML of an image of range and zero Doppler; rows are ranges, columns are times; a part of it from `first`."""
+    late = 5.0  # from the start of the collection to the middle of the image
+    t = np.linspace(-12, 12, 60)
+    axes = [np.polynomial.Polynomial.fit(t + late, v, 8).convert().coef for v in p.at(t)[0].T]
+
+    def coefficients(values):
+        return "".join(tag("Coef", repr(float(v)), f'exponent1="{k}"') for k, v in enumerate(values))
+
+    centre, column_m = (p.columns // 2, p.rows // 3), 3.3
+    step = p.line_s * (1 if p.forwards else -1)
+    t_centre = late + p.first_s + centre[1] * step
+    # the scene's centre lies where its pixel is: range and Doppler solved for a point of this height
+    ground = centre_of(p, centre)
+    X = geocentric_from_geographic(ground, WGS84)[0]
+    inca = tag("TimeCAPoly", coefficients([t_centre, step / column_m]), 'order1="1"')
+    inca += tag("R_CA_SCP", repr(p.near_m + centre[0] * p.spacing_m))
+    return tag(
+        "SICD",
+        tag("CollectionInfo", tag("CollectorName", "MADE_UP")) + tag("Timeline", tag("CollectStart", p.utc(-late)))
+        + tag("ImageData", tag("NumRows", p.columns - first[0]) + tag("NumCols", p.rows - first[1])
+              + tag("FirstRow", first[0]) + tag("FirstCol", first[1])
+              + tag("SCPPixel", tag("Row", centre[0]) + tag("Col", centre[1])))
+        + tag("GeoData", tag("SCP", tag("ECF", "".join(tag(a, repr(float(v))) for a, v in zip("XYZ", X, strict=True)))))
+        + tag("Grid", tag("Type", "RGZERO") + tag("Row", tag("SS", p.spacing_m)) + tag("Col", tag("SS", column_m)))
+        + tag("Position", tag("ARPPoly", "".join(
+            tag(a, coefficients(c), f'order1="{len(c) - 1}"') for a, c in zip("XYZ", axes, strict=True))))
+        + tag("SCPCOA", tag("SideOfTrack", "R" if p.side > 0 else "L"))
+        + tag("ImageFormation", tag("ImageFormAlgo", "RMA")) + tag("RMA", tag("INCA", inca)),
+        'xmlns="urn:SICD:1.2.1"',
+    )  # fmt: skip
+
+
+def centre_of(p, column_and_line):
+    """The ground point (1, 3) at 300 m of a pixel of a slant-range image, by secants over its image point."""
+    place = np.array([TARGET])
+    wanted = np.array(column_and_line) + 0.5
+    for _ in range(12):
+        at = p.project(place)[2][0]
+        steps = np.array([p.project(place + d)[2][0] - at for d in np.diag([1e-5, 1e-5, 0])[:2]]) / 1e-5
+        place[0, :2] += np.linalg.solve(steps.T, wanted - at)
+    return place
+
+
+def nitf(text):
+    """A NITF with one image of 7 bytes, one text of 5, and extensions of which the second holds the XML."""
+    parts = [(b"s" * 439, b"i" * 7), (b"t" * 282, b"t" * 5), (b"d" * 200, b"other"), (b"d" * 973, text.encode())]
+    head = b"NITF02.10" + b" " * 30 + b"SICD: made up".ljust(315)
+    counts = b"001%06d%010d" % tuple(map(len, parts[0])) + b"000" + b"000" + b"001%04d%05d" % tuple(map(len, parts[1]))
+    counts += b"002" + b"".join(b"%04d%09d" % tuple(map(len, p)) for p in parts[2:]) + b"0000000000"
+    return head + b"%06d" % (len(head) + 6 + len(counts)) + counts + b"".join(a + b for a, b in parts)

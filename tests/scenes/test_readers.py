@@ -336,6 +336,7 @@ def test_unknown_and_absent_files(tmp_path):
         "radarsat2",
         "rcm",
         "terrasar",
+        "sicd",
         "rpc-json",
         "gdal-xml",
         "gdal-json",

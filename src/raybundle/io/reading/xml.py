@@ -130,6 +130,7 @@ class Element:
 def read_xml(path: Path, root: str, *, local: bool = False) -> Element:
     """The root element; document types and entities of their own are refused, and so is deep nesting.
 
+    root    its name; "": any
     local   leave out prefixes of namespaces
     raises  InputError with the line
     """
@@ -177,6 +178,6 @@ def xml_of(data: bytes, path: Path, root: str, *, local: bool = False) -> Elemen
         raise InputError("xml.invalid", detail=str(error), cut=False, file=path, line=1) from None
     if not top:
         raise InputError("xml.empty", root=root, file=path, line=1)
-    if top[0].name != root:
+    if root and top[0].name != root:
         raise InputError("xml.root_element", name=quoted(top[0].name), root=root, file=path, line=1)
     return top[0]

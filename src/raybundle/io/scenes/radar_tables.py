@@ -12,13 +12,13 @@ from math import comb
 import numpy as np
 
 from raybundle.errors import InputError, Message, RaybundleError, warning
-from raybundle.io.reading.words import quoted
+from raybundle.io.reading.words import no_number, number_of, quoted
 from raybundle.io.reading.xml import Element
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.kinds.range_doppler import RangeDoppler
 from raybundle.scenes.model_agreement import LEAST_PX
 from raybundle.scenes.orbit import LEAST as LEAST_VECTORS
-from raybundle.scenes.orbit import Orbit
+from raybundle.scenes.orbit import NEAREST, Orbit
 from raybundle.scenes.rpc import Rpc, rpc_of
 
 UNITS: Mapping[str, Mapping[str, float]] = {
@@ -27,6 +27,8 @@ UNITS: Mapping[str, Mapping[str, float]] = {
     "m/s": {"m/s": 1.0, "km/s": 1e3},
 }
 """Factors of the units that an attribute may state, by the unit that is meant where it states none."""
+DEGREE = 2 * NEAREST - 1
+"""Largest of polynomials: that of an orbit between its state vectors"""
 EXTENT = 0.01
 """By which share of the swath the ranges at its edges may contradict each other: they change along an image."""
 
@@ -59,6 +61,26 @@ def amount(parent: Element, name: str, unit: str = "m") -> float:
     if stated.lower() not in UNITS[unit]:
         child.fail("value.not_supported", value=quoted(stated), known=list(UNITS[unit]))
     return float(child.numbers(1)[0]) * UNITS[unit][stated.lower()]
+
+
+def powers(element: Element, name: str, exponent: str, scale: float = 1.0) -> Array:
+    """Coefficients by rising powers of children with an exponent in an attribute, times the powers of a scale.
+
+    The attribute may be missing where there is one child.
+    """
+    found: dict[int, float] = {}
+    for child in element.all(name):
+        k = child.value(exponent) if exponent in child.attributes else 0.0
+        if k not in range(DEGREE + 1) or k in found:
+            child.fail("value.not_supported", value=quoted(child.attributes.get(exponent)), known=[f"0 ... {DEGREE}"])
+        word = child.content.strip()
+        value = number_of(word, scale ** int(k))
+        if value is None:
+            child.fail(no_number(word))
+        found[int(k)] = value
+    if not found:
+        element.get(name)
+    return np.array([found.get(k, 0.0) for k in range(1 + max(found))])
 
 
 def whole(parent: Element, name: str) -> int:

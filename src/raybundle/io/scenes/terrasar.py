@@ -6,10 +6,10 @@ Rows of the file run along the range, so that rowSpacing stands between columns 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+from numpy.polynomial import Chebyshev, Polynomial
 
 from raybundle.errors import Message, note
 from raybundle.io.reading.words import quoted
@@ -25,6 +25,7 @@ from raybundle.io.scenes.radar_tables import (
     instant,
     only,
     orbit_of,
+    powers,
     seconds,
     whole,
 )
@@ -53,7 +54,7 @@ def read(path: Path) -> Scene:
             "value.not_supported", value=quoted(variant), known=["SSC", "MGD"]
         )
     if variant == "SSC" and mode == "SC":
-        acquisition.get("imagingMode").fail("scene.burst_images", n=whole(acquisition, "numberOfLayers"))
+        acquisition.get("imagingMode").fail("scene.burst_images", n=int(image.number("numberOfLayers", 4.0)))
     raster, info = image.get("imageRaster"), product.get("sceneInfo")
     columns, rows = whole(raster, "numberOfColumns"), whole(raster, "numberOfRows")
     along, across = (choice(image, "imageDataStartWith", {k: v[a] for k, v in STARTS.items()}) for a in (0, 1))
@@ -92,13 +93,13 @@ def _ranges(root: Element, variant: str, columns: int, delay_s: float) -> Column
         return Columns.slant(C_LIGHT / 2 * step, C_LIGHT / 2 * (near - delay_s))
     spacing = amount(raster, "rowSpacing")
     table = root.get("productSpecific", "projectedImageInfo", "slantToGroundRangeProjection")
-    c = np.array([v for _, v in sorted(_coefficients(table))])
+    c = powers(table, "coefficient", "exponent", 1e-3)  # of milliseconds: those of seconds exceed what is read
     t = near + (far - near) * (1 - np.cos(np.linspace(0, np.pi, 4 * DEGREE))) / 2
-    ground = np.polynomial.polynomial.polyval(t - amount(table, "referencePoint", "s"), c)
+    ground = Polynomial(c)((t - amount(table, "referencePoint", "s")) * 1e3)
     ground -= ground[0]
     _check_extent(table, float(ground[-1]), spacing * (columns - 1), 1.0)
-    fit = np.polynomial.Chebyshev.fit(ground, C_LIGHT / 2 * (t - delay_s), DEGREE)
-    return ground_columns(spacing, [(0.0, 0.0, fit.convert(kind=np.polynomial.Polynomial).coef)])
+    fit = Chebyshev.fit(ground, C_LIGHT / 2 * (t - delay_s), DEGREE)
+    return ground_columns(spacing, [(0.0, 0.0, fit.convert(kind=Polynomial).coef)])
 
 
 def _check_extent(element: Element, reached: float, stated: float, metres: float) -> None:
@@ -106,28 +107,22 @@ def _check_extent(element: Element, reached: float, stated: float, metres: float
         element.fail("scene.range_extent", reached_m=reached * metres, stated_m=stated * metres)
 
 
-def _coefficients(polynomial: Element) -> Iterator[tuple[int, float]]:
-    """Exponents and coefficients of a polynomial, in the order of the file."""
-    for c in polynomial.all("coefficient"):
-        yield int(c.value("exponent")) if "exponent" in c.attributes else 0, float(c.numbers(1)[0])
-
-
 def _delays(path: Path, root: Element) -> tuple[float, float, Message]:
     """Sums of the delays of range and of time [s] that the file states, or GEOREF.xml beside it."""
     found = root.find("signalPropagationEffects")
     if found is None:
         for beside in _companions(path):
-            found = read_xml(beside, "geoReference", local=True).find("signalPropagationEffects")
+            found = read_xml(beside, "", local=True).find("signalPropagationEffects")
     if found is None:
         return 0.0, 0.0, note("scene.delays_missing")
     sums: list[float] = []
     for name in ("rangeDelay", "azimuthShift"):
         total = 0.0
         for part in found.all(name):
-            terms = list(_coefficients(part))
-            if any(k and v for k, v in terms):
+            constant, *more = powers(part, "coefficient", "exponent").tolist()
+            if any(more):
                 part.fail("value.not_supported", value=quoted("coefficient"), known=["exponent 0"])
-            total += sum(v for _, v in terms)
+            total += constant
         sums.append(total)
     delay_s, shift_s = sums
     return delay_s, shift_s, note("scene.delays_applied", range_m=C_LIGHT / 2 * delay_s, seconds=shift_s)

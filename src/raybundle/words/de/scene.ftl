@@ -268,3 +268,12 @@ scene-rpc_only = Nur das RPC wird verwendet: Der Datei fehlt { $path }.
 scene-delays_applied = Angegebene Laufzeiten sind angebracht: { $range_m } m der Entfernung, { $seconds } s der Zeit.
 
 scene-delays_missing = Laufzeiten sind nicht angegeben (ANNOTATION/GEOREF.xml fehlt) und bleiben Entfernung und Uhr.
+
+scene-image_formation = Bilder aus { $kind } haben keine Zeilen einer Zeit; gelesen wird nur Entfernung mit Null-Doppler (RMA, INCA).
+    .do = Das Produkt in Schrägentfernung mit Null-Doppler (RGZERO) oder eines in Bodenentfernung beschaffen.
+
+scene-times_curved = Die Zeiten der Spalten weichen um { $seconds } s von einer Geraden ab; das wird nicht unterstützt.
+    .do = Das RPC der Szene verwenden.
+
+scene-no_sicd = Keine Datenerweiterung dieses NITF enthält die Metadaten eines SICD.
+    .do = Die Datei erneut beschaffen.

@@ -395,3 +395,14 @@ scene-rpc_only = Only the RPC is used: the file has no { $path }.
 scene-delays_applied = Delays that the product states are applied: { $range_m } m of range, { $seconds } s of time.
 
 scene-delays_missing = The file states no delays (ANNOTATION/GEOREF.xml is missing); range offset and clock take them.
+
+# $kind = "'PFA RGAZIM'"
+scene-image_formation = An image formed by { $kind } is not read; only range and zero Doppler (RMA, INCA) is.
+    .do = Get the product in slant range with zero Doppler (RGZERO), or one in ground range.
+
+# $seconds = 0.00002
+scene-times_curved = The times of the columns deviate from a straight line by { $seconds } s, which is not supported.
+    .do = Use the RPC of the scene.
+
+scene-no_sicd = No data extension of this NITF holds the metadata of a SICD.
+    .do = Get the file again.

@@ -178,3 +178,12 @@ scene-rpc_only = Seul le RPC est utilisé : le fichier n'a pas { $path }.
 scene-delays_applied = Les retards indiqués sont appliqués : { $range_m } m de distance, { $seconds } s de temps.
 
 scene-delays_missing = Aucun retard indiqué (ANNOTATION/GEOREF.xml manque) : il reste à la distance et à l'horloge.
+
+scene-image_formation = Les images formées par { $kind } n'ont pas de lignes d'un seul temps ; seul le Doppler nul (RMA, INCA) est lu.
+    .do = Obtenir le produit en distance oblique à Doppler nul (RGZERO), ou un produit en distance au sol.
+
+scene-times_curved = Les temps des colonnes s'écartent d'une droite de { $seconds } s, ce qui n'est pas pris en charge.
+    .do = Utiliser le RPC de la scène.
+
+scene-no_sicd = Aucune extension de données de ce NITF ne contient les métadonnées d'un SICD.
+    .do = Obtenir le fichier de nouveau.
