@@ -336,3 +336,39 @@ def nitf(text):
     counts = b"001%06d%010d" % tuple(map(len, parts[0])) + b"000" + b"000" + b"001%04d%05d" % tuple(map(len, parts[1]))
     counts += b"002" + b"".join(b"%04d%09d" % tuple(map(len, p)) for p in parts[2:]) + b"0000000000"
     return head + b"%06d" % (len(head) + 6 + len(counts)) + counts + b"".join(a + b for a, b in parts)
+
+
+def iceye(p, rpc=None):
+    """The XML of an SLC or a GRD; corners count from 1."""
+    low = -(p.rows - 1) * p.line_s / 2
+    names = ["time", *(f"{k}{a}" for k in ("pos", "vel") for a in "XYZ")]
+    vectors = "".join(
+        tag("orbit", tag("time", p.utc(t)) + "".join(
+            tag(n, repr(float(v))) for n, v in zip(names[1:], [*P, *V], strict=True)))
+        for t, P, V in zip(*p.table(), strict=True)
+    )  # fmt: skip
+    text = tag("product_name", "ICEYE_MADE_UP") + tag("satellite_name", "ICEYE-X0")
+    text += tag("look_side", "right" if p.side > 0 else "left") + tag("avg_scene_height", 300.0)
+    text += tag("number_of_range_samples", p.columns) + tag("number_of_azimuth_samples", p.rows)
+    text += tag("zerodoppler_start_utc", p.utc(low)[:-1]) + tag("zerodoppler_end_utc", p.utc(-low)[:-1])
+    text += tag("azimuth_time_interval", repr(p.line_s)) + tag("Orbit_State_Vectors", tag("count", p.vectors) + vectors)
+    for late in (0, 1):
+        for far in (0, 1):
+            at = [p.columns - 1 if far == p.near_first else 0, p.rows - 1 if late == p.forwards else 0]
+            lon, lat, _ = centre_of(p, at)[0].tolist()
+            numbers = f"{at[0] + 1} {at[1] + 1} {lat!r} {lon!r}"
+            text += tag(f"coord_{('first', 'last')[late]}_{('near', 'far')[far]}", numbers)
+    if p.ground:
+        _, (c,) = p.sets()
+        inside = "".join(tag("coefficient", repr(float(v)), f'number="{k}"') for k, v in enumerate(c))
+        text += tag("range_spacing", p.spacing_m) + tag("GRSR_Coefficients", tag("ground_range_origin", 0.0) + inside)
+    else:
+        text += tag("slant_range_spacing", p.spacing_m) + tag("first_pixel_time", repr(2 * p.near_m / C))
+    if rpc:
+        off = [*(rpc.image_offset - 0.5), *rpc.ground_offset]
+        scale, keys = [*rpc.image_scale, *rpc.ground_scale], ("SAMP", "LINE", "LONG", "LAT", "HEIGHT")
+        rows = zip(("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN"), rpc.coefficients.tolist(), strict=True)
+        inside = "".join(tag(f"{k}_OFF", repr(float(o))) + tag(f"{k}_SCALE", repr(float(s)))
+                         for k, o, s in zip(keys, off, scale, strict=True))  # fmt: skip
+        text += tag("RPC", inside + "".join(tag(f"{k}_COEFF", " ".join(map(repr, c))) for k, c in rows))
+    return '<?xml version="1.0"?>' + tag("Metadata", text)

@@ -337,6 +337,7 @@ def test_unknown_and_absent_files(tmp_path):
         "rcm",
         "terrasar",
         "sicd",
+        "iceye",
         "rpc-json",
         "gdal-xml",
         "gdal-json",

@@ -169,13 +169,15 @@ def sentinel1_seeds(top: Path) -> None:
 
 
 def product_seeds(top: Path) -> None:
-    from tests.scenes.radar_products import Product, nitf, radarsat2, rcm, sicd, terrasar
+    from tests.scenes.radar_products import Product, iceye, nitf, radarsat2, rcm, sicd, terrasar
 
     shapes = (Product(columns=40, rows=40), Product(columns=40, rows=40, ground=True, timed=True, polynomials=2))
     makers = (("product.xml", radarsat2), ("product.xml", rcm), ("TSX1.xml", terrasar))
     for k, (name, maker, shape) in enumerate((n, m, s) for n, m in makers for s in shapes):
         (place(top, k) / name).write_text(maker(shape))
     (place(top, 6) / "a.xml").write_text(sicd(shapes[0]))
+    for k, shape in enumerate((Product(), Product(ground=True)), 8):
+        (place(top, k) / "a.xml").write_text(iceye(shape))
     (place(top, 7) / "a.nitf").write_bytes(nitf(sicd(shapes[0])))
 
 

@@ -165,7 +165,9 @@ def ground_columns(spacing_m: float, entries: Sequence[tuple[float, float, Array
     return Columns(spacing_m=spacing_m, near_m=0.0, times=np.array([t for t, _, _ in entries]), coefficients=table)
 
 
-def tied(scene: RangeDoppler, geographic: Array, xy_px: Array) -> tuple[RangeDoppler, tuple[Message, ...]]:
+def tied(
+    scene: RangeDoppler, geographic: Array, xy_px: Array, limit_px: float = LEAST_PX
+) -> tuple[RangeDoppler, tuple[Message, ...]]:  # fmt: skip
     """A scene, and a warning where the tie points of its file contradict it.
 
     Where there are several polynomials of range, the tie points choose between the nearest in time and the mean of two.
@@ -175,12 +177,12 @@ def tied(scene: RangeDoppler, geographic: Array, xy_px: Array) -> tuple[RangeDop
     several = len(scene.range_times) > 1
     found = [(_mean_px(s, geographic, xy_px), s) for s in ((scene, replace(scene, range_steps=False))[: 1 + several])]
     rms, best = min(found, key=lambda f: f[0])
-    if rms <= LEAST_PX:
+    if rms <= limit_px:
         return best, ()
     meets = bool(np.isfinite(rms))
     found_px = rms if meets else None
     return best, (
-        warning("scene.tie_points", n=len(xy_px), meets=meets, rms_px=found_px, limit_px=LEAST_PX),
+        warning("scene.tie_points", n=len(xy_px), meets=meets, rms_px=found_px, limit_px=limit_px),
     )  # fmt: skip
 
 
