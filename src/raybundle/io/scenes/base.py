@@ -87,7 +87,8 @@ def read_scene(path: str | Path) -> Scene:
 
 def file_of_product(path: Path) -> Path:
     """The only scene in the folder of a product; anything else as it is."""
-    inside = [(f, k) for k in scene_formats.values() if k.within and path.is_dir() for f in path.glob(k.within)]
+    patterns = [k for k in scene_formats.values() if k.within and path.is_dir()]
+    inside = [(f, k) for k in patterns for f in path.glob(k.within) if f.is_file()]
     found = sorted({f for f, k in inside if k.recognises(f, _head(f))})
     if not found and len({f for f, _ in inside}) == 1:
         return inside[0][0]
