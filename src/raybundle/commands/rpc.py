@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.scenes.common import HEIGHTS_HELP, beyond, check_near, check_new, heights_of, size_of
 from raybundle.commands.scenes.inputs import scene_input
-from raybundle.errors import InputError, RaybundleError, as_detail, message, phrase
+from raybundle.errors import InputError, NotSolvable, RaybundleError, as_detail, message, phrase
 from raybundle.settings import ANY, keywords, made, path_of, setting
 
 if TYPE_CHECKING:
@@ -146,6 +146,7 @@ def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
     from raybundle.io.scenes import check_agreement, read_scene
     from raybundle.io.scenes.writing import check_rpc_name, write_rpc
     from raybundle.numerics.geodesy import WGS84
+    from raybundle.scenes.kinds.range_doppler import RangeDoppler
     from raybundle.scenes.rpc_fit import fit_rpc
 
     s = settings
@@ -154,6 +155,8 @@ def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
     scene = read_scene(s.scene)
     if scene.rigorous is None:
         raise InputError("scene.model_missing", model="rigorous", choice=False, file=s.scene)
+    if isinstance(scene.rigorous, RangeDoppler) and len(scene.rigorous.burst_y) > 1:
+        raise NotSolvable("rpc.bursts", n=len(scene.rigorous.burst_y))
     check_agreement(scene)
     remarks = ()
     if scene.rigorous.ellipsoid != WGS84:

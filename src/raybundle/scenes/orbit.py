@@ -10,6 +10,8 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 
+LEAST = 4
+"""State vectors of an orbit."""
 NEAREST = 8
 """State vectors through which the orbit's polynomial runs."""
 BEYOND = 0.5
@@ -33,7 +35,7 @@ class Orbit:
 
     def __post_init__(self) -> None:
         """Refuse tables that are none."""
-        if len(self.times) < 4 or not len(self.times) == len(self.positions) == len(self.velocities):
+        if len(self.times) < LEAST or not len(self.times) == len(self.positions) == len(self.velocities):
             raise InputError("trajectory.count", table="ephemeris", times=len(self.times), n=len(self.positions))
         step = np.diff(self.times)
         if not (step > 0).all():

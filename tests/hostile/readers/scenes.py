@@ -168,6 +168,19 @@ def sentinel1_seeds(top: Path) -> None:
         (place(top, k) / "s1.xml").write_text(annotation(kind))
 
 
+def product_seeds(top: Path) -> None:
+    from tests.scenes.radar_products import Product, iceye, nitf, radarsat2, rcm, sicd, terrasar
+
+    shapes = (Product(columns=40, rows=40), Product(columns=40, rows=40, ground=True, timed=True, polynomials=2))
+    makers = (("product.xml", radarsat2), ("product.xml", rcm), ("TSX1.xml", terrasar))
+    for k, (name, maker, shape) in enumerate((n, m, s) for n, m in makers for s in shapes):
+        (place(top, k) / name).write_text(maker(shape))
+    (place(top, 6) / "a.xml").write_text(sicd(shapes[0]))
+    for k, shape in enumerate((Product(), Product(ground=True)), 8):
+        (place(top, k) / "a.xml").write_text(iceye(shape))
+    (place(top, 7) / "a.nitf").write_bytes(nitf(sicd(shapes[0])))
+
+
 def read_a_scene(folder: Path) -> list[str]:
     from raybundle.io.scenes import read_scene
 
@@ -189,6 +202,7 @@ for _name, _seeds in (
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
     ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds),
     ("enmap", enmap_seeds), ("sentinel1", sentinel1_seeds), ("radar-isd", radar_isd_seeds),
+    ("radar-products", product_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
 

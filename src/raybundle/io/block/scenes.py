@@ -268,16 +268,20 @@ def _short_sigma(sigma: Mapping[str, float], groups: Mapping[str, tuple[str, ...
 
 
 def _file_name(sensor: SceneSensor, number: int) -> str:
+    from raybundle.io.scenes import companions_of
+
     if not sensor.rigorous:
         return f"{number}_RPC.TXT"
-    if sensor.file is not None and sensor.file.suffix.lower() == ".toml":  # it names other files; they stay together
+    if sensor.file is None or not sensor.file.is_file():
+        return str(number)
+    if companions_of(sensor.file):  # they stay together
         return f"{number}/{sensor.file.name}"
-    return f"{number}{'' if sensor.file is None else sensor.file.suffix}"
+    return f"{number}{sensor.file.suffix}"
 
 
 def write_scene_files(block: Block, folder: Path) -> None:
     """The scenes' files in `scenes/` of a block folder; an RPC as text, a rigorous scene's file as it is."""
-    from raybundle.io.scenes.airborne import companions
+    from raybundle.io.scenes import companions_of
     from raybundle.io.scenes.rpc_text import write_rpc_text
 
     (folder / FOLDER).mkdir()
@@ -291,13 +295,14 @@ def write_scene_files(block: Block, folder: Path) -> None:
         elif sensor.file is None or not sensor.file.is_file():
             raise InputError("scene.file_gone", camera=camera.id, scene=str(sensor.file or "-"))
         else:
-            files = companions(sensor.file) if sensor.file.suffix.lower() == ".toml" else ()
             target.parent.mkdir(exist_ok=True)
             shutil.copyfile(sensor.file, target)
-            for file in files:
+            for file in companions_of(sensor.file):
+                other = target.parent / file.relative_to(sensor.file.parent)
                 if not file.is_file():
                     raise InputError("scene.companion_gone", camera=camera.id, scene=sensor.file.name, file=file)
-                shutil.copyfile(file, target.parent / file.name)
+                other.parent.mkdir(exist_ok=True)
+                shutil.copyfile(file, other)
 
 
 def with_views(

@@ -38,14 +38,14 @@ def quoted(value: object) -> str:
     return text if len(text) <= SHOWN else text[:SHOWN] + "..."
 
 
-def number_of(word: str) -> float | None:
-    """The finite number that a word is, in ASCII digits with a decimal point; None where it is none.
+def number_of(word: str, factor: float = 1.0) -> float | None:
+    """The finite number that a word is, in ASCII digits with a decimal point, times a factor; None where it is none.
 
     Not taken, though `float` does: 1_000, digits of other scripts, nan, inf, blanks around, sizes above LARGEST.
     """
     if not _NUMBER.fullmatch(word):
         return None
-    return finite(float(word))
+    return finite(float(word) * factor)
 
 
 def fortran_of(word: str) -> float | None:

@@ -127,17 +127,19 @@ class Element:
         return float(self.get(name).numbers(1)[0])
 
 
-def read_xml(path: Path, root: str) -> Element:
+def read_xml(path: Path, root: str, *, local: bool = False) -> Element:
     """The root element; document types and entities of their own are refused, and so is deep nesting.
 
+    root    its name; "": any
+    local   leave out prefixes of namespaces
     raises  InputError with the line
     """
-    top = xml_of(read_bytes(path), path, root)
+    top = xml_of(read_bytes(path), path, root, local=local)
     enter_tree(top)
     return top
 
 
-def xml_of(data: bytes, path: Path, root: str) -> Element:
+def xml_of(data: bytes, path: Path, root: str, *, local: bool = False) -> Element:
     """The root element of a document of these bytes; `path` is named in messages."""
     parser = expat.ParserCreate()
     stack: list[Element] = []
@@ -145,6 +147,7 @@ def xml_of(data: bytes, path: Path, root: str) -> Element:
     top: list[Element] = []
 
     def begin(name: str, attributes: dict[str, str]) -> None:
+        name = name.rpartition(":")[2] if local else name
         element = Element(path, parser.CurrentLineNumber, name, Attributes(attributes))
         if len(stack) >= DEEPEST:
             element.fail("file.nested_too_deeply", most=DEEPEST)
@@ -175,6 +178,6 @@ def xml_of(data: bytes, path: Path, root: str) -> Element:
         raise InputError("xml.invalid", detail=str(error), cut=False, file=path, line=1) from None
     if not top:
         raise InputError("xml.empty", root=root, file=path, line=1)
-    if top[0].name != root:
+    if root and top[0].name != root:
         raise InputError("xml.root_element", name=quoted(top[0].name), root=root, file=path, line=1)
     return top[0]

@@ -7,7 +7,15 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from raybundle.io.scenes.agreement import agreement_of, check_agreement, remarks_of
-from raybundle.io.scenes.base import Scene, SceneFormat, file_of_product, is_scene, read_scene, scene_formats
+from raybundle.io.scenes.base import (
+    Scene,
+    SceneFormat,
+    companions_of,
+    file_of_product,
+    is_scene,
+    read_scene,
+    scene_formats,
+)
 
 for _module in iter_modules(__path__):
     import_module(f"{__name__}.{_module.name}")
@@ -17,6 +25,7 @@ __all__ = [
     "SceneFormat",
     "agreement_of",
     "check_agreement",
+    "companions_of",
     "file_of_product",
     "is_scene",
     "read_scene",

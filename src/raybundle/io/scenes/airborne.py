@@ -270,6 +270,7 @@ def _recognises(path: Path, head: bytes) -> bool:
 
 register(
     SceneFormat(
-        name="airborne", title="TOML of an aerial line scanner with GNSS/INS", recognises=_recognises, read=read
+        name="airborne", title="TOML of an aerial line scanner with GNSS/INS", recognises=_recognises, read=read,
+        companions=companions,
     )
-)
+)  # fmt: skip

@@ -56,6 +56,8 @@ class SceneFormat:
     read: Callable[[Path], Scene]
     within: str = ""
     """Pattern of such files in the folder of a product"""
+    companions: Callable[[Path], tuple[Path, ...]] | None = None
+    """Other files that a file of this format is read with, in or below its folder"""
 
 
 scene_formats: dict[str, SceneFormat] = {}
@@ -73,8 +75,7 @@ def read_scene(path: str | Path) -> Scene:
     raises  InputError where the file cannot be read, has no known format, or contradicts itself
     """
     path = file_of_product(Path(path))
-    with opened(path) as file:
-        head = as_utf8(file.read(HEAD_BYTES), whole=False)
+    head = _head(path)
     if not head.strip():
         raise InputError("file.empty", file=path)
     for format_ in scene_formats.values():
@@ -86,17 +87,32 @@ def read_scene(path: str | Path) -> Scene:
 
 def file_of_product(path: Path) -> Path:
     """The only scene in the folder of a product; anything else as it is."""
-    found = sorted({f for k in scene_formats.values() if k.within and path.is_dir() for f in path.glob(k.within)})
+    patterns = [k for k in scene_formats.values() if k.within and path.is_dir()]
+    inside = [(f, k) for k in patterns for f in path.glob(k.within) if f.is_file()]
+    found = sorted({f for f, k in inside if k.recognises(f, _head(f))})
+    if not found and len({f for f, _ in inside}) == 1:
+        return inside[0][0]
     if len(found) > 1:
         raise InputError("scene.several_in_folder", names=[str(f.relative_to(path)) for f in found], file=path)
     return found[0] if found else path
 
 
+def companions_of(path: Path) -> tuple[Path, ...]:
+    """The files that a scene file is read with."""
+    head = _head(path)
+    found = next((f for f in scene_formats.values() if f.recognises(path, head)), None)
+    return () if found is None or found.companions is None else found.companions(path)
+
+
 def is_scene(path: Path) -> bool:
     """Whether a file has a known format, by its beginning; not whether it can be read."""
-    with opened(path) as file:
-        head = as_utf8(file.read(HEAD_BYTES), whole=False)
+    head = _head(path)
     return bool(head.strip()) and any(f.recognises(path, head) for f in scene_formats.values())
+
+
+def _head(path: Path) -> bytes:
+    with opened(path) as file:
+        return as_utf8(file.read(HEAD_BYTES), whole=False)
 
 
 def _placed(path: Path, format_: SceneFormat) -> Scene:

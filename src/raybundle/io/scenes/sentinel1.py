@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import Message, note
-from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, element_text, register
+from raybundle.io.scenes.radar_tables import instant, seconds
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.kinds.range_doppler import C_LIGHT, RangeDoppler
 from raybundle.scenes.orbit import Orbit
@@ -52,19 +52,6 @@ def read(path: Path) -> Scene:
             height_m=round(float(np.mean(heights)), 1) if heights else 0.0,
         ),
     )  # fmt: skip
-
-
-def instant(element: Element) -> np.datetime64:
-    """The time that an element states, in UTC."""
-    try:
-        return np.datetime64(element.content.strip().rstrip("Z"), "ns")
-    except ValueError:
-        element.fail("value.no_time", value=quoted(element.content.strip()))
-
-
-def seconds(element: Element, epoch: np.datetime64) -> float:
-    """The same in seconds after another time."""
-    return float((instant(element) - epoch) / np.timedelta64(1, "ns")) * 1e-9
 
 
 def _bursts(root: Element, rows: int, epoch: np.datetime64) -> tuple[Array, Array]:

@@ -78,6 +78,8 @@ class RangeDoppler:
     """(m, k) slant range [m] by powers of that range; (0, 1) where it is the slant range"""
     range_steps: bool = False
     """Whether the polynomial of the nearest time holds, as Sentinel-1 means it; else linear between them"""
+    swapped: bool = False
+    """Whether lines are ranges and columns are times, as in SICD; x and y of the members above are swapped then"""
     wavelength_m: float = 1.0
     doppler_times: Array | None = None
     """(p,) [s]; None: zero Doppler"""
@@ -106,13 +108,23 @@ class RangeDoppler:
             raise InputError("value.zero", column="range")
         if not self.seconds > 0 or not (np.diff(self.burst_times) * np.sign(self.line_s) > 0).all():
             raise InputError("line_scene.times_not_monotonic")
-        ends = self.time(np.array([0.5, self.height_px - 0.5]))
+        ends = self.time(np.array([0.5, self.along_px - 0.5]))
         first, last, (start, end) = float(ends.min()), float(ends.max()), self.orbit.cover
         if first < start or last > end:
             raise InputError(
                 "trajectory.not_covered",
                 table="ephemeris", start_s=start, end_s=end, first_s=first, last_s=last,
             )  # fmt: skip
+
+    @property
+    def across_px(self) -> int:
+        """Pixels along the range."""
+        return self.height_px if self.swapped else self.width_px
+
+    @property
+    def along_px(self) -> int:
+        """Pixels along the track."""
+        return self.width_px if self.swapped else self.height_px
 
     def time(self, y: Array) -> Array:
         """Times (n,) [s] of lines y (n,) [px]."""
@@ -127,7 +139,7 @@ class RangeDoppler:
         if near is not None:
             k = self._burst(near)
         else:
-            ends = np.append(self.burst_y[1:], self.height_px)
+            ends = np.append(self.burst_y[1:], self.along_px)
             middles = self.burst_times + (ends - self.burst_y) / 2 * self.line_s
             k = np.abs(t[:, None] - middles).argmin(axis=1)
         return self.burst_y[k] + (t - self.burst_times[k]) / self.line_s
@@ -135,7 +147,7 @@ class RangeDoppler:
     @cached_property
     def middle_and_half(self) -> tuple[float, float]:
         """Time at the middle of the image, and half the time that it took [s]."""
-        first, last = self.time(np.array([0.0, float(self.height_px)])).tolist()
+        first, last = self.time(np.array([0.0, float(self.along_px)])).tolist()
         return (first + last) / 2, (last - first) / 2
 
     @property
@@ -147,7 +159,7 @@ class RangeDoppler:
     def middle_range_m(self) -> float:
         """Slant range of the middle column."""
         middle = np.array([self.middle_and_half[0]])
-        return float(self.slant_range(np.array([self.width_px / 2]), middle)[0])
+        return float(self.slant_range(np.array([self.across_px / 2]), middle)[0])
 
     @cached_property
     def track_axes(self) -> Array:
@@ -166,7 +178,7 @@ class RangeDoppler:
     def column(self, R: Array, t: Array) -> tuple[Array, Array, Array]:
         """Columns x (n,) [px] of slant ranges (n,) [m] at times (n,), and their derivatives by both."""
         c, c_t = _between(self.range_times, self.range_coefficients, t, nearest=self.range_steps)
-        g = np.full(len(R), self.first_m + self.width_px / 2 * self.pixel_m)
+        g = np.full(len(R), self.first_m + self.across_px / 2 * self.pixel_m)
         slope = np.ones(len(R))
         for _ in range(STEPS):
             value, slope = polynomial(c, g)
@@ -199,9 +211,10 @@ class RangeDoppler:
     def ground(self, xy_px: Array, height: Array | float, given: _Corrections) -> Array:
         """As `localise`, with corrections; raises NotSolvable where a range does not reach the height."""
         h = np.broadcast_to(np.asarray(height, float), len(xy_px))
-        image_t = self.time(xy_px[:, 1])
+        x, y = xy_px.T[:: -1 if self.swapped else 1]
+        image_t = self.time(y)
         P, V, _ = given.pose(image_t + given.dt)
-        R = self.slant_range(xy_px[:, 0], image_t)
+        R = self.slant_range(x, image_t)
         r = (R - given.dr + given.kr * self.middle_range_m) / (1 + given.kr)
         f = self.centroid(r, image_t + given.dt)[0]
         X = self._start(P, V, r, h, xy_px)
@@ -264,7 +277,7 @@ class RangeDoppler:
             lon, lat, h = geographic_from_geocentric(X[k : k + 1], self.ellipsoid)[0].tolist()
             raise NoConvergence(
                 "line_scene.point_not_seen", point=k, longitude_deg=lon, latitude_deg=lat, height_m=h,
-                last_line=float(self.line(t[k : k + 1], None)[0]), lines=self.height_px,
+                last_line=float(self.line(t[k : k + 1], None)[0]), lines=self.along_px,
             )  # fmt: skip
         _, F_t, r, r_t, F_X, F_c, u, by_orbit = self._condition(X, t, given)
         self._check_side(X, t, given)
@@ -283,7 +296,11 @@ class RangeDoppler:
         rest = [np.stack([x_R * factor, np.zeros(n)], axis=1) for factor in (1.0, from_middle)]
         columns = [both(r_c, t_c), dt[..., None], rest[0][..., None], rest[1][..., None]]
         by_parameters = np.concatenate(columns, axis=2)[:, :, : len(given.symbols)]
-        return Observed(xy_px=np.stack([x, y], axis=1), by_point=both(r_X, t_X), by_parameters=by_parameters)
+        turn = slice(None, None, -1 if self.swapped else 1)
+        return Observed(
+            xy_px=np.stack([x, y], axis=1)[:, turn], by_point=both(r_X, t_X)[:, turn],
+            by_parameters=by_parameters[:, turn],
+        )  # fmt: skip
 
     def _check_side(self, X: Array, t: Array, given: _Corrections) -> None:
         """Ranges are the same on both sides of the track: raises InputError where all points lie on the wrong one."""

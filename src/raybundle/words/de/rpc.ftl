@@ -188,3 +188,6 @@ rpc-points_lost = Punkte ohne { $which ->
     *[image] Bildkoordinaten
  }: { $points }.
     .why = Ihre Zellen sind leer; den Grund nennt die Spalte note.
+
+rpc-bursts = Kein RPC passt zu einem Bild aus { $n } Bursts: Zeilen zwischen ihnen sind doppelt aufgenommen.
+    .do = Die Szene selbst verwenden (model = "range_doppler") oder das Produkt in Bodenentfernung beschaffen.

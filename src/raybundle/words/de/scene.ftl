@@ -241,3 +241,39 @@ scene-wrong_side = Die Radarszene blickt nach { $side ->
   } der Bahn, aber alle { $n } Punkte liegen auf der anderen Seite.
     .why = Entfernungen und Zeiten sind auf beiden Seiten gleich.
     .do = Die Blickrichtung der Szene oder die Koordinaten korrigieren.
+
+scene-map_product = Das Bild dieses Produkts ({ $kind }) ist eine Karte und liegt nicht in der Geometrie des Radars.
+    .do = Das Produkt in Schräg- oder Bodenentfernung beschaffen oder dieses als Orthophoto verwenden.
+
+scene-burst_images = Die { $n } Bursts dieses Produkts sind eigene Bilder, die sich überlappen.
+    .do = Das Produkt in Bodenentfernung beschaffen.
+
+scene-values_differ = Dieses Element kommt { $n } mal mit verschiedenen Werten vor.
+    .do = Das Produkt eines Strahls oder einer Polarisation beschaffen.
+
+scene-line_order = Die Zeiten der ersten und der letzten Zeile ({ $seconds } s Abstand) widersprechen diesem Element.
+    .do = Die Datei erneut beschaffen.
+
+scene-range_extent = Die Spalten enden bei { NUM($reached_m, digits: 8) } m, die Datei nennt { NUM($stated_m, digits: 8) } m.
+    .do = Die Datei erneut beschaffen.
+
+scene-tie_points = Die { $n } Verknüpfungspunkte der Datei weichen von Bahn und Entfernungen um { $meets ->
+     [yes] { NUM($rms_px, digits: 4) } px (quadratisches Mittel)
+     *[no] mehr als das Bild
+    } ab, Grenze { $limit_px } px.
+    .do = Die Szene mit Passpunkten prüfen oder die Datei erneut beschaffen.
+
+scene-rpc_only = Nur das RPC wird verwendet: Der Datei fehlt { $path }.
+
+scene-delays_applied = Angegebene Laufzeiten sind angebracht: { $range_m } m der Entfernung, { $seconds } s der Zeit.
+
+scene-delays_missing = Laufzeiten sind nicht angegeben (ANNOTATION/GEOREF.xml fehlt) und bleiben Entfernung und Uhr.
+
+scene-image_formation = Bilder aus { $kind } haben keine Zeilen einer Zeit; gelesen wird nur Entfernung mit Null-Doppler (RMA, INCA).
+    .do = Das Produkt in Schrägentfernung mit Null-Doppler (RGZERO) oder eines in Bodenentfernung beschaffen.
+
+scene-times_curved = Die Zeiten der Spalten weichen um { $seconds } s von einer Geraden ab; das wird nicht unterstützt.
+    .do = Das RPC der Szene verwenden.
+
+scene-no_sicd = Keine Datenerweiterung dieses NITF enthält die Metadaten eines SICD.
+    .do = Die Datei erneut beschaffen.

@@ -285,3 +285,7 @@ rpc-points_lost = Points without { $which ->
     *[image] image
  } coordinates: { $points }.
     .why = Their cells are empty; the column note has the reason.
+
+# $n = 9
+rpc-bursts = No RPC fits an image of { $n } bursts: lines between them are taken twice.
+    .do = Use the scene itself (model = "range_doppler"), or get the product in ground range.

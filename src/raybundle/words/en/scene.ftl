@@ -355,3 +355,54 @@ scene-wrong_side = The radar scene looks to the { $side ->
   } of its track, but all { $n } points lie on the other side.
     .why = Ranges and times are the same on both sides.
     .do = Correct the look direction of the scene, or the coordinates.
+
+# $kind = "GEC"
+scene-map_product = The image of this product ({ $kind }) is a map, not in the geometry of the radar.
+    .do = Get the product in slant range or ground range, or use this one as an orthophoto.
+
+# $n = 36
+scene-burst_images = The { $n } bursts of this product are images of their own, which overlap.
+    .do = Get the product in ground range.
+
+# $n = 2
+scene-values_differ = This element occurs { $n } times, with different values.
+    .do = Get the product of one beam or polarisation.
+
+# $seconds = -3.5
+scene-line_order = The times of the first and the last line ({ $seconds } s apart) contradict this element.
+    .do = Get the file again.
+
+# $reached_m = 952000.0
+# $stated_m = 948000.0
+scene-range_extent = The columns end at { NUM($reached_m, digits: 8) } m, the file states { NUM($stated_m, digits: 8) } m.
+    .do = Get the file again.
+
+# $n = 120
+# $meets = true
+# $rms_px = 3.5
+# $limit_px = 1.0
+scene-tie_points = The { $n } tie points of the file differ from its orbit and ranges by { $meets ->
+     [yes] { NUM($rms_px, digits: 4) } px rms
+     *[no] more than the image
+    } (limit { $limit_px } px).
+    .do = Check the scene with control points, or get the file again.
+
+# $path = "sourceAttributes/orbitAndAttitude"
+scene-rpc_only = Only the RPC is used: the file has no { $path }.
+
+# $range_m = 2.85
+# $seconds = 0.0001
+scene-delays_applied = Delays that the product states are applied: { $range_m } m of range, { $seconds } s of time.
+
+scene-delays_missing = The file states no delays (ANNOTATION/GEOREF.xml is missing); range offset and clock take them.
+
+# $kind = "'PFA RGAZIM'"
+scene-image_formation = An image formed by { $kind } is not read; only range and zero Doppler (RMA, INCA) is.
+    .do = Get the product in slant range with zero Doppler (RGZERO), or one in ground range.
+
+# $seconds = 0.00002
+scene-times_curved = The times of the columns deviate from a straight line by { $seconds } s, which is not supported.
+    .do = Use the RPC of the scene.
+
+scene-no_sicd = No data extension of this NITF holds the metadata of a SICD.
+    .do = Get the file again.

@@ -111,3 +111,6 @@ rpc-points_lost = Points sans coordonnées { $which ->
     [ground] terrain
     *[image] image
  } : { $points }.
+
+rpc-bursts = Aucun RPC ne décrit une image de { $n } bursts : des lignes entre eux sont prises deux fois.
+    .do = Utiliser la scène elle-même (model = "range_doppler"), ou obtenir le produit en distance au sol.

@@ -151,3 +151,39 @@ scene-wrong_side = La scène radar regarde à { $side ->
     [right] droite
    *[left] gauche
   } de sa trajectoire, mais les { $n } points se trouvent de l'autre côté.
+
+scene-map_product = L'image de ce produit ({ $kind }) est une carte et non dans la géométrie du radar.
+    .do = Obtenir le produit en distance oblique ou au sol, ou utiliser celui-ci comme orthophoto.
+
+scene-burst_images = Les { $n } bursts de ce produit sont des images séparées qui se recouvrent.
+    .do = Obtenir le produit en distance au sol.
+
+scene-values_differ = Cet élément apparaît { $n } fois avec des valeurs différentes.
+    .do = Obtenir le produit d'un seul faisceau ou d'une seule polarisation.
+
+scene-line_order = Les temps de la première et de la dernière ligne (écart { $seconds } s) contredisent cet élément.
+    .do = Obtenir le fichier de nouveau.
+
+scene-range_extent = Les colonnes finissent à { NUM($reached_m, digits: 8) } m, le fichier indique { NUM($stated_m, digits: 8) } m.
+    .do = Obtenir le fichier de nouveau.
+
+scene-tie_points = Les { $n } points de liaison du fichier diffèrent de son orbite et de ses distances de { $meets ->
+     [yes] { NUM($rms_px, digits: 4) } px (moyenne quadratique)
+     *[no] plus que l'image
+    }, limite { $limit_px } px.
+    .do = Vérifier la scène par des points d'appui, ou obtenir le fichier de nouveau.
+
+scene-rpc_only = Seul le RPC est utilisé : le fichier n'a pas { $path }.
+
+scene-delays_applied = Les retards indiqués sont appliqués : { $range_m } m de distance, { $seconds } s de temps.
+
+scene-delays_missing = Aucun retard indiqué (ANNOTATION/GEOREF.xml manque) : il reste à la distance et à l'horloge.
+
+scene-image_formation = Les images formées par { $kind } n'ont pas de lignes d'un seul temps ; seul le Doppler nul (RMA, INCA) est lu.
+    .do = Obtenir le produit en distance oblique à Doppler nul (RGZERO), ou un produit en distance au sol.
+
+scene-times_curved = Les temps des colonnes s'écartent d'une droite de { $seconds } s, ce qui n'est pas pris en charge.
+    .do = Utiliser le RPC de la scène.
+
+scene-no_sicd = Aucune extension de données de ce NITF ne contient les métadonnées d'un SICD.
+    .do = Obtenir le fichier de nouveau.
