@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Literal
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, TABLES_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_of
+from raybundle.commands.worker import AWAITED_HELP, AWAITED_LIMIT_HELP
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import NOT_NEGATIVE, setting
+from raybundle.settings import NOT_NEGATIVE, Range, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -42,6 +43,8 @@ class AdjustSettings(AdjustmentOptions):
         "", "Object store for parts of the normal equations during the run. Give its URL, e.g. s3://bucket/folder "
         "(extra [cluster] and the package of the service).  [default: beside the result]", metavar="URL",
     )  # fmt: skip
+    wait_for_workers: int = setting(0, AWAITED_HELP, metavar="N", limits=NOT_NEGATIVE)
+    wait_limit: float = setting(600.0, AWAITED_LIMIT_HELP, metavar="S", limits=Range(low=0, high=1e6))
     memory: float = setting(
         0.0, "Memory limit of the adjustment [GB]; 0: four fifths of the free memory, at least 1. A larger "
         "adjustment uses files beside the result and reduces normal equations in parts.", metavar="GB",
@@ -60,6 +63,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     from raybundle.adjustment.records.severity import Severity
     from raybundle.io.block.folder import unread_tables
     from raybundle.io.parquet import check_tables
+    from raybundle.pipeline.choosing import await_workers
     from raybundle.report.write import write_result
     from raybundle.results.folder import check_target
     from raybundle.workflows.adjust import adjust
@@ -74,6 +78,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
         from raybundle.pipeline.stores import check_store
 
         check_store(settings.store, out=settings.out, apart=(settings.block,), lasting=False)
+    await_workers(settings.cluster, settings.wait_for_workers, settings.wait_limit, progress)
     with within_memory(
         Path(settings.block),
         settings.out,
