@@ -1052,6 +1052,8 @@ def orient(
     title: str = '',
     client: str = '',
     operator: str = '',
+    wait_for_workers: int = 0,
+    wait_limit: float = 600.0,
     report: bool = True,
     pdf: bool = False,
     appendix: Literal['none', 'short', 'all'] = 'none',
@@ -1067,72 +1069,75 @@ def orient(
     Limits: without control or scale bars the position, orientation and scale of the result are
     arbitrary; and photographs of an object with similar parts can be oriented wrongly with small residuals.
 
-    own_camera      Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For
-                    photographs without metadata.
-    masks           Masks of the photographs: nothing is measured where they are 0. Named photo.jpg.png (COLMAP),
-                    photo_mask.png or photo.png (Metashape).
-    library         False: Ignore calibrations of the camera library.
-    target          Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or
-                    points of control=. With several families: FAMILY:CODE.
-    attitudes       Observe attitudes of positions=, or of the gimbal, by their convention. auto: attitudes with
-                    standard deviations in the file. pok: phi is the primary angle.
-    attitude_sigma  Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.
-    relative        Use only differences of positions and attitudes within a flight line (relative aerial control).
-                    drift: also after a drift of the positions.
-    scene_bias      Parameters to estimate for the RPC of a satellite scene.
-    crs             Coordinate system of inputs that define none, e.g. EPSG:32633: control, check points, positions= in
-                    a grid. With heights (EPSG:32633+5773, EPSG:32633+ellipsoid) also for files that define only the
-                    plan.
-    features        Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).
-    feature_count   Number of features per photograph.
-    start           Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto:
-                    parts for very many photographs; all pairs if image by image leaves photographs out or the view is
-                    narrow.
-    precise         False: Skip least-squares matching: several times less precise.
-    jobs            Number of processors; 0: all.
-    cluster         Run tasks such as features and depth maps on other machines. Give the cluster folder from `raybundle
-                    scheduler FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and end.
-    store           Storage of the products of stages. Give the URL of an object store for this project alone, e.g.
-                    s3://bucket/folder (extra [cluster] and the package of the service). The project remembers it.
-                    project: its own folder.  [default: as the last run, at first in the folder]
-    memory          Memory limit for pixels during measurement, and for an adjustment [GB]. 0: 4 for pixels; for
-                    adjustments four fifths of the free memory, at least 1. Larger adjustments run in parts, from 0.2
-                    on.
-    redo_from       Repeat this stage and all later ones. `raybundle status` lists them.
-    read_out        Read-out time of a rolling shutter; 0: none. Without it, photographs with recorded times are tested
-                    for it.
-    noise           Error model of image coordinates. white: independent errors. fields: smooth errors that differ from
-                    image to image, and a floor, both estimated from the residuals. auto: fields for five photographs or
-                    more that are measured here; white for a given block.
-    calibration     File of known cameras. `estimate = []` in it fixes them. Calibrations of `raybundle calibrate` are
-                    observed with their covariance.
-    control         Control points with their image points: gcp_list.txt, CSV or a block folder. Image points alone are
-                    possible, e.g. of the ends of a scale bar: image,point,x_px,y_px.
-    check           Check points, in the same formats.
-    control_sigma   Standard deviation of control, if its file has none. In metres, regardless of the unit of the file.
-                    [default: 0.01 0.02]
-    mark_sigma      Standard deviation of a marked image point.
-    scale_bar       Known distance between two points, with its standard deviation [m]. The points are in control= or
-                    are targets. May be repeated.
-    positions       Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB,
-                    aerial lists).
-    misalignment    False: Take attitudes as those of the camera: estimate no misalignment.
-    lever_arm       Lever arm from the projection centre to the antenna, in the axes of the image. SIGMA 0 fixes it.
-    shift           False: Take control and positions in one datum: estimate no shift of the positions of each flight.
-    gps             False: Ignore positions in the photographs.
-    up              Up direction, if neither control nor positions determine it. auto: from the attitude of the camera;
-                    terrestrial, aerial, oblique; or two points A,B of control=, B plumb above A.
-    accuracy_class  Largest permitted RMSE at the check points. In metres: 0.03, or plan and height: 0.03,0.05 (-: no
-                    limit). Or a class of ASPRS (2024): asprs:2.5cm,5cm. If it is exceeded, the exit status is 4.
-    title           Title of the report.
-    client          Client, on the first page of the report.
-    operator        Operator, on the first page of the report.
-    report          False: Leave out report.html and network.html.
-    pdf             Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without
-                    report.html.
-    appendix        Appendix of report.pdf. none; short: all but most of many object points; all: every object point, in
-                    report.html too. report.html always has the short one.
-    language        Language of the report: en, de, fr. Tables and result.json stay English.
+    own_camera        Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For
+                      photographs without metadata.
+    masks             Masks of the photographs: nothing is measured where they are 0. Named photo.jpg.png (COLMAP),
+                      photo_mask.png or photo.png (Metashape).
+    library           False: Ignore calibrations of the camera library.
+    target            Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or
+                      points of control=. With several families: FAMILY:CODE.
+    attitudes         Observe attitudes of positions=, or of the gimbal, by their convention. auto: attitudes with
+                      standard deviations in the file. pok: phi is the primary angle.
+    attitude_sigma    Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.
+    relative          Use only differences of positions and attitudes within a flight line (relative aerial control).
+                      drift: also after a drift of the positions.
+    scene_bias        Parameters to estimate for the RPC of a satellite scene.
+    crs               Coordinate system of inputs that define none, e.g. EPSG:32633: control, check points, positions=
+                      in a grid. With heights (EPSG:32633+5773, EPSG:32633+ellipsoid) also for files that define only
+                      the plan.
+    features          Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).
+    feature_count     Number of features per photograph.
+    start             Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto:
+                      parts for very many photographs; all pairs if image by image leaves photographs out or the view is
+                      narrow.
+    precise           False: Skip least-squares matching: several times less precise.
+    jobs              Number of processors; 0: all.
+    cluster           Run tasks such as features and depth maps on other machines. Give the cluster folder from
+                      `raybundle scheduler FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and
+                      end.
+    store             Storage of the products of stages. Give the URL of an object store for this project alone, e.g.
+                      s3://bucket/folder (extra [cluster] and the package of the service). The project remembers it.
+                      project: its own folder.  [default: as the last run, at first in the folder]
+    memory            Memory limit for pixels during measurement, and for an adjustment [GB]. 0: 4 for pixels; for
+                      adjustments four fifths of the free memory, at least 1. Larger adjustments run in parts, from 0.2
+                      on.
+    redo_from         Repeat this stage and all later ones. `raybundle status` lists them.
+    read_out          Read-out time of a rolling shutter; 0: none. Without it, photographs with recorded times are
+                      tested for it.
+    noise             Error model of image coordinates. white: independent errors. fields: smooth errors that differ
+                      from image to image, and a floor, both estimated from the residuals. auto: fields for five
+                      photographs or more that are measured here; white for a given block.
+    calibration       File of known cameras. `estimate = []` in it fixes them. Calibrations of `raybundle calibrate` are
+                      observed with their covariance.
+    control           Control points with their image points: gcp_list.txt, CSV or a block folder. Image points alone
+                      are possible, e.g. of the ends of a scale bar: image,point,x_px,y_px.
+    check             Check points, in the same formats.
+    control_sigma     Standard deviation of control, if its file has none. In metres, regardless of the unit of the
+                      file.  [default: 0.01 0.02]
+    mark_sigma        Standard deviation of a marked image point.
+    scale_bar         Known distance between two points, with its standard deviation [m]. The points are in control= or
+                      are targets. May be repeated.
+    positions         Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB,
+                      aerial lists).
+    misalignment      False: Take attitudes as those of the camera: estimate no misalignment.
+    lever_arm         Lever arm from the projection centre to the antenna, in the axes of the image. SIGMA 0 fixes it.
+    shift             False: Take control and positions in one datum: estimate no shift of the positions of each flight.
+    gps               False: Ignore positions in the photographs.
+    up                Up direction, if neither control nor positions determine it. auto: from the attitude of the
+                      camera; terrestrial, aerial, oblique; or two points A,B of control=, B plumb above A.
+    accuracy_class    Largest permitted RMSE at the check points. In metres: 0.03, or plan and height: 0.03,0.05 (-: no
+                      limit). Or a class of ASPRS (2024): asprs:2.5cm,5cm. If it is exceeded, the exit status is 4.
+    title             Title of the report.
+    client            Client, on the first page of the report.
+    operator          Operator, on the first page of the report.
+    wait_for_workers  Start when so many workers of cluster= are there.
+    wait_limit        Seconds that workers are waited for. Then the run ends.
+    report            False: Leave out report.html and network.html.
+    pdf               Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without
+                      report.html.
+    appendix          Appendix of report.pdf. none; short: all but most of many object points; all: every object point,
+                      in report.html too. report.html always has the short one.
+    language          Language of the report: en, de, fr. Tables and result.json stay English.
     """
 
 def photos(
@@ -1738,6 +1743,8 @@ def surface(
     masks: str | Path | None = None,
     cluster: str = '',
     store: str = '',
+    wait_for_workers: int = 0,
+    wait_limit: float = 600.0,
     jobs: int = 0,
     memory: float = 2.0,
     free_scale: bool = False,
@@ -1756,44 +1763,48 @@ def surface(
 
     Limits: errors that all photographs of a place share, as of reflections, water and moving shadows.
 
-    plane       Object points of the plane: three or more, or two with vertical=.  [default: plane of most points]
-    vertical    Use a plumb plane: through two points of plane=, fitted to more of them, or through most points.
-    horizontal  Use a level plane at the points' median height: floors, flat ground. If the result has a coordinate
-                system, the picture is in its map.
-    up          Plumb direction. z: Z axis of the block. lines: its measured plumb lines. A,B: two points, B above A.
-    axis        Two points of the plane's axis to the right, from A to B.  [default: level]
-    origin      Point with its foot at the origin of the plane.  [default: in the middle of the points]
-    density     Measured pixels: each, or every second or fourth of rows and columns.
-    dsm         Also write heights above the plane, on a grid of this cell size in the object's unit. If the result has
-                a coordinate system and no plane is given, heights are in its map.
-    ortho       Also write a true orthophoto above the same plane, with this pixel size. Each pixel comes from the
-                photograph with the best view and has its uncertainty.
-    mesh        Also write a mesh above the same plane, with this vertex spacing: PLY, OBJ, glTF. The orthophoto is its
-                texture.
-    las         Also write the points as LAZ, or as LAS without a LAZ library.
-    depths      Also write the depth map of each photograph with its standard deviations, as TIFF.
-    thin        Thin the cloud: keep the best point per cube of this size.
-    region      Measure only this part of the object: a file (GeoJSON, KML, CSV, OGR formats) or corners X Y, X Y, ...
-                in plan of the plane or the map. All heights count.  [default: everything visible]
-    extent      Rectangle of the plane in its coordinates; of a map, east and north. Instead of a region.
-    photos      Folder of the photographs.  [default: recorded in the project]
-    masks       Masks of the photographs, named as for `orient`. Where they are 0, neither points nor colours are taken.
-                [default: masks and drawn areas of the project]
-    cluster     Run tasks such as features and depth maps on other machines. Give the cluster folder from `raybundle
-                scheduler FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and end.
-    store       Storage of the products of stages. Give the URL of an object store for this project alone, e.g.
-                s3://bucket/folder (extra [cluster] and the package of the service). The project remembers it. project:
-                its own folder.  [default: as the last run, at first in the folder]
-    jobs        Number of processors; 0: all.
-    memory      Memory limit of all depth maps in work. Beyond it, approximate depths are computed by bands of rows. At
-                least one map is made.
-    free_scale  Allow a result with free scale. Its lengths have no unit.
-    title       Title of the report.
-    client      Client, on the first page of the report.
-    operator    Operator, on the first page of the report.
-    pdf         Also write surface.html as surface.pdf: A4, with page numbers and bookmarks.
-    language    Language of the report: en, de, fr. Tables and result.json stay English.  [default: that of the project,
-                else en]
+    plane             Object points of the plane: three or more, or two with vertical=.  [default: plane of most points]
+    vertical          Use a plumb plane: through two points of plane=, fitted to more of them, or through most points.
+    horizontal        Use a level plane at the points' median height: floors, flat ground. If the result has a
+                      coordinate system, the picture is in its map.
+    up                Plumb direction. z: Z axis of the block. lines: its measured plumb lines. A,B: two points, B above
+                      A.
+    axis              Two points of the plane's axis to the right, from A to B.  [default: level]
+    origin            Point with its foot at the origin of the plane.  [default: in the middle of the points]
+    density           Measured pixels: each, or every second or fourth of rows and columns.
+    dsm               Also write heights above the plane, on a grid of this cell size in the object's unit. If the
+                      result has a coordinate system and no plane is given, heights are in its map.
+    ortho             Also write a true orthophoto above the same plane, with this pixel size. Each pixel comes from the
+                      photograph with the best view and has its uncertainty.
+    mesh              Also write a mesh above the same plane, with this vertex spacing: PLY, OBJ, glTF. The orthophoto
+                      is its texture.
+    las               Also write the points as LAZ, or as LAS without a LAZ library.
+    depths            Also write the depth map of each photograph with its standard deviations, as TIFF.
+    thin              Thin the cloud: keep the best point per cube of this size.
+    region            Measure only this part of the object: a file (GeoJSON, KML, CSV, OGR formats) or corners X Y, X Y,
+                      ... in plan of the plane or the map. All heights count.  [default: everything visible]
+    extent            Rectangle of the plane in its coordinates; of a map, east and north. Instead of a region.
+    photos            Folder of the photographs.  [default: recorded in the project]
+    masks             Masks of the photographs, named as for `orient`. Where they are 0, neither points nor colours are
+                      taken.  [default: masks and drawn areas of the project]
+    cluster           Run tasks such as features and depth maps on other machines. Give the cluster folder from
+                      `raybundle scheduler FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and
+                      end.
+    store             Storage of the products of stages. Give the URL of an object store for this project alone, e.g.
+                      s3://bucket/folder (extra [cluster] and the package of the service). The project remembers it.
+                      project: its own folder.  [default: as the last run, at first in the folder]
+    wait_for_workers  Start when so many workers of cluster= are there.
+    wait_limit        Seconds that workers are waited for. Then the run ends.
+    jobs              Number of processors; 0: all.
+    memory            Memory limit of all depth maps in work. Beyond it, approximate depths are computed by bands of
+                      rows. At least one map is made.
+    free_scale        Allow a result with free scale. Its lengths have no unit.
+    title             Title of the report.
+    client            Client, on the first page of the report.
+    operator          Operator, on the first page of the report.
+    pdf               Also write surface.html as surface.pdf: A4, with page numbers and bookmarks.
+    language          Language of the report: en, de, fr. Tables and result.json stay English.  [default: that of the
+                      project, else en]
     """
 
 def transform_to_points(

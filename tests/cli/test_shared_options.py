@@ -299,8 +299,9 @@ def test_the_page_shows_the_file_that_its_commands_use():
 WORDS = re.compile(r"(?<![\w-])--[a-z][a-z0-9-]*")
 OF_OTHERS = {
     "--array", "--check", "--command", "--cpus-per-task", "--dest", "--detach", "--find-links", "--help",
-    "--mem", "--network", "--no-build-isolation", "--no-compile", "--no-deps", "--no-files", "--no-index",
-    "--nthreads", "--preload", "--rm", "--tag", "--user", "--version", "--volume", "--write",
+    "--mem", "--memory-limit", "--network", "--no-build-isolation", "--no-compile", "--no-deps", "--no-files",
+    "--no-index", "--nthreads", "--preload", "--resources", "--rm", "--tag", "--user",
+    "--version", "--volume", "--write",
 }  # fmt: skip
 """Options of other programs, and of what stands beside the commands, that the pages name."""
 

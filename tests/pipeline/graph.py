@@ -34,6 +34,8 @@ class Node:
     """what goes wrong"""
     gate: Path | None = None
     """file for which it waits"""
+    burn: float = 0.0
+    """CPU seconds of a leaf"""
 
 
 def _logged(options):
@@ -49,6 +51,9 @@ def leaf(store: Folder, options: Node):
     """A matrix whose last digits depend on the order of sums."""
     del store
     _logged(options)
+    until = time.thread_time() + options.burn
+    while time.thread_time() < until:
+        pass
     if options.crash == "bad input":
         raise InputError("is no matrix", file="leaf.csv")
     if options.crash == "exit":
@@ -73,14 +78,14 @@ def trace(store: Folder, options: Node):
     return {"trace": np.array(np.trace(a)), "matches": np.array([[options.number, len(a)]], np.int32)}
 
 
-def tasks_of(leaves, *, log=None, seconds=0.0, crash=None, small=True, cost=1.0, gate=None, free=4):
+def tasks_of(leaves, *, log=None, seconds=0.0, crash=None, small=True, cost=1.0, gate=None, free=4, burn=0.0):
     """The tasks of a graph; `crash`: what goes wrong by numbers of leaves; `gate`: that all await but `free` leaves."""
     crash = crash or {}
 
     def task(kind, number, *below, is_small=False):
         options = Node(
             number=number, below=tuple(t.key for t in below), log=log, seconds=seconds, crash=crash.get(number, ""),
-            gate=gate if number >= free else None,
+            gate=gate if number >= free else None, burn=burn,
         )  # fmt: skip
         key = key_of(kind, number, options.below, leaves)
         return Task(

@@ -14,10 +14,11 @@ import raybundle
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.folders import check_place
+from raybundle.io.object_urls import SCHEMES
 from raybundle.io.user_folders import settings_folder
 from raybundle.pipeline.clusters import TOKEN
 from raybundle.pipeline.confirmed_stores import confirm_store, confirmed_stores, is_confirmed
-from raybundle.pipeline.objects import SCHEMES, objects_at
+from raybundle.pipeline.objects import objects_at
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stores import check_store
 from raybundle.pipeline.task_functions import FUNCTIONS

@@ -14,14 +14,14 @@ import pytest
 
 from raybundle.cli.main import main
 from raybundle.errors import InputError, TasksWaiting, code_of
+from raybundle.io.copies import Copies, StoreLost
 from raybundle.pipeline import objects
 from raybundle.pipeline.archives import is_complete
 from raybundle.pipeline.clusters import token_of, unseen
 from raybundle.pipeline.confirmed_stores import confirm_store
-from raybundle.pipeline.copies import Copies
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.keys import key_of
-from raybundle.pipeline.place import ProductGone, StoreLost
+from raybundle.pipeline.place import ProductGone
 from raybundle.pipeline.project import Project, products_of
 from raybundle.pipeline.shards import Shards, do_shard
 from raybundle.pipeline.stage import Means

@@ -9,9 +9,10 @@ import zipfile
 import numpy as np
 import pytest
 
+from raybundle.io.copies import StoreLost
 from raybundle.pipeline.archives import ALIGNED, is_complete, members_of, write_archive
 from raybundle.pipeline.keys import key_of
-from raybundle.pipeline.place import ProductGone, StoreLost, mark_of
+from raybundle.pipeline.place import ProductGone, mark_of
 from raybundle.pipeline.store import KEY as KEY_NAME
 from raybundle.pipeline.store import Folder
 

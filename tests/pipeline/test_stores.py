@@ -7,8 +7,8 @@ import pytest
 from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.block.folder import write_block
+from raybundle.io.copies import Copies, check_copies, copies_folder
 from raybundle.io.user_folders import made_again_folder
-from raybundle.pipeline.copies import Copies, check_copies, copies_folder
 from raybundle.pipeline.project import store_given
 from raybundle.pipeline.stores import check_store
 from tests.blocking.networks import flight

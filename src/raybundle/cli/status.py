@@ -58,7 +58,7 @@ def rows(found: Status, project: Path) -> Iterator[Message | str]:
         figures = f"{r.seconds:8.1f} {r.cpu_seconds:8.1f} {r.peak_memory_mb:6.0f}MB"
         yield f"{name:{width}s} {figures}  {source}  {r.summary}".rstrip()
     if found.elsewhere:
-        yield note("project_status.without_workers")
+        yield note("project_status.without_workers", shards=found.elsewhere == "shards")
     at = found.running
     if at is not None:
         state = "working" if found.works else "stopped" if found.listed is None else "waiting"

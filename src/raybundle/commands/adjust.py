@@ -17,10 +17,11 @@ from raybundle.commands.pages import (
     check_pages,
 )
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_of
+from raybundle.commands.worker import AWAITED_HELP, AWAITED_LIMIT_HELP
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.arrangement import Appendix
-from raybundle.settings import NOT_NEGATIVE, setting
+from raybundle.settings import NOT_NEGATIVE, Range, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -52,6 +53,8 @@ class AdjustSettings(AdjustmentOptions):
         "", "Object store for parts of the normal equations during the run. Give its URL, e.g. s3://bucket/folder "
         "(extra [cluster] and the package of the service).  [default: beside the result]", metavar="URL",
     )  # fmt: skip
+    wait_for_workers: int = setting(0, AWAITED_HELP, metavar="N", limits=NOT_NEGATIVE)
+    wait_limit: float = setting(600.0, AWAITED_LIMIT_HELP, metavar="S", limits=Range(low=0, high=1e6))
     memory: float = setting(
         0.0, "Memory limit of the adjustment [GB]; 0: four fifths of the free memory, at least 1. A larger "
         "adjustment uses files beside the result and reduces normal equations in parts.", metavar="GB",
@@ -73,6 +76,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     from raybundle.io.parquet import check_tables
     from raybundle.measuring.actions.masks import photograph_files
     from raybundle.measuring.session import block_folder
+    from raybundle.pipeline.choosing import await_workers
     from raybundle.report.write import write_result
     from raybundle.results.folder import check_target
     from raybundle.results.project_results import ADJUST, RESULT, project_of, replacing
@@ -93,6 +97,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
         from raybundle.pipeline.stores import check_store
 
         check_store(settings.store, out=out, apart=(settings.block,), lasting=False)
+    await_workers(settings.cluster, settings.wait_for_workers, settings.wait_limit, progress)
     with within_memory(
         source,
         out,

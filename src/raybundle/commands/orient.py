@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.pages import APPENDIX_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_in, record_of
-from raybundle.commands.worker import store_of
+from raybundle.commands.worker import AWAITED_HELP, AWAITED_LIMIT_HELP, store_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.arrangement import Appendix
@@ -94,6 +94,8 @@ class OrientSettings(OrientOptions):
     title: str = setting("", TITLE, metavar="TEXT")
     client: str = setting("", CLIENT, metavar="TEXT")
     operator: str = setting("", OPERATOR, metavar="TEXT")
+    wait_for_workers: int = setting(0, AWAITED_HELP, metavar="N", limits=NOT_NEGATIVE)
+    wait_limit: float = setting(600.0, AWAITED_LIMIT_HELP, metavar="S", limits=Range(low=0, high=1e6))
     report: bool = setting(True, NO_REPORT_HELP, flag="no-report")
     pdf: bool = setting(False, PDF_HELP)
     appendix: Appendix = setting("none", APPENDIX_HELP)
@@ -150,6 +152,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     from raybundle.io.block.toml import read_cameras
     from raybundle.io.photos.photo import shown
     from raybundle.io.trajectories import read_trajectory
+    from raybundle.pipeline.choosing import await_workers
     from raybundle.pipeline.project import discard_empty
     from raybundle.results.folder import check_target
     from raybundle.results.project_results import ORIENT, replacing
@@ -165,6 +168,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     if shown(out) != out:
         raise InputError("file.name_not_utf8", file=shown(out))
     check_target(result)
+    await_workers(settings.cluster, settings.wait_for_workers, settings.wait_limit, progress)
     begins = not out.exists()
     try:
         keep_settings(settings)
@@ -209,7 +213,13 @@ def settings_asked(project: Path) -> OrientSettings:
     """
     from raybundle.io.reading.trees import read_toml
 
-    known = {s.name for s in settings_of(OrientSettings)} - {"redo_from", "cluster", "store"}
+    known = {s.name for s in settings_of(OrientSettings)} - {
+        "redo_from",
+        "cluster",
+        "store",
+        "wait_for_workers",
+        "wait_limit",
+    }
     kept = {
         name: each.value for name, each in read_toml(project / "project.toml").tree().get("orient").mapping().items()
     }

@@ -37,8 +37,8 @@ class Status:
     """URL of the products; empty: they lie in the folder"""
     bytes: int = 0
     """of the folder"""
-    elsewhere: bool = False
-    """whether its tasks were done by others, whose time is not counted"""
+    elsewhere: str = ""
+    """cluster that did its tasks: of workers the memory is not counted, of shards the CPU time neither"""
     left: tuple[Left, ...] = ()
     """parts of adjustments beside it"""
     folder: Path | None = None
@@ -125,12 +125,12 @@ def _asked(project: Path, table: str) -> Json | None:
         return None
 
 
-def _elsewhere(project: Path) -> bool:
+def _elsewhere(project: Path) -> str:
     asked = _asked(project, "surface" if _of_surface(project) else "orient")
     try:
-        return asked is not None and asked.has("cluster") and bool(asked.get("cluster").text())
+        return asked.get("cluster").text() if asked is not None and asked.has("cluster") else ""
     except InputError:
-        return False
+        return ""
 
 
 def _stages(project: Path, made: Container[str], *, of_calibration: bool) -> tuple[str, ...]:

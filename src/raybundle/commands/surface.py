@@ -12,10 +12,21 @@ from raybundle.commands.convert import FREE_SCALE_HELP
 from raybundle.commands.pages import PROJECT_LANGUAGE_HELP, language_in
 from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE
-from raybundle.commands.worker import store_of
+from raybundle.commands.worker import AWAITED_HELP, AWAITED_LIMIT_HELP, store_of
 from raybundle.errors import InputError, as_detail
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, POSITIVE, Range, keywords, made, other_than_usual, path_of, setting, toml_lines
+from raybundle.settings import (
+    ANY,
+    NOT_NEGATIVE,
+    POSITIVE,
+    Range,
+    keywords,
+    made,
+    other_than_usual,
+    path_of,
+    setting,
+    toml_lines,
+)
 from raybundle.workflows.orienting.options import CLUSTER_HELP, STORE_HELP
 
 if TYPE_CHECKING:
@@ -81,6 +92,8 @@ class SurfaceSettings(PlaneSettings):
     )  # fmt: skip
     cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
     store: str = setting("", STORE_HELP, metavar="URL|project")
+    wait_for_workers: int = setting(0, AWAITED_HELP, metavar="N", limits=NOT_NEGATIVE)
+    wait_limit: float = setting(600.0, AWAITED_LIMIT_HELP, metavar="S", limits=Range(low=0, high=1e6))
     jobs: int = setting(0, "Number of processors; 0: all.", limits=Range(low=0, high=MOST_JOBS))
     memory: float = setting(
         2.0, "Memory limit of all depth maps in work. Beyond it, approximate depths are computed by bands of rows. "
@@ -170,7 +183,7 @@ class _Asked:
 def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> MeasuredSurface:
     """Measure what the settings ask for, and write the points."""
     from raybundle.measuring.session import adjusted_again
-    from raybundle.pipeline.choosing import check_cluster
+    from raybundle.pipeline.choosing import await_workers, check_cluster
     from raybundle.pipeline.place import ProductGone
     from raybundle.results.fingerprint import fingerprint
     from raybundle.surfaces.products import PRODUCTS
@@ -182,6 +195,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     _check_out(out)
     _check_needed(wanted, pdf=s.pdf)
     check_cluster(s.cluster)
+    await_workers(s.cluster, s.wait_for_workers, s.wait_limit, progress)
     adjusted = cache(lambda: adjusted_again(result, progress))  # once for all that needs it
     grids, region = _grid_of(s, result, export, adjusted, progress)
     s = replace(s, store=store_of(out / WORK, s.store, (s.source, *folders)))

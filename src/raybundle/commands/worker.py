@@ -14,6 +14,9 @@ from raybundle.settings import NOT_NEGATIVE, Range, setting
 if TYPE_CHECKING:
     from raybundle.pipeline.shards import ShardDone
 
+AWAITED_HELP = "Start when so many workers of {cluster} are there."
+AWAITED_LIMIT_HELP = "Seconds that workers are waited for. Then the run ends."
+"""Of the settings `wait_for_workers` and `wait_limit`, which every command has that takes a cluster with a scheduler"""
 DIGITS = 8
 """Of so many and more no array of jobs is: Slurm allows 4 million at most (MaxArraySize)"""
 
@@ -31,6 +34,10 @@ class WorkerSettings:
         "needs no scheduler.", metavar="I/N",
     )  # fmt: skip
     jobs: int = setting(1, "Number of parallel tasks; 0: one per processor.", limits=NOT_NEGATIVE)
+    memory: float = setting(
+        0.0, "Memory that the parallel tasks of a cluster may take together [GB]; 0: four fifths of the free memory. "
+        "A task that needs more than its share goes to another worker.", metavar="GB", limits=NOT_NEGATIVE,
+    )  # fmt: skip
     wait: float = setting(
         60.0, "Seconds that a shard waits for results of others. Then it ends with status 5.", metavar="S",
         limits=Range(low=0, high=1e6),
@@ -43,6 +50,10 @@ class SchedulerSettings:
 
     host: str = setting("", "Name or address of this machine for the others.  [default: as it reaches the network]")
     port: int = setting(0, "Port; 0: any free one.", limits=Range(low=0, high=65535))
+    dashboard: str = setting(
+        "", "Show Dask's dashboard at this port of this machine, or at HOST:PORT. It is not encrypted and has no "
+        "password; it needs the package bokeh.", metavar="PORT|HOST:PORT",
+    )  # fmt: skip
 
 
 def run_worker(
@@ -56,7 +67,7 @@ def run_worker(
 
         if project is not None:
             raise InputError("worker.project_of_cluster", project=project)
-        on_dask("dask_machines").work(settings.cluster, settings.jobs, notify)
+        on_dask("dask_machines").work(settings.cluster, settings.jobs, notify, settings.memory * 1e9)
         return None
     from raybundle.pipeline.shards import do_shard
 
@@ -115,4 +126,4 @@ def run_scheduler(settings: SchedulerSettings, folder: Path, notify: Callable[[s
     """Be the scheduler of a cluster until interrupted; its folder gets certificates where it has none."""
     from raybundle.pipeline.choosing import on_dask
 
-    on_dask("dask_machines").schedule(folder, settings.host, settings.port, notify)
+    on_dask("dask_machines").schedule(folder, settings.host, settings.port, notify, settings.dashboard)

@@ -50,6 +50,18 @@ def check_cluster(cluster: str) -> None:
         cluster_at(cluster)
 
 
+def await_workers(cluster: str, wanted: int, limit_s: float, progress: Progress = silent) -> None:
+    """Wait until so many workers of a cluster are there, before anything is computed; 0: for none.
+
+    raises  InputError where they do not come within the limit, as `executor_for`, and where there is no scheduler
+    """
+    if not wanted:
+        return
+    if cluster in {"", SHARDS}:
+        raise InputError("cluster.nothing_awaited")
+    on_dask().await_workers(cluster_at(cluster), wanted, limit_s, progress)
+
+
 def on_dask(module: str = "on_dask") -> ModuleType:
     """A module that knows Dask; raises InputError where that is not installed."""
     try:

@@ -5,18 +5,21 @@ from __future__ import annotations
 import asyncio
 import os
 import signal
+import socket
 import sys
 import tempfile
 import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 
 from dask import config
 from distributed import Nanny, Scheduler, Security
 
 from raybundle.errors import InputError, Text, message_of_text, note, phrase, text_of_error
+from raybundle.numerics.machine import available_memory
 from raybundle.pipeline.clusters import (
     CERTIFICATES,
     Cluster,
@@ -27,11 +30,14 @@ from raybundle.pipeline.clusters import (
     signature,
     write_scheduler,
 )
-from raybundle.pipeline.on_dask import COUNTS, LOOK_S, PATIENCE_S, quiet, security_of
+from raybundle.pipeline.on_dask import COUNTS, LOOK_S, PATIENCE_S, announced, quiet, security_of
 from raybundle.pipeline.store import writing
 
 TELL_S = 60.0
 """Between two lines of a worker that say what it has done."""
+MOST_PORT = 65535
+SHARE = 0.8
+"""Of the free memory that tasks may take where nothing is stated"""
 FOLDER_S = 600.0
 """For which a worker waits for the folder of a cluster: for whoever starts workers first, and the scheduler then."""
 
@@ -48,14 +54,16 @@ def make_certificates(folder: Path) -> None:
                 file.write(text)
 
 
-def schedule(folder: Path, host: str, port: int, notify: Callable[[str], None]) -> None:
+def schedule(folder: Path, host: str, port: int, notify: Callable[[str], None], dashboard: str = "") -> None:
     """Be the scheduler of a cluster until interrupted; its folder gets certificates where it has none.
 
     host    name or address of this machine for the others; empty: the one by which it reaches the network
     port    0: any that is free
+    dashboard  port of Dask's pages on this machine, or HOST:PORT; empty: there are none
     raises  InputError where one answers there already, where it cannot listen, and for certificates that are none or
             whose time is over; nothing is left then that was not there before
     """
+    pages = _dashboard(dashboard)
     _refuse_second(folder)
     missing = [name for name in CERTIFICATES if not (folder / name).is_file()]
     stood, made = folder.exists(), len(missing) == len(CERTIFICATES)
@@ -67,7 +75,7 @@ def schedule(folder: Path, host: str, port: int, notify: Callable[[str], None]) 
     try:
         check_certificates(folder)
         with suppress(asyncio.CancelledError):
-            asyncio.run(_schedule(folder, host, port, notify))
+            asyncio.run(_schedule(folder, host, port, notify, pages))
     except InputError:
         for name in CERTIFICATES if made else ():
             (folder / name).unlink(missing_ok=True)
@@ -91,13 +99,25 @@ def _refuse_second(folder: Path) -> None:
     )
 
 
-async def _schedule(folder: Path, host: str, port: int, notify: Callable[[str], None]) -> None:
+def _dashboard(given: str) -> str:
+    """Where Dask's pages are to be seen: HOST:PORT; raises InputError for what is no address, and without Bokeh."""
+    if not given:
+        return ""
+    host, colon, port = given.rpartition(":")
+    if not port.isdecimal() or int(port) > MOST_PORT or (colon and not host):
+        raise InputError("cluster.dashboard_address", given=given)
+    if find_spec("bokeh") is None:
+        raise InputError("cluster.dashboard_package", package="bokeh")
+    return f"{host or '127.0.0.1'}:{port}"
+
+
+async def _schedule(folder: Path, host: str, port: int, notify: Callable[[str], None], pages: str) -> None:
     security = security_of(Cluster("", folder))
     _end_on_signal()
     try:
         scheduler = Scheduler(
-            host=host or None, port=port, protocol="tls", security=security, dashboard=False,
-            dashboard_address="127.0.0.1:0",
+            host=host or None, port=port, protocol="tls", security=security, dashboard=bool(pages),
+            dashboard_address=pages or "127.0.0.1:0",
         )  # fmt: skip
         await scheduler
     except (OSError, ValueError, RuntimeError) as error:  # Dask states the last one, with the reason behind it
@@ -107,30 +127,34 @@ async def _schedule(folder: Path, host: str, port: int, notify: Callable[[str], 
     try:
         write_scheduler(folder, scheduler.address)
         notify(f"scheduler: {scheduler.address} ({signature()})")
+        if pages:
+            shown = pages.rpartition(":")[0] or host or socket.gethostname()
+            notify(f"dashboard: http://{shown}:{scheduler.http_server.port}/status")
         await scheduler.finished()
     finally:
         await scheduler.close()
 
 
-def work(where: str, jobs: int, notify: Callable[[str], None]) -> None:
+def work(where: str, jobs: int, notify: Callable[[str], None], memory: float = 0.0) -> None:
     """Be workers of a cluster until interrupted, with one thread each; a scheduler that is not there is waited for.
 
     where   folder or address, as `cluster_at` takes it
+    memory  bytes that the tasks of all of them may take together; 0: four fifths of what is free
     raises  InputError for a scheduler of another version, and for certificates that are not of the cluster
     """
     quiet()
     with suppress(asyncio.CancelledError):
-        asyncio.run(_work(where, jobs or os.cpu_count() or 1, notify))
+        asyncio.run(_work(where, jobs or os.cpu_count() or 1, notify, memory or SHARE * available_memory()))
 
 
-async def _work(where: str, jobs: int, notify: Callable[[str], None]) -> None:
+async def _work(where: str, jobs: int, notify: Callable[[str], None], memory: float) -> None:
     _end_on_signal()
     with tempfile.TemporaryDirectory() as folder:
         notifying = _Notifying(notify, Path(folder))
         _checked_version(await _there(where, notifying, NoScheduler), where)
         now_and_then = asyncio.create_task(notifying.now_and_then())
         try:
-            await asyncio.gather(*(_one_worker(where, notifying) for _ in range(jobs)))
+            await asyncio.gather(*(_one_worker(where, notifying, memory / jobs) for _ in range(jobs)))
         finally:
             now_and_then.cancel()
             notify(phrase("cluster.tasks_done", n=notifying.count(), final=True))
@@ -202,14 +226,14 @@ def _has_folder(where: str) -> bool:
     return "://" in where or Path(where).is_dir()
 
 
-async def _one_worker(where: str, notifying: _Notifying) -> None:
-    """One worker after the other: each lives as long as its connection to the scheduler."""
+async def _one_worker(where: str, notifying: _Notifying, memory: float) -> None:
+    """One worker after the other: each lives as long as its connection to the scheduler, and takes so many bytes."""
     while True:
         cluster = await _there(where, notifying, InputError)  # it was there when this began
         _checked_version(cluster, where)
         nanny = Nanny(
-            cluster.address, nthreads=1, security=security_of(cluster), resources={signature(): 1}, memory_limit="0",
-            death_timeout=PATIENCE_S, dashboard=False, host=_listens(cluster),
+            cluster.address, nthreads=1, security=security_of(cluster), resources={signature(): 1, **announced(memory)},
+            memory_limit="0", death_timeout=PATIENCE_S, dashboard=False, host=_listens(cluster),
             dashboard_address="127.0.0.1:0", config=config.config, env={COUNTS: str(notifying.folder)},
         )  # fmt: skip
         try:

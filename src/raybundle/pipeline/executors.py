@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import os
 import signal
+import time
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from multiprocessing import get_context, parent_process
 from multiprocessing.process import BaseProcess
 from queue import SimpleQueue
@@ -128,9 +129,15 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
+_counted = [0.0]
+"""CPU seconds of this process that its parent knows of"""
+
+
 def _elsewhere(text: bytes, folder: str, url: str) -> Done:
-    """Do a task in a process of its own."""
-    return do_written(text, store_at(folder, url))
+    """Do a task in a process of its own; the first one counts what the process took to begin."""
+    done = do_written(text, store_at(folder, url))
+    before, _counted[0] = _counted[0], time.process_time()
+    return replace(done, cpu_s=_counted[0] - before)
 
 
 @contextmanager

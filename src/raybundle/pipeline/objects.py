@@ -1,4 +1,4 @@
-"""Products in an object store, by fsspec: the only module that knows it.
+"""Products in an object store.
 
     URL/KIND/KEY.npz  a product: the same bytes as in a folder, with their check sums
     URL/token         what the store is known by
@@ -24,23 +24,11 @@ from typing import Any, TypeVar
 from urllib.parse import urlsplit
 
 from raybundle.errors import InputError, Message, message
+from raybundle.io.copies import FULL, Copies, StoreLost, copies_folder
+from raybundle.io.object_urls import APPEARS_WHOLE, PAUSE_S, REFUSED, SCHEMES, TRIES, WEB, opened, reason
 from raybundle.pipeline.archives import write_archive
-from raybundle.pipeline.copies import Copies, copies_folder
-from raybundle.pipeline.place import FULL, FileMark, Product, StoreLost, kind_of
+from raybundle.pipeline.place import FileMark, Product, kind_of
 
-TRIES, PAUSE_S = 3, 0.5
-"""Times that something is tried, and the pause before the second, doubled before each further one."""
-APPEARS_WHOLE = {
-    "s3", "s3a", "gs", "gcs", "az", "abfs", "abfss", "adl", "oss", "ocilake", "oci", "tos", "obs", "hf", "memory",
-}  # fmt: skip
-"""Protocols under which nobody sees an object before all of it was sent."""
-PACKAGES = {
-    "s3": "s3fs", "s3a": "s3fs", "gs": "gcsfs", "gcs": "gcsfs", "az": "adlfs", "abfs": "adlfs", "abfss": "adlfs",
-    "adl": "adlfs", "oss": "ossfs", "oci": "ocifs", "hf": "huggingface_hub", "sftp": "paramiko", "ssh": "paramiko",
-}  # fmt: skip
-"""What brings a protocol."""
-SCHEMES = {*APPEARS_WHOLE, *PACKAGES, "file", "local"}
-"""Protocols of stores.  Others of fsspec read what a URL names as instructions (reference), or have no folders."""
 ONE_BY_ONE = 8
 """Products that are asked for one by one; of more the store lists all of their kind, a thousand a request."""
 HEADS = 512
@@ -48,7 +36,6 @@ HEADS = 512
 TOKEN, TOKENS = "token", re.compile(r"[0-9a-f]{32}")
 OURS = re.compile(r"[A-Za-z0-9_ -]+-[0-9a-f]{40}\.npz|\.[A-Za-z0-9_. -]+\.[0-9a-f]{8}|token|tasks\.jsonl")
 """Names of what is kept in a store."""
-REFUSED = re.compile(r"credential|forbidden|unauthori[sz]ed|access ?denied|authentication|\b40[13]\b", re.IGNORECASE)
 
 T = TypeVar("T")
 
@@ -280,7 +267,7 @@ class Objects:
         """The file system; raises InputError where there is none for this URL."""
         with self._lock:
             if self._opened is None:
-                self._opened = _opened(self.url)
+                self._opened = opened(self.url)
             return self._opened
 
     def _copies_here(self, *, begin: bool) -> Copies | None:
@@ -318,7 +305,7 @@ class Objects:
 
     def _lost(self, error: Exception) -> StoreLost:
         """What is wrong, and what to do."""
-        found = _reason(error)
+        found = reason(error)
         if isinstance(error, PermissionError) or REFUSED.search(f"{type(error).__name__} {found}"):
             cause = "refused"
         elif isinstance(error, OSError) and error.errno in FULL:
@@ -326,12 +313,6 @@ class Objects:
         else:
             cause = "other"
         return StoreLost("store.lost", cause=cause, n=TRIES, detail=found, file=self.url)
-
-
-def _reason(error: Exception) -> str:
-    """What a service states, in its words."""
-    stated = str(getattr(error, "strerror", None) or error).strip().partition("\n")[0]
-    return stated or "no reason is given"
 
 
 def _exists(fs: Any, path: str) -> bool:
@@ -351,32 +332,6 @@ def _check_length(fs: Any, path: str, size: int) -> None:
         raise ConnectionError(f"{there} of {size} bytes came there")
 
 
-def _opened(url: str) -> tuple[Any, str]:
-    """File system and path of a URL; raises InputError."""
-    try:
-        import fsspec.core
-    except ImportError:
-        raise InputError("store.package_missing", package="fsspec") from None
-    if urlsplit(url).password:
-        raise InputError(
-            "store.secret",
-            file=urlsplit(url)._replace(netloc=urlsplit(url).hostname or "").geturl(),
-        )
-    try:
-        fs, root = fsspec.core.url_to_fs(url, use_listings_cache=False)  # others write there
-    except ImportError as error:
-        package = PACKAGES.get(urlsplit(url).scheme, "")
-        raise StoreLost("store.service_package", detail=_reason(error), package=package or "-", file=url) from None
-    except ValueError as error:
-        raise StoreLost("store.invalid_url", detail=_reason(error), file=url) from None
-    except Exception as error:  # noqa: BLE001  (some ask their service already)
-        raise StoreLost("store.not_reachable", detail=_reason(error), file=url) from None
-    root = root.rstrip("/")
-    if not root and not url.startswith("memory:"):
-        raise InputError("store.no_bucket_name", file=url)
-    return fs, root
-
-
 def shown_url(url: str) -> str:
     """A URL as it may be shown: without a secret."""
     try:
@@ -391,7 +346,7 @@ def refused_url(url: str) -> Message | None:
     scheme = url.partition("://")[0]
     if "::" in url:
         return message("store.chained")
-    if scheme in {"http", "https"}:
+    if scheme in WEB:
         return message("store.web_page", scheme=scheme)
     if scheme not in SCHEMES:
         return message("store.unknown_scheme", scheme=scheme, known=sorted(SCHEMES - {"memory", "local"}))

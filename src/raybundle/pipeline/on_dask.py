@@ -12,9 +12,11 @@ import os
 import socket
 import time
 import uuid
-from collections.abc import Iterator, Sequence
+from asyncio import run_coroutine_threadsafe
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import wait
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import Any
@@ -51,6 +53,8 @@ SAY_S, AGAIN_S = 5.0, 30.0
 """After which a run states that it waits for a worker or the scheduler, and after which once more."""
 COUNTS = "RAYBUNDLE_WORKER_COUNTS"
 """Names to the processes of a worker the folder in which each states how many tasks it has done."""
+MEMORY, MEMORY_STEP = "memory", 2.0**26
+"""Resource of a worker: bytes that its tasks may take; and to what multiples of bytes tasks ask for it"""
 BLIND = 3
 """Tasks that a worker could not do and this machine could, before the run ends: once may be a network that failed."""
 CONFIGURED = {
@@ -70,7 +74,7 @@ CONFIGURED = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Dask:
     """The workers of a scheduler; the store lies in a folder that all of them see under the same path, or at a URL."""
 
@@ -78,6 +82,8 @@ class Dask:
     memory: float = float("inf")
     patience: float = PATIENCE_S
     progress: Progress = silent
+    noted: set[str] = field(default_factory=set[str])
+    """codes of remarks that are stated once"""
 
     def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
         """Do tasks and yield them as they end."""
@@ -87,7 +93,7 @@ class Dask:
         quiet()
         store.check_shared()
         store.path.mkdir(parents=True, exist_ok=True)
-        hands = _Workers(self.cluster, store, token_of(store), self.patience, self.progress)
+        hands = _Workers(self.cluster, store, token_of(store), self.patience, self.progress, self.noted)
         try:
             yield from drive(tasks, hands, store, self.memory)
         finally:
@@ -123,8 +129,13 @@ class _Workers:
     token: str
     patience: float
     progress: Progress = silent
+    noted: set[str] = field(default_factory=set[str])
     client: Client = field(init=False)
     futures: dict[Future, tuple[Task, ...]] = field(default_factory=dict[Future, tuple[Task, ...]])
+    memory: dict[Future, float] = field(default_factory=dict[Future, float])
+    """bytes that were asked of a worker for them"""
+    largest: float = 0.0
+    """bytes that a worker announces at most; 0: not all of them announce any"""
     waiting: list[Task] = field(default_factory=list[Task])
     """taken, and not sent yet"""
     done: SimpleQueue[Future] = field(default_factory=SimpleQueue)
@@ -145,9 +156,7 @@ class _Workers:
     def __post_init__(self) -> None:
         """Connect; raises InputError."""
         try:
-            self.client = Client(
-                self.cluster.address, security=security_of(self.cluster), timeout=30, set_as_default=False,
-            )  # fmt: skip
+            self.client = _client(self.cluster)
         except (OSError, TimeoutError) as error:
             raise InputError(
                 "cluster.connection_lost",
@@ -170,20 +179,31 @@ class _Workers:
 
     def _send(self) -> None:
         """Send what was taken; the key of each attempt is its own, so that Dask takes none for one of another run."""
-        messages = together(self.waiting)
+        alike: dict[float, list[tuple[Task, ...]]] = {}
+        for message in together(self.waiting):
+            alike.setdefault(self._memory(message), []).append(message)
         self.waiting = []
-        if not messages:
-            return
-        keys = [f"{m[0].key}-{self.name}-{self.count + k}" for k, m in enumerate(messages)]
-        self.count += len(messages)
         about = (str(self.store.path.absolute()), self.store.url, self.token, words.reader().flags, str(Path.cwd()))
-        futures: Any = self.client.map(
-            _elsewhere, [[written(t) for t in m] for m in messages], *([part] * len(messages) for part in about),
-            key=keys, resources={signature(): 1}, pure=False,
-        )  # fmt: skip
-        for future, message in zip(futures, messages, strict=True):
-            self.futures[future] = message
-            future.add_done_callback(self.done.put)
+        for memory, messages in alike.items():
+            keys = [f"{m[0].key}-{self.name}-{self.count + k}" for k, m in enumerate(messages)]
+            self.count += len(messages)
+            futures: Any = self.client.map(
+                _elsewhere, [[written(t) for t in m] for m in messages], *([part] * len(messages) for part in about),
+                key=keys, resources={signature(): 1, **({MEMORY: memory} if memory else {})}, pure=False,
+            )  # fmt: skip
+            for future, message in zip(futures, messages, strict=True):
+                self.futures[future], self.memory[future] = message, memory
+                future.add_done_callback(self.done.put)
+
+    def _memory(self, message: Sequence[Task]) -> float:
+        """Bytes to ask of a worker for tasks, one behind the other; never more than one announces: they would wait."""
+        needed = math.ceil(max(t.memory for t in message) / MEMORY_STEP) * MEMORY_STEP
+        if needed > self.largest:
+            code = "cluster.memory_short" if self.largest else "cluster.memory_unknown"
+            if self.most and code not in self.noted:
+                self.noted.add(code)
+                self.progress(phrase(code, largest_gb=self.largest / 1e9, needed_gb=needed / 1e9), Remark())
+        return min(needed, self.largest)
 
     def ended(self) -> list[tuple[str, Done | None]]:
         """Wait until some have ended."""
@@ -205,12 +225,17 @@ class _Workers:
         found: list[tuple[str, Done | None]] = []
         finished = [f for f in batch if f.status == "finished"]
         results: dict[Future, Any] = {}
-        with suppress(Exception):  # a connection that is lost meanwhile: they are done again
-            found_there: Any = self.client.gather(finished, errors="skip")
-            results = dict(zip(finished, found_there, strict=True))
+        try:
+            gathered = self._gathered(finished)
+            results = dict(zip([f for f in finished if f.status == "finished"], gathered, strict=True))
+        except InputError:
+            raise
+        except Exception:  # noqa: BLE001, S110  (a connection that is lost meanwhile: they are done again)
+            pass
         again: list[Task] = []
         for future in batch:
             tasks = self.futures.pop(future, ())
+            self.memory.pop(future, None)
             if future in results:
                 reported, host, refused = results[future]
                 found += [
@@ -222,10 +247,21 @@ class _Workers:
             else:
                 again += tasks
         if again:
-            self._connected()
+            self._look()
             for task in again:
                 self.submit(task)
         return found
+
+    def _gathered(self, finished: Sequence[Future]) -> list[Any]:
+        """Results, without those that are lost.
+
+        One that died with its worker is made again meanwhile, and what it asks for nobody may have any more.
+        """
+        loop: Any = self.client.loop
+        gathering: Any = run_coroutine_threadsafe(self.client._gather(finished, errors="skip"), loop.asyncio_loop)  # noqa: SLF001
+        while not wait([gathering], LOOK_S).done:
+            self._look()
+        return gathering.result()
 
     def _checked(self, task: Task, done: Done, host: str, refused: str) -> Done:
         """What became of a task; raises InputError where its worker does not see what this machine sees."""
@@ -273,11 +309,18 @@ class _Workers:
         """See which workers there are; raises InputError where none can do our tasks for long."""
         self._connected()
         try:
-            workers = self.client.scheduler_info(n_workers=-1)["workers"]
+            workers = _workers_of(self.client)
         except Exception:  # noqa: BLE001  (the connection was lost meanwhile: the next look shows)
             return
         self.looked = time.monotonic()
-        fit = [w for w in workers.values() if signature() in w["resources"]]
+        fit = _fitting(workers)
+        announced = [float(w["resources"].get(MEMORY, 0.0)) for w in fit]
+        self.largest = max(announced) if announced and all(announced) else 0.0
+        if fit:  # who announced more is gone: what asks for it would wait for ever, and is handed over again
+            most = max(announced)
+            self.client.cancel(
+                [f for f, asked in self.memory.items() if asked > most and f.status in {"pending", "lost"}]
+            )
         self.threads = max(sum(w["nthreads"] for w in fit), 1)
         if len(fit) < self.most:
             self.progress(phrase("cluster.workers_lost", n=self.most - len(fit), rest=len(fit)), Remark())
@@ -287,7 +330,7 @@ class _Workers:
                 self.progress(phrase("cluster.workers_found", n=len(fit)), Remark())
             self.seen = self.looked
         elif self.looked > self.seen + self.patience:
-            others = sorted({f"{w['host']}: {', '.join(w['resources']) or 'no raybundle'}" for w in workers.values()})
+            others = _described(workers)
             raise InputError(
                 "cluster.no_worker",
                 n=len(workers),
@@ -297,6 +340,55 @@ class _Workers:
             )
         else:
             self._say_waiting(note("cluster.no_fitting_worker", n=len(workers)), self.looked - self.seen)
+
+
+def await_workers(cluster: Cluster, wanted: int, limit_s: float, progress: Progress = silent) -> None:
+    """Wait until so many workers are there that can do our tasks; raises InputError where they do not come in time."""
+    check_answers(cluster)
+    quiet()
+    began, reported, before = time.monotonic(), -math.inf, -1
+    with _client(cluster) as client:
+        while True:
+            workers: Mapping[str, Any] = {}
+            with suppress(OSError, TimeoutError):  # a connection that is lost comes back
+                workers = _workers_of(client)
+            count, now = len(_fitting(workers)), time.monotonic()
+            if count >= wanted:
+                return
+            if now > began + limit_s:
+                others = _described({k: w for k, w in workers.items() if signature() not in w["resources"]})
+                raise InputError(
+                    "cluster.too_few_workers", n=count, wanted=wanted, wait_s=limit_s, others=others,
+                    differing=len(others),
+                    file=cluster.folder or cluster.address,
+                )  # fmt: skip
+            if count != before or now > reported + AGAIN_S:
+                before, reported = count, now
+                left = began + limit_s - now
+                progress(Text.of(note("cluster.workers_awaited", n=count, wanted=wanted),
+                                 note("cluster.waiting", seconds=left)), Remark())  # fmt: skip
+            time.sleep(min(LOOK_S, limit_s / 10))
+
+
+def _client(cluster: Cluster) -> Client:
+    return Client(cluster.address, security=security_of(cluster), timeout=30, set_as_default=False)
+
+
+def _workers_of(client: Client) -> Mapping[str, Any]:
+    """Workers of a scheduler, by itself: what its client holds ready is at times only some of them, or none."""
+    scheduler: Any = client.scheduler
+    identity: Any = client.sync(scheduler.identity, n_workers=-1)
+    return identity["workers"]
+
+
+def _fitting(workers: Mapping[str, Any]) -> list[Any]:
+    """Workers of our version."""
+    return [w for w in workers.values() if signature() in w["resources"]]
+
+
+def _described(workers: Mapping[str, Any]) -> list[str]:
+    """Machines and what they run."""
+    return sorted({f"{w['host']}: {', '.join({*w['resources']} - {MEMORY}) or '-'}" for w in workers.values()})
 
 
 def together(tasks: Sequence[Task]) -> list[tuple[Task, ...]]:
@@ -327,9 +419,15 @@ def _elsewhere(
         return [nothing] * len(texts), socket.gethostname(), refused
     with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
         os.chdir(here)
-    done = [do_written(text, store_at(folder, url)) for text in texts]
+    done = [_timed(text, store_at(folder, url)) for text in texts]
     _count(sum(not d.failed for d in done))
     return done, socket.gethostname(), ""
+
+
+def _timed(text: bytes, store: Folder) -> Done:
+    began = time.process_time()
+    done = do_written(text, store)
+    return replace(done, cpu_s=time.process_time() - began)
 
 
 def _count(more: int) -> None:
@@ -343,5 +441,11 @@ def _count(more: int) -> None:
 
 def dask_setup(worker: DaskWorker) -> None:
     """Make a worker that somebody else started one of ours, where it is set to load this module before."""
-    worker.state.total_resources[signature()] = 1
-    worker.state.available_resources[signature()] = 1
+    ours: dict[str, float] = {signature(): 1, **announced(worker.memory_manager.memory_limit or 0.0)}
+    for resources in (worker.state.total_resources, worker.state.available_resources):
+        resources.update({name: amount for name, amount in ours.items() if name not in resources})
+
+
+def announced(memory: float) -> dict[str, float]:
+    """The resource of a worker whose tasks may take so many bytes; 0: it announces none."""
+    return {MEMORY: memory} if memory else {}

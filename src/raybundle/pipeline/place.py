@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -13,7 +12,6 @@ from raybundle.numerics.arrays import Array
 
 Product = Mapping[str, Array]
 """What a task or a stage gives, as it is kept."""
-FULL = {errno.ENOSPC, errno.EDQUOT} if hasattr(errno, "EDQUOT") else {errno.ENOSPC}
 
 
 class ProductGone(InputError):
@@ -22,10 +20,6 @@ class ProductGone(InputError):
     def __init__(self, key: str, where: str) -> None:
         super().__init__("product.gone", stage=kind_of(key), file=where)
         self.key = key
-
-
-class StoreLost(InputError):
-    """Products can be neither read nor written any more: no task can be done, and none is to blame."""
 
 
 class Place(Protocol):

@@ -39,10 +39,12 @@ from typing import Any
 import numpy as np
 
 from raybundle.errors import InputError, Text, joined_texts
+from raybundle.io.photos.remote import url_of
 from raybundle.io.reading.trees import json_of, read_json, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.place import Product, kind_of
+from raybundle.pipeline.processor_time import cpu_seconds
 from raybundle.pipeline.store import Folder, writing
 
 SCHEMA = 1
@@ -78,7 +80,7 @@ class StageRecord:
     key: str
     seconds: float
     cpu_seconds: float
-    """of all threads of this process"""
+    """of this process, and of those here and elsewhere that did tasks"""
     peak_memory_mb: float
     """of the process up to the end of the stage"""
     from_cache: bool
@@ -143,6 +145,8 @@ class Project:
                 run
         raises  InputError where something else stands there, another run works there, or nothing can be written
         """
+        if url := url_of(folder):
+            raise InputError("project.at_url", file=url)
         file = folder / "project.db"
         if not create:
             return cls(folder, _opened(file, _connection_to_read), store=store)
@@ -227,14 +231,14 @@ class Project:
 
         Stages of one name that follow each other are one line of the record.
         """
-        began, cpu = time.perf_counter(), _cpu_seconds()
+        began, cpu = time.perf_counter(), cpu_seconds()
         stage = Timed(name)
         yield stage
         record = StageRecord(
             name=name,
             key=stage.key,
             seconds=time.perf_counter() - began,
-            cpu_seconds=_cpu_seconds() - cpu,
+            cpu_seconds=cpu_seconds() - cpu,
             peak_memory_mb=_peak_memory_mb(),
             from_cache=stage.from_cache,
             finished=time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime()),
@@ -432,11 +436,6 @@ def _locked(folder: Path) -> int | None:
 def _unlock(lock: int | None) -> None:
     if lock is not None:
         os.close(lock)
-
-
-def _cpu_seconds() -> float:
-    t = os.times()
-    return t.user + t.system + t.children_user + t.children_system
 
 
 def _peak_memory_mb() -> float:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from raybundle.errors import InputError, as_error, message
+from raybundle.pipeline.processor_time import add_worker_time
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Done, Task
 
@@ -174,6 +175,7 @@ def drive(tasks: Sequence[Task], hands: Hands, store: Folder, memory: float) -> 
     while queue.ready or work.alone or work.in_work:
         work.hand_over()
         for key, found in hands.ended():
+            add_worker_time(0.0 if found is None else found.cpu_s)
             done = work.taken(key, found)
             if done is not None:
                 lost = queue.ended(done)

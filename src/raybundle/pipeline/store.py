@@ -23,6 +23,7 @@ from typing import BinaryIO
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.copies import FULL, StoreLost
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.archives import (
     DAMAGED,
@@ -33,7 +34,7 @@ from raybundle.pipeline.archives import (
     read_member,
     write_archive,
 )
-from raybundle.pipeline.place import FULL, FileMark, Place, Product, ProductGone, StoreLost, mark_of
+from raybundle.pipeline.place import FileMark, Place, Product, ProductGone, mark_of
 
 KEY = "__key__"
 """Array of a product that holds the key under which it was kept."""

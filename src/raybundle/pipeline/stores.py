@@ -10,10 +10,9 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from raybundle.errors import InputError
+from raybundle.io.copies import StoreLost, check_copies
 from raybundle.pipeline.confirmed_stores import confirm_store
-from raybundle.pipeline.copies import check_copies
 from raybundle.pipeline.objects import Objects, objects_at, refused_url, shown_url
-from raybundle.pipeline.place import StoreLost
 from raybundle.pipeline.store import whole_url
 from raybundle.settings import option
 

@@ -16,7 +16,8 @@ from typing import Any, cast, get_type_hints
 import msgspec
 
 from raybundle.errors import InputError, Message, as_detail, as_error, message
-from raybundle.pipeline.place import Product, ProductGone, StoreLost
+from raybundle.io.copies import StoreLost
+from raybundle.pipeline.place import Product, ProductGone
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.task_functions import is_registered
 
@@ -65,6 +66,8 @@ class Done:
     """small products so far are to be kept before the next is asked for: who did them forgets them then"""
     stop: Message | None = None
     """why no task can be done any more, as where the disk is full"""
+    cpu_s: float = 0.0
+    """CPU seconds of another process that did it; those of this process count by themselves"""
 
 
 @lru_cache

@@ -13,6 +13,7 @@ import numpy as np
 
 from raybundle.adjustment.records.notice import Notice
 from raybundle.io.photos.photo import Photo
+from raybundle.io.photos.remote import at_hand
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.verify import VerifiedPair
 from raybundle.ties.points import FeatureStore
@@ -51,7 +52,9 @@ def same_pictures(
             twins.setdefault(p.first, set()).add(p.second)
             twins.setdefault(p.second, set()).add(p.first)
     repeats: dict[int, int] = {}
-    for i in sorted(twins, key=lambda k: (not photos[k].metadata.model, -photos[k].path.stat().st_size, k)):
+    for i in sorted(
+        twins, key=lambda k: (not photos[k].metadata.model, -at_hand(photos[k].path, lambda p: p.stat().st_size), k)
+    ):
         kept = sorted(k for k in twins[i] if k not in repeats)
         if i not in repeats:
             repeats.update(dict.fromkeys(kept, i))

@@ -24,6 +24,7 @@ from raybundle.errors import InputError, Text, phrase, text_of_error
 from raybundle.io.photos.container import SUFFIXES, Header, Unusable, decode_channels, read_header
 from raybundle.io.photos.exif import read_tags
 from raybundle.io.photos.photo import LIMIT_PIXELS, Photo, shown, stored_from_turned, upright
+from raybundle.io.photos.remote import url_of
 from raybundle.io.reading.files import guarded
 from raybundle.numerics.arrays import Array, Mask
 
@@ -191,7 +192,7 @@ def mask_file(folder: Path, photo: Photo) -> Path | None:
         base = folder.joinpath(*parts[-k:])
         for name in (f"{base.name}.png", f"{base.stem}_mask.png", f"{base.stem}.png"):
             path = base.with_name(name)
-            if path.is_file() and not path.samefile(photo.path):
+            if path.is_file() and (url_of(photo.path) or not path.samefile(photo.path)):
                 return path
     return None
 

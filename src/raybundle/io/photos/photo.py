@@ -32,6 +32,7 @@ from raybundle.io.photos.container import (
 )
 from raybundle.io.photos.metadata import Gps, Metadata
 from raybundle.io.photos.read_metadata import read_metadata
+from raybundle.io.photos.remote import at_hand, local_path, remote_files, url_of
 from raybundle.io.reading.files import guarded
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.natural import natural
@@ -112,7 +113,7 @@ def find_photos(
 ) -> Found:  # fmt: skip
     """The photographs in folders and files, in the order of their names (numbers within names count as numbers).
 
-    inputs        folders (looked into, not their subfolders) and files
+    inputs        folders (looked into, not their subfolders) and files; URLs of both, and of lists (.txt)
     leave         files that are no photographs and not passed over, as satellite scenes
     limit_pixels  a file whose header states more is not decoded
     raises        InputError for an input that does not exist or a folder that cannot be listed
@@ -174,7 +175,7 @@ def read_photo(path: Path, *, name: str = "", limit_pixels: int = LIMIT_PIXELS) 
     raises  InputError with the reason where it cannot be used
     """
     try:
-        header, digest = _examined(path, limit_pixels)
+        header, digest = at_hand(path, lambda file: _examined(file, limit_pixels))
     except Unusable as error:
         raise error.at(path) from None
     except OSError as error:
@@ -223,10 +224,13 @@ def _files(inputs: Sequence[Path], leave: frozenset[Path]) -> tuple[list[Path], 
     remarks: list[str] = []
     files: dict[Path, None] = {}
     for given in inputs:
-        path = Path(given)
-        if path.is_dir():
+        path = local_path(Path(given))
+        remote = remote_files(path) if url_of(path) else None
+        if remote is not None:
+            files.update(dict.fromkeys(_of_entries(path, [p for p in remote if not p.name.startswith(".")], remarks)))
+        elif path.is_dir():
             files.update(dict.fromkeys(_in_folder(path, leave, remarks)))
-        elif path.exists() or path.is_symlink():
+        elif url_of(path) or path.exists() or path.is_symlink():
             files[path] = None
         else:
             raise InputError("file.missing", file=path)
@@ -243,6 +247,11 @@ def _in_folder(folder: Path, leave: frozenset[Path], remarks: list[str]) -> list
         entries = sorted(p for p in folder.iterdir() if not p.name.startswith(".") and p not in leave)
     except OSError as error:
         raise InputError("folder.not_listed", detail=error.strerror, file=folder) from None
+    return _of_entries(folder, entries, remarks)
+
+
+def _of_entries(folder: Path, entries: Sequence[Path], remarks: list[str]) -> list[Path]:
+    """The photographs among what is in a folder."""
     files = [p for p in entries if p.suffix.lower() in SUFFIXES and (p.is_symlink() or not p.is_dir())]
     jpegs = {p.stem.lower() for p in files if p.suffix.lower() in JPEG_SUFFIXES}
     doubles = [p for p in files if p.suffix.lower() in (RAW_SUFFIXES | HEIC_SUFFIXES) and p.stem.lower() in jpegs]
@@ -315,7 +324,7 @@ def read_grey(photo: Photo) -> Array:
     0.299 R + 0.587 G + 0.114 B of the values in the file (ITU-R BT.601, the Y of a JPEG): not linear in light.
     Raises InputError where the pixels cannot be decoded, or the content of the file has changed since.
     """
-    return _checked(photo, decode(photo.path, photo.kind, "grey"))
+    return at_hand(photo.path, lambda file: _checked(photo, file, decode(file, photo.kind, "grey")))
 
 
 def read_colour(photo: Photo) -> Array:
@@ -323,22 +332,22 @@ def read_colour(photo: Photo) -> Array:
 
     Raises InputError as `read_grey`.
     """
-    return _checked(photo, decode(photo.path, photo.kind, "colour"))
+    return at_hand(photo.path, lambda file: _checked(photo, file, decode(file, photo.kind, "colour")))
 
 
-def _checked(photo: Photo, pixels: Array) -> Array:
+def _checked(photo: Photo, path: Path, pixels: Array) -> Array:
     if photo.kind == "heic":
         pixels = stored_from_turned(pixels, photo.orientation)
     if pixels.shape[:2] != (photo.height_px, photo.width_px):
         raise InputError(
             "photograph.size_changed", width_px=pixels.shape[1], height_px=pixels.shape[0],
-            header_width_px=photo.width_px, header_height_px=photo.height_px, file=photo.path,
+            header_width_px=photo.width_px, header_height_px=photo.height_px, file=path,
         )  # fmt: skip
-    with guarded(photo.path), photo.path.open("rb") as file:
+    with guarded(path), path.open("rb") as file:
         # after decoding, so that an exchange before or meanwhile is seen
         now = hashlib.file_digest(file, "sha256").hexdigest()
     if now != photo.sha256:
-        raise InputError("photograph.changed", file=photo.path)
+        raise InputError("photograph.changed", file=path)
     return pixels
 
 

@@ -91,3 +91,19 @@ cluster-timeout = Der Scheduler an { $address } antwortet nicht innerhalb von { 
 cluster-no_answer = An { $address } antwortet kein Scheduler ({ $detail }).
     .why = Fertige Produkte bleiben erhalten.
     .do = Einen Scheduler starten oder den Befehl ohne Cluster ausführen.
+
+cluster-too_few_workers = { $n } von { $wanted } Workern kamen innerhalb von { $wait_s } s.
+    .why = { $differing ->
+        [0] Berechnet wurde nichts.
+       *[other] Worker anderer Versionen: { $others }. Berechnet wurde nichts.
+     }
+    .do = Mehr Worker starten, länger warten ({ OPTION("wait_limit", "S") }) oder weniger verlangen.
+
+cluster-nothing_awaited = Auf Worker soll gewartet werden, aber es ist kein Scheduler angegeben.
+    .do = Den Ordner des Clusters angeben: { OPTION("cluster", "FOLDER") }.
+
+cluster-dashboard_address = { $given } ist weder ein Port noch HOST:PORT.
+    .do = Einen Port wie 8787 angeben.
+
+cluster-dashboard_package = Das Dashboard braucht das Paket { $package }.
+    .do = Ausführen: pip install { $package }

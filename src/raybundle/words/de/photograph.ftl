@@ -133,3 +133,9 @@ photograph-none_readable = Keine Aufnahme des Blocks ist lesbar.
 
 photograph-map_raster = Ein Gleitkommaraster ({ $bits } Bit) in einer Karte enthält Höhen oder Ergebnisse, keine Aufnahme.
     .do = Ist es eine Aufnahme, ihre Lage in der Karte entfernen (gdal_edit.py -unsetgt).
+
+photograph-not_fetched = Die Datei war in { $n } Versuchen nicht zu holen ({ $detail }).
+    .do = Denselben Befehl erneut ausführen, wenn der Dienst antwortet.
+
+photograph-unknown_scheme = Über dieses Protokoll werden keine Aufnahmen gelesen.
+    .do = Eine URL mit einem von diesen angeben: { $known }.

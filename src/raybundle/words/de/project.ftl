@@ -51,3 +51,6 @@ project-missing = Es gibt kein solches Projekt.
 
 project-no_result = Das Projekt hat noch kein Ergebnis.
     .do = Zuerst die Aufnahmen orientieren.
+
+project-at_url = Ein Projekt kann nicht an einer URL liegen; sein Ordner muss auf diesem Rechner sein.
+    .do = Einen Ordner angeben, und die URL für die Produkte: { OPTION("store", "URL") }.

@@ -127,3 +127,26 @@ cluster-timeout = The scheduler at { $address } does not answer within { $wait_s
 cluster-no_answer = No scheduler answers at { $address } ({ $detail }).
     .why = Finished products remain.
     .do = Start a scheduler, or run without one.
+
+# $n = 3
+# $wanted = 8
+# $wait_s = 600.0
+# $differing = 1
+# $others = ["node7: raybundle 1.0"]
+cluster-too_few_workers = { $n } of { $wanted } workers came within { $wait_s } s.
+    .why = { $differing ->
+        [0] Nothing was computed.
+       *[other] Workers of other versions: { $others }. Nothing was computed.
+     }
+    .do = Start more workers, wait longer ({ OPTION("wait_limit", "S") }), or ask for fewer.
+
+cluster-nothing_awaited = Workers are awaited, but no scheduler is given.
+    .do = Give the folder of the cluster: { OPTION("cluster", "FOLDER") }.
+
+# $given = "here"
+cluster-dashboard_address = { $given } is neither a port nor HOST:PORT.
+    .do = Give a port such as 8787.
+
+# $package = "bokeh"
+cluster-dashboard_package = The dashboard needs the package { $package }.
+    .do = Run: pip install { $package }

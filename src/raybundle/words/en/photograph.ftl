@@ -197,3 +197,12 @@ photograph-none_readable = No photograph of the block can be read.
 # $bits = 32
 photograph-map_raster = A floating-point raster ({ $bits } bits) in a map holds heights or results, not a photograph.
     .do = If it is a photograph, remove its place in the map (gdal_edit.py -unsetgt).
+
+# $n = 3
+# $detail = "503, message='Service Unavailable'"
+photograph-not_fetched = It could not be fetched in { $n } attempts ({ $detail }).
+    .do = Run the same command again when the service answers.
+
+# $known = ["https", "s3"]
+photograph-unknown_scheme = Photographs are not read by this protocol.
+    .do = Give a URL of one of these: { $known }.

@@ -69,3 +69,6 @@ project-missing = There is no such project.
 
 project-no_result = The project has no result yet.
     .do = Orient its photographs first.
+
+project-at_url = A project cannot be at a URL; its folder must be on this machine.
+    .do = Give a folder, and the URL for the products: { OPTION("store", "URL") }.

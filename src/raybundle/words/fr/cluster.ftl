@@ -51,3 +51,11 @@ cluster-certificate_refused = L'ordonnanceur à { $address } refuse les certific
 cluster-timeout = L'ordonnanceur à { $address } ne répond pas en { $wait_s } s.
 
 cluster-no_answer = Aucun ordonnanceur ne répond à { $address } ({ $detail }).
+
+cluster-too_few_workers = { $n } de { $wanted } workers sont venus en { $wait_s } s.
+
+cluster-nothing_awaited = Des workers sont attendus, mais aucun scheduler n'est donné.
+
+cluster-dashboard_address = { $given } n'est ni un port ni HOST:PORT.
+
+cluster-dashboard_package = Le tableau de bord a besoin du paquet { $package }.

@@ -74,3 +74,7 @@ photograph-in_no_folder = Le fichier n'est dans aucun des dossiers des photograp
 photograph-none_readable = Aucune photographie du bloc ne peut être lue.
 
 photograph-map_raster = Une image matricielle à virgule flottante ({ $bits } bits) dans une carte contient des hauteurs, pas une photographie.
+
+photograph-not_fetched = Le fichier n'a pas pu être obtenu en { $n } essais ({ $detail }).
+
+photograph-unknown_scheme = Aucune photographie n'est lue par ce protocole.

@@ -32,3 +32,9 @@ cluster-tasks_done = { $n } { $n ->
 cluster-waits_for_scheduler = Warten auf einen Scheduler:
 
 cluster-folder_awaited = Der Ordner { $folder } existiert nicht; der Befehl endet, wenn er nicht innerhalb von { $seconds } s erscheint.
+
+cluster-workers_awaited = { $n } von { $wanted } Workern sind da.
+
+cluster-memory_unknown = Manche Worker geben keinen Speicher an; keiner wird verlangt (Option von dask worker: resources "memory=8e9").
+
+cluster-memory_short = Eine Aufgabe braucht { NUM($needed_gb, decimals: 1) } GB; der größte Worker gibt { NUM($largest_gb, decimals: 1) } GB an und bekommt sie.

@@ -1,4 +1,7 @@
-project_status-without_workers = CPU s und Speicher gelten für den Rechner des Befehls, ohne Worker.
+project_status-without_workers = { $shards ->
+    [yes] CPU s und Speicher gelten
+   *[no] Der Speicher gilt
+ } für den Rechner des Befehls, ohne Worker.
 
 project_status-running = { $state ->
         [working] In Arbeit

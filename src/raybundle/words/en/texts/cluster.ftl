@@ -44,3 +44,15 @@ cluster-waits_for_scheduler = Waiting for a scheduler:
 # $folder = "/data/cluster"
 # $seconds = 60.0
 cluster-folder_awaited = The folder { $folder } does not exist; the command ends unless it appears within { $seconds } s.
+
+# $n = 3
+# $wanted = 8
+cluster-workers_awaited = { $n } of { $wanted } workers are there.
+
+# $needed_gb = 2.0
+# $largest_gb = 0.0
+cluster-memory_unknown = Some workers announce no memory; none is requested (option of dask worker: resources "memory=8e9").
+
+# $needed_gb = 6.0
+# $largest_gb = 2.0
+cluster-memory_short = A task needs { NUM($needed_gb, decimals: 1) } GB; the largest worker announces { NUM($largest_gb, decimals: 1) } GB and gets it.

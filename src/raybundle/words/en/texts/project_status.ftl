@@ -1,4 +1,8 @@
-project_status-without_workers = CPU s and memory are of the machine of the command, without workers.
+# $shards = false
+project_status-without_workers = { $shards ->
+    [yes] CPU s and memory are
+   *[no] Memory is
+ } of the machine of the command, without workers.
 
 # $state = "working"
 # $stage = "matching"

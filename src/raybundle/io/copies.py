@@ -9,6 +9,7 @@ bound holds for each process by itself); who reads a copy that another takes awa
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import time
@@ -20,8 +21,8 @@ from pathlib import Path
 
 from raybundle.errors import InputError
 from raybundle.io.user_folders import made_again_folder
-from raybundle.pipeline.place import FULL, StoreLost
 
+FULL = {errno.ENOSPC, errno.EDQUOT} if hasattr(errno, "EDQUOT") else {errno.ENOSPC}
 VARIABLE, VARIABLE_GB = "RAYBUNDLE_PRODUCTS", "RAYBUNDLE_PRODUCTS_GB"
 SHARE = 0.5
 """Of the disk's free space, as it would be without copies, that they take where nothing is stated."""
@@ -29,6 +30,10 @@ AT_ONCE = 1 / 16
 """Of the bound that is freed at least when room is needed: all copies are looked at for it."""
 ABANDONED_S = 24 * 3600.0
 """Age from which on a copy that was begun counts as that of a killed process."""
+
+
+class StoreLost(InputError):
+    """Products can be neither read nor written any more: no task can be done, and none is to blame."""
 
 
 def copies_folder() -> Path:
@@ -68,9 +73,11 @@ class Copies:
     """of the copies of all stores"""
     store: str
     """by what this one is known"""
+    suffix: str = ".npz"
+    """of files"""
 
     def _path(self, key: str) -> Path:
-        return self.folder / self.store / key[-2:] / f"{key}.npz"
+        return self.folder / self.store / key[-2:] / f"{key}{self.suffix}"
 
     def find(self, key: str) -> Path | None:
         """A copy, which counts as used; None: there is none."""
