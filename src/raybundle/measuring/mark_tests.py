@@ -13,7 +13,7 @@ the point.  An error d of a mark alone shifts T by the noncentrality d' W_ii d (
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 import numpy as np
@@ -21,7 +21,7 @@ import numpy as np
 from raybundle.adjustment.result import Adjustment
 from raybundle.measuring.position import Row, design, joint_of, meeting
 from raybundle.measuring.session import Session
-from raybundle.measuring.views import View, view
+from raybundle.measuring.views import View, seen_in, view
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import chi_square_limit, detectable_noncentrality
 
@@ -39,8 +39,10 @@ hand of 0.5 px an error of 5 px."""
 POWER = 0.99
 MOST_MARKS = 24
 """Marks of a point, those with the largest test values, among which the wrong ones are looked for."""
-STARTS = 45
-"""Pairs of rays from which a point begins."""
+STARTS = 20
+"""Pairs of rays from which a point begins that not all rays place."""
+CLOSE_PX = 3.0
+"""Distance of all marks from where their rays meet within which the linear model holds."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -153,26 +155,23 @@ def _explained(found: PointTest, model: _Marks, names: Sequence[str], limits: di
     """Which marks are wrong: those without which the others fit, if these are three or more and nothing else does."""
     n = len(names)
     if n == 2:
-        return _with(found, (), tuple(names), float("inf"))
+        return _because(found, (), tuple(names), float("inf"))
     by_size = sorted(range(n), key=lambda k: -found.sigmas[names[k]])[:MOST_MARKS]
     fits = [
-        (frozenset(s), model.without(s))
+        (frozenset(s), square)
         for k in range(1, min(MOST_WRONG, n - 2) + 1)
         for s in combinations(by_size, k)
-        if model.without(s) <= limits[n - k]
+        if (square := model.without(s)) <= limits[n - k]
     ]
     least = min(fits, key=lambda f: (len(f[0]), f[1]))[0] if fits else frozenset[int]()
     if least and n - len(least) > 2 and all(least <= s for s, _ in fits):
         wrong = tuple(names[k] for k in sorted(least))
-        return _with(found, wrong, (), _apart(model, [sorted(least)]))
+        return _because(found, wrong, (), _apart(model, [sorted(least)]))
     likely = sorted(range(n), key=lambda k: model.without([k]))
-    shown = [k for k in likely if not fits or any(k in s for s, _ in fits)]
-    return _with(found, (), tuple(names[k] for k in shown), _apart(model, [[k] for k in shown]))
+    return _because(found, (), tuple(names[k] for k in likely), _apart(model, [[k] for k in likely]))
 
 
-def _with(found: PointTest, wrong: tuple[str, ...], suspects: tuple[str, ...], shift: float) -> PointTest:
-    from dataclasses import replace
-
+def _because(found: PointTest, wrong: tuple[str, ...], suspects: tuple[str, ...], shift: float) -> PointTest:
     return replace(found, wrong=wrong, suspects=suspects, shift=shift)
 
 
@@ -231,15 +230,17 @@ def _model(session: Session, rows: Sequence[Row], variance: float) -> _Marks | N
 
 def _start(session: Session, rows: Sequence[Row]) -> Array | None:
     """Where two rays meet that most others agree with, as far as each can disagree."""
+    images, xy = np.array([r.image for r in rows], np.int64), np.array([r.xy for r in rows])
     best, found = np.inf, None
     pairs = list(combinations(rows, 2))
-    for pair in pairs[:: max(1, len(pairs) // STARTS)]:
+    for pair in [rows, *pairs[:: max(1, len(pairs) // STARTS)]]:
         xyz = meeting(session, pair)
         if xyz is None:
             continue
-        views = [view(session, r.image, xyz) for r in rows]
-        away = [np.inf if v is None else float(np.linalg.norm(r.xy - v.xy)) for r, v in zip(rows, views, strict=True)]
+        away = np.linalg.norm(np.nan_to_num(seen_in(session, images, xyz), nan=np.inf) - xy, axis=1)
         cost = float(np.sort(away)[: (len(away) + 3) // 2].sum())
         if cost < best:
             best, found = cost, xyz
+        if pair is rows and away.max() < CLOSE_PX:
+            break
     return found

@@ -25,7 +25,7 @@ _CODES = {
         "control_leaves_open control_not_observed control_sigma errors_independent "
         "control_without_photograph coordinate_system correlation datum_lost distance_lost global_test gps_too_near "
         "held_not_determinable identical_images image_left_out lengths_contradict levelled little_redundancy "
-        "mark_rejected marked_lost marked_once marks_reduced marks_turned mask_orientation mask_refused "
+        "mark_rejected marked_lost marked_once marks_reduced marks_turned marks_untested mask_orientation mask_refused "
         "mask_uniform moved_ambiguous no_targets nominal_missing nominal_wrong "
         "one_ray_control outside_format parts_apart pixel_shape given_twice "
         "points_left_out rays_diverge read_out_unused relative_control repeated_structure residual_structure "

@@ -3,12 +3,11 @@
 # $n = 1
 # $tau = 7.4
 # $size_px = 12.5
-mark_contradicts = { $n ->
-        [one] The mark of { $point } in { $images } contradicts the others{ $size_px ->
-            [0] {""}
-           *[other] {" "}by { NUM($size_px, digits: 2) } px
-        }
-       *[other] The marks of { $point } contradict each other: { $images }
+# $shift = 0.021
+# $unit = "m"
+mark_contradicts = The mark of { $point } in { $images } contradicts the others{ $size_px ->
+        [0] {""}
+       *[other] {" "}by { NUM($size_px, digits: 2) } px
     }{ $tau ->
         [0] .
        *[other] {" "}(test value { NUM($tau, decimals: 1) }).
@@ -21,6 +20,8 @@ mark_contradicts = { $n ->
 # $n = 1
 # $tau = 7.4
 # $size_px = 12.5
+# $shift = 0.021
+# $unit = "m"
 mark_contradicts-excluded = { $n ->
         [one] The mark of { $point } in { $images } contradicts the others{ $size_px ->
             [0] {""}
@@ -31,5 +32,22 @@ mark_contradicts-excluded = { $n ->
         [0] .
        *[other] {" "}(test value { NUM($tau, decimals: 1) }).
     }
-    .why = It is excluded from the result.
+    .why = It is excluded from the result.{ $shift ->
+        [0] {""}
+       *[other] {" "}It would move the point by { NUM($shift, digits: 2) } { $unit }.
+    }
     .do = Check the mark.
+
+# $point = "P12"
+# $images = ["a.jpg", "b.jpg", "c.jpg"]
+# $n = 3
+# $tau = 7.4
+# $size_px = 0
+# $shift = 0.021
+# $unit = "m"
+mark_contradicts-undecided = The { $n } marks of { $point } contradict each other: { LIST($images, most: 3) }.
+    .why = Do not use this point: a wrong mark took part.{ $shift ->
+        [0] {""}
+       *[other] {" "}Without one of them the point moves by up to { NUM($shift, digits: 2) } { $unit }.
+    }
+    .do = Check these marks, the first one first, or measure the point in another photograph.
