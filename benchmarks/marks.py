@@ -10,7 +10,9 @@ named       all mistaken marks of the point are named, and no other of it
 untestable  the point's marks are reported as contradictory, or as not tested
 silent      neither
 falsely     another mark of the point is named
-clean sets  share with a mark that is reported as mistaken, where none is
+clean sets  share with a mark that is reported as mistaken, where none is: by adjusting, by any click
+clicks      mistaken points of which a mark is red after the last click, and right points of clean sets that are
+            reported as not tested
 """
 
 import argparse
@@ -27,8 +29,10 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from raybundle.adjustment.records.options import AdjustmentOptions  # noqa: E402
+from raybundle.measuring import mark_tests  # noqa: E402
 from raybundle.measuring.actions.verbs import Put  # noqa: E402
 from raybundle.measuring.merge import merge  # noqa: E402
+from raybundle.measuring.session import Session  # noqa: E402
 from raybundle.measuring.start import adjusted  # noqa: E402
 from raybundle.measuring.state import folded  # noqa: E402
 from raybundle.planning.simulate import Survey, project, simulate  # noqa: E402
@@ -72,9 +76,26 @@ def a_set(number, wrong_points=2):
     return actions, truth
 
 
+@cache
+def opened():
+    """The session of the block, as the studio has it before anything is measured."""
+    return Session.of_block(oriented()[0])
+
+
+def red(actions, every):
+    """Points of which a click was red: any, or the last one."""
+    found = {}
+    for k, a in enumerate(actions, 1):
+        if every or k == len(actions) or actions[k].point != a.point:
+            text = mark_tests.test_mark(opened(), folded(actions[:k]), a.point, a.image)
+            found[a.point] = found.get(a.point, False) or (text is not None and text.message.code == "mark.off")
+    return found
+
+
 def outcome(number, wrong_points=2):
-    """Of each mistaken point (photographs, mistaken, size, what was reported); and whether a right mark is named."""
+    """Of each mistaken point (photographs, mistaken, size, what was reported, red); of a set what is false or open."""
     actions, truth = a_set(number, wrong_points)
+    clicks = red(actions, every=not wrong_points) if not wrong_points or number % 5 == 0 else {}
     found = merge(oriented()[0], folded(actions))
     result = adjusted(found, lambda block: adjust(block, AdjustmentOptions(jobs=1)))
     named, open_points, rows, clean = {}, set(), [], False
@@ -95,8 +116,8 @@ def outcome(number, wrong_points=2):
         what = "named" if got == images else "falsely" if got - images else "untestable"
         if what == "untestable" and point not in open_points:
             what = "silent"
-        rows.append((n, m, d, what))
-    return rows, clean
+        rows.append((n, m, d, what, clicks.get(point)))
+    return rows, (clean, any(clicks.values()), [(t[0], p in open_points) for p, t in truth.items() if not t[1]])
 
 
 def table(rows):
@@ -116,6 +137,11 @@ def table(rows):
     return found
 
 
+def percent(values):
+    """Share of what is true."""
+    return round(100 * float(np.mean(list(values))), 2)
+
+
 WORDS = ("named", "untestable", "silent", "falsely")
 
 
@@ -131,10 +157,17 @@ def main():
         done = list(pool.map(outcome, range(sets), chunksize=20))
         clean = list(pool.map(outcome, range(10**6, 10**6 + given.clean), [0] * given.clean, chunksize=20))
     rows = [r for found, _ in done for r in found]
+    clicked = [r for r in rows if r[4] is not None]
+    right = [t for _, c in clean for t in c[2]]
     result = {
         "draws_of_each": given.draws, "mistaken": table(rows),
-        "clean": {"sets": len(clean), "alarms_percent": round(100 * np.mean([c for _, c in clean]), 2)},
-        "right_points_named_percent_of_sets": round(100 * np.mean([c for _, c in done]), 2),
+        "clean": {
+            "sets": len(clean), "alarms_percent": percent(c[0] for _, c in clean),
+            "sets_with_red_click_percent": percent(c[1] for _, c in clean),
+            "points_not_tested_percent": {f"{n} photographs": percent(t for k, t in right if k == n) for n in RAYS},
+        },
+        "right_points_named_percent_of_sets": percent(c[0] for _, c in done),
+        "red_after_last_click_percent": {f"{d} px": percent(r[4] for r in clicked if r[2] == d) for d in SIZES},
     }  # fmt: skip
     text = json.dumps(result, indent=1)
     print(text)

@@ -15,7 +15,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Role
 from raybundle.commands.marks_settings import DatumSettings, QuerySettings
 from raybundle.commands.new_project import measuring_folder, standing_folder
-from raybundle.errors import InputError, phrase
+from raybundle.errors import InputError, Text, phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
 from raybundle.io.folders import check_free, new_folder
@@ -37,8 +37,9 @@ from raybundle.measuring.names import Known
 from raybundle.measuring.quantities import QUANTITIES, Quantity
 from raybundle.measuring.query import Answer, ask, in_axes
 from raybundle.measuring.selection import latest_figures, quantity_of, selected
-from raybundle.measuring.session import adjusted_again, block_folder, readjusted
-from raybundle.measuring.start import adjusted
+from raybundle.measuring.mark_tests import test_mark as test_of_mark
+from raybundle.measuring.session import Session, adjusted_again, block_folder, readjusted
+from raybundle.measuring.start import AT_ONCE, adjusted, to_begin
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.project import masks_given, photographs_of
@@ -162,6 +163,24 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
         if verb == "control" and "points" not in arguments:
             return journal.append(control_of(str(arguments.get("file", "")))[0], id=id, author=operator)
         return journal.append_verb(verb, arguments, id=id, author=operator)
+
+
+def test_mark(folder: str | Path, image: str, point: str) -> Text | None:
+    """How far a mark lies from where the block and the other marks see its point, in words; None: not known yet.
+
+    A block of more than `AT_ONCE` image observations is tested by `adjust_marks`.
+    """
+    project, state = _standing(folder), marks(folder)
+    inner = block_folder(project)
+    block = read_block(inner)
+    known = Known.of(block)
+    if len(block.observations) > AT_ONCE or to_begin(block, state):
+        return None
+    if point not in known.points and len(state.marks_of(point)) < 2:
+        return None
+    block, options = made_as(inner, block)
+    session = Session.of_block(block, lambda b: readjusted(b, options=options))
+    return test_of_mark(session, state, point, known.image(image))
 
 
 def _beyond(folder: Path, state: State, quantity: str = "", limit: float = float("nan")) -> list[tuple[str, str]]:

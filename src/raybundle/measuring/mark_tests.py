@@ -19,8 +19,10 @@ from itertools import combinations
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.measuring.position import Row, design, joint_of, meeting
+from raybundle.errors import Text, Value, phrase, warning
+from raybundle.measuring.position import Row, design, joint_of, meeting, rows_of
 from raybundle.measuring.session import Session
+from raybundle.measuring.state import State
 from raybundle.measuring.views import View, seen_in, view
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import chi_square_limit, detectable_noncentrality
@@ -179,6 +181,42 @@ def _apart(model: _Marks, sets: Sequence[Sequence[int]]) -> float:
     """How far the point moves at most without one of some sets of marks."""
     whole = model.coordinates()
     return max(float(np.linalg.norm(model.coordinates(s) - whole)) for s in sets)
+
+
+def test_mark(session: Session, state: State, point: str, image: str) -> Text | None:
+    """What is to be stated of a mark that was just put: how far it lies from where the others see its point.
+
+    image   id of its image
+    returns a warning of the mark that is beyond `CLICK_SIGMAS`, or that contradicts; None where nothing tests it yet
+    """
+    test = test_of(session, state, point)
+    if test is None or image not in test.images:
+        return None
+    off = off_images(test)
+    at = image if not off or (image in off and not test.wrong) else off[0]
+    values: dict[str, Value] = {
+        "point": point, "image": at, "distance_px": test.distance_px[at], "sigmas": test.sigmas[at],
+        "images": off or (image,), "n": len(test.images) - 1,
+    }  # fmt: skip
+    if off:
+        return Text.of(warning("mark.off", **values))
+    return phrase("mark.open" if image in test.untested else "mark.fits", **values)
+
+
+def test_of(session: Session, state: State, point: str) -> PointTest | None:
+    """The test of a point with all that is marked of it; None where that is too little."""
+    rows = rows_of(session, state, point)
+    if len(rows) < 2:
+        return None
+    variance = variance_without(session.adjustment, frozenset(p for _, p in state.marks))
+    return test_point(session, point, rows, variance=variance)
+
+
+def off_images(test: PointTest | None) -> tuple[str, ...]:
+    """Images whose marks are to be shown as mistaken: those that are, or may be, or lie too far from the others."""
+    if test is None:
+        return ()
+    return test.look or tuple(i for i, s in test.sigmas.items() if s > CLICK_SIGMAS)
 
 
 def variance_without(adjustment: Adjustment | None, marked: frozenset[str]) -> float:
