@@ -87,7 +87,7 @@ def red(actions, every):
     found = {}
     for k, a in enumerate(actions, 1):
         if every or k == len(actions) or actions[k].point != a.point:
-            text = mark_tests.test_mark(opened(), folded(actions[:k]), a.point, a.image)
+            text = mark_tests.mark_verdict(opened(), folded(actions[:k]), a.point, a.image)
             found[a.point] = found.get(a.point, False) or (text is not None and text.message.code == "mark.off")
     return found
 

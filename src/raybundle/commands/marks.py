@@ -32,12 +32,12 @@ from raybundle.measuring.export import (
 )
 from raybundle.measuring.film import read_scans
 from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
+from raybundle.measuring.mark_tests import mark_verdict as verdict_of_mark
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.names import Known
 from raybundle.measuring.quantities import QUANTITIES, Quantity
 from raybundle.measuring.query import Answer, ask, in_axes
 from raybundle.measuring.selection import latest_figures, quantity_of, selected
-from raybundle.measuring.mark_tests import test_mark as test_of_mark
 from raybundle.measuring.session import Session, adjusted_again, block_folder, readjusted
 from raybundle.measuring.start import AT_ONCE, adjusted, to_begin
 from raybundle.measuring.state import State
@@ -165,7 +165,7 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
         return journal.append_verb(verb, arguments, id=id, author=operator)
 
 
-def test_mark(folder: str | Path, image: str, point: str) -> Text | None:
+def mark_verdict(folder: str | Path, image: str, point: str) -> Text | None:
     """How far a mark lies from where the block and the other marks see its point, in words; None: not known yet.
 
     A block of more than `AT_ONCE` image observations is tested by `adjust_marks`.
@@ -180,7 +180,7 @@ def test_mark(folder: str | Path, image: str, point: str) -> Text | None:
         return None
     block, options = made_as(inner, block)
     session = Session.of_block(block, lambda b: readjusted(b, options=options))
-    return test_of_mark(session, state, point, known.image(image))
+    return verdict_of_mark(session, state, point, known.image(image))
 
 
 def _beyond(folder: Path, state: State, quantity: str = "", limit: float = float("nan")) -> list[tuple[str, str]]:

@@ -22,7 +22,7 @@ from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block
 from raybundle.block.rejection import RejectionKind, known_wrong
 from raybundle.errors import NotSolvable, Text, Value, phrase
-from raybundle.measuring.mark_tests import PointTest, test_point, variance_without
+from raybundle.measuring.mark_tests import PointTest, point_test, variance_without
 from raybundle.measuring.position import Row
 from raybundle.measuring.session import Session
 from raybundle.numerics.arrays import Index
@@ -129,7 +129,7 @@ def _tests(result: Adjustment, marked: frozenset[str]) -> list[PointTest]:
         xx, yy, xy = o.cov_px2[k]
         covariance = np.array([[xx, xy], [xy, yy]])
         rows[int(o.point[k])].append(Row(int(o.image[k]), np.array(o.xy_px[k]), covariance, adjusted=False))
-    found = [test_point(session, b.points.ids[k], own, tests=len(rows), variance=variance) for k, own in rows.items()]
+    found = [point_test(session, b.points.ids[k], own, tests=len(rows), variance=variance) for k, own in rows.items()]
     return [t for t in found if t is not None]
 
 

@@ -120,7 +120,7 @@ class _Marks:
         return np.linalg.solve(N, self.B[keep].T @ P @ self.e[keep])
 
 
-def test_point(session: Session, point: str, rows: Sequence[Row], *, tests: int = 1, variance: float = 1.0
+def point_test(session: Session, point: str, rows: Sequence[Row], *, tests: int = 1, variance: float = 1.0
 ) -> PointTest | None:  # fmt: skip
     """The marks of a point against each other; None without covariances, and where fewer than two rays meet.
 
@@ -183,13 +183,13 @@ def _apart(model: _Marks, sets: Sequence[Sequence[int]]) -> float:
     return max(float(np.linalg.norm(model.coordinates(s) - whole)) for s in sets)
 
 
-def test_mark(session: Session, state: State, point: str, image: str) -> Text | None:
+def mark_verdict(session: Session, state: State, point: str, image: str) -> Text | None:
     """What is to be stated of a mark that was just put: how far it lies from where the others see its point.
 
     image   id of its image
     returns a warning of the mark that is beyond `CLICK_SIGMAS`, or that contradicts; None where nothing tests it yet
     """
-    test = test_of(session, state, point)
+    test = point_test_of(session, state, point)
     if test is None or image not in test.images:
         return None
     off = off_images(test)
@@ -203,13 +203,13 @@ def test_mark(session: Session, state: State, point: str, image: str) -> Text | 
     return phrase("mark.open" if image in test.untested else "mark.fits", **values)
 
 
-def test_of(session: Session, state: State, point: str) -> PointTest | None:
+def point_test_of(session: Session, state: State, point: str) -> PointTest | None:
     """The test of a point with all that is marked of it; None where that is too little."""
     rows = rows_of(session, state, point)
     if len(rows) < 2:
         return None
     variance = variance_without(session.adjustment, frozenset(p for _, p in state.marks))
-    return test_point(session, point, rows, variance=variance)
+    return point_test(session, point, rows, variance=variance)
 
 
 def off_images(test: PointTest | None) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.errors import Severity, Text
 from raybundle.measuring.frames import file_matrix, to_file
 from raybundle.measuring.journal import measured_result
-from raybundle.measuring.mark_tests import off_images, test_mark, test_of
+from raybundle.measuring.mark_tests import mark_verdict, off_images, point_test_of
 from raybundle.measuring.predict import Prediction, predict, visible, worst
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array
@@ -142,7 +142,7 @@ def predictions(desk: Desk, point: str, images: Sequence[str]) -> dict[str, Any]
             "neglected": located.neglected,
             "residuals": {i: list(v) for i, v in located.residuals_px.items()},
         },
-        "off": list(off_images(test_of(session, state, point))),
+        "off": list(off_images(point_test_of(session, state, point))),
         "predictions": [_prediction(predict(session, state, point, i)) for i in images[:MOST_PREDICTIONS]],
         "visible": [
             {"image": v.image, "x": v.xy_px[0], "y": v.xy_px[1], "angle_deg": v.angle_deg, "distance": v.distance}
@@ -155,7 +155,7 @@ def tested(desk: Desk, verb: str, arguments: Mapping[str, Any]) -> dict[str, Any
     """How far a mark that was just put or moved lies from the others, and whether it is mistaken."""
     if verb not in {"put", "move"}:
         return None
-    found = test_mark(desk.session, desk.journal.state, str(arguments["point"]), str(arguments["image"]))
+    found = mark_verdict(desk.session, desk.journal.state, str(arguments["point"]), str(arguments["image"]))
     if found is None:
         return None
     return {"words": found, "off": any(m.severity is Severity.WARNING for m in found.messages)}
