@@ -17,7 +17,6 @@ from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.severity import Severity
 from raybundle.adjustment.result import Adjustment
-from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block
 from raybundle.block.rejection import RejectionKind, known_wrong
@@ -121,6 +120,8 @@ def _noted(result: Adjustment, notices: Sequence[Notice], *, bent: bool, tests: 
 
 def _tests(result: Adjustment, marked: frozenset[str]) -> list[PointTest]:
     """The tests of the points marked by hand that two marks or more determine; none without covariances."""
+    if not result.options.statistics:
+        return []
     session, b = Session.of(result), result.adjusted
     variance = variance_without(result, marked)
     o, taken = b.observations, ~known_wrong(b)
@@ -142,32 +143,30 @@ def _of(result: Adjustment, test: PointTest, image: str = "") -> Wrong:
     return Wrong(point=test.point, images=test.look, tau=max(test.sigmas.values()), shift=test.shift, unit=unit)
 
 
-def with_wrong_marks(result: Adjustment, marked: frozenset[str], *, alone: bool) -> Adjustment:
-    """The result with a notice of each mistaken mark in place of what it makes the adjustment say of others.
+def with_wrong_marks(result: Adjustment, marked: frozenset[str]) -> Adjustment:
+    """The result, oriented from marks, with a notice of each mistaken one in place of what it makes of others.
 
-    alone  whether photographs were oriented from the marks, so that a mistaken one may bend everything
-    Looked at where a test value of a mark, or, of marks alone, the sum of all squares is beyond its limit; named where
-    chance makes as large a test value anywhere in one of a thousand blocks.
+    Looked at where a test value of a mark, or the sum of all squares is beyond its limit; named where chance makes as
+    large a test value anywhere in one of a thousand blocks.
     """
+    return _noted(_with_blunders(result, marked), (), bent=False, tests=_tests(result, marked))
+
+
+def _with_blunders(result: Adjustment, marked: frozenset[str]) -> Adjustment:
     if result.options.reject == "snooping":
         return _with_notices(result, result, _beyond_chance(result, _left(result, marked)))
-    if (
-        not result.options.statistics
-        or len(result.given.observations) > TESTED_UP_TO
-        or not _doubtful(result, marked, alone=alone)
-    ):
+    if not result.options.statistics or len(result.given.observations) > TESTED_UP_TO or not _doubtful(result, marked):
         return result
-    start = as_start(result.given, result.adjusted) if not alone else result.given
     try:
-        tested = decide(start, replace(result.options, reject="snooping"))
+        tested = decide(result.given, replace(result.options, reject="snooping"))
     except NotSolvable:
         return result
     return _with_notices(result, tested, _beyond_chance(tested, _left(tested, marked)))
 
 
-def _doubtful(result: Adjustment, marked: frozenset[str], *, alone: bool) -> bool:
+def _doubtful(result: Adjustment, marked: frozenset[str]) -> bool:
     _, square, upper = result.global_test
-    if alone and square > upper:
+    if square > upper:
         return True
     at = [k for k, name in enumerate(result.given.points.ids) if name in marked]
     t = np.abs(result.image_observations.t[np.isin(result.given.observations.point, at)])

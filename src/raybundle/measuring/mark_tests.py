@@ -112,6 +112,15 @@ class _Marks:
         at = _rows(marks)
         return self.square - float(self.w[at] @ np.linalg.lstsq(self.W[np.ix_(at, at)], self.w[at], rcond=1e-9)[0])
 
+    def off(self, marks: Sequence[int], mark: int) -> tuple[float, float]:
+        """How far one of some marks lies from where all but these see the point: [px], and in standard deviations."""
+        at = _rows(marks)
+        C = np.linalg.pinv(self.W[np.ix_(at, at)], rcond=1e-9, hermitian=True)
+        own = slice(2 * marks.index(mark), 2 * marks.index(mark) + 2)
+        d = (C @ self.w[at])[own]
+        square = d @ np.linalg.pinv(C[own, own], rcond=1e-9, hermitian=True) @ d
+        return float(np.linalg.norm(d)), float(np.sqrt(max(square, 0.0)))
+
     def coordinates(self, marks: Sequence[int] = ()) -> Array:
         """(3,) of the point without some marks, from where it is linearised."""
         keep = np.setdiff1d(np.arange(len(self.e)), _rows(marks))
@@ -140,9 +149,7 @@ def point_test(session: Session, point: str, rows: Sequence[Row], *, tests: int 
         at = _rows([k])
         own = model.W[np.ix_(at, at)]
         size = np.linalg.eigvalsh(own)
-        d = np.linalg.lstsq(own, model.w[at], rcond=1e-9)[0]
-        distance[name] = float(np.linalg.norm(d))
-        sigmas[name] = float(np.sqrt(max(model.w[at] @ d, 0.0)))
+        distance[name], sigmas[name] = model.off([k], k)
         unseen[name] = float(np.sqrt(noncentrality / size[0])) if size[0] > 1e-9 * size[1] else np.inf
         if unseen[name] > LARGE_SIGMAS * np.sqrt(np.linalg.eigvalsh(rows[k].covariance)[1]):
             untested.append(name)
@@ -167,8 +174,13 @@ def _explained(found: PointTest, model: _Marks, names: Sequence[str], limits: di
     ]
     least = min(fits, key=lambda f: (len(f[0]), f[1]))[0] if fits else frozenset[int]()
     if least and n - len(least) > 2 and all(least <= s for s, _ in fits):
-        wrong = tuple(names[k] for k in sorted(least))
-        return _because(found, wrong, (), _apart(model, [sorted(least)]))
+        marks = sorted(least)
+        seen = {names[k]: model.off(marks, k) for k in marks}
+        found = replace(
+            found, distance_px=found.distance_px | {i: d for i, (d, _) in seen.items()},
+            sigmas=found.sigmas | {i: s for i, (_, s) in seen.items()},
+        )  # fmt: skip
+        return _because(found, tuple(seen), (), _apart(model, [marks]))
     likely = sorted(range(n), key=lambda k: model.without([k]))
     return _because(found, (), tuple(names[k] for k in likely), _apart(model, [[k] for k in likely]))
 

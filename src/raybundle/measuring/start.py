@@ -148,7 +148,7 @@ def adjusted(made: Merged, adjust: Callable[[Block], Adjustment]) -> Adjustment:
         )
     if not made.new:
         return without_wrong_marks(made.block, made.marked, adjust)
-    return with_wrong_marks(solved(made.block, adjust)[0], made.marked, alone=True)
+    return with_wrong_marks(solved(made.block, adjust)[0], made.marked)
 
 
 def standing_after(made: Merged, result: Adjustment) -> Standing:

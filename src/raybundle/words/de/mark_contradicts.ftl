@@ -16,20 +16,20 @@ mark_contradicts-excluded = { $n ->
        *[other] Die Bildmessungen von { $point } widersprechen sich: { $images }
     }{ $tau ->
         [0] .
-       *[other] {" "}(Testgröße { NUM($tau, decimals: 1) }).
+       *[other] {" "}(Testgröße { NUM($tau, decimals: 1) }){ $shift ->
+            [0] .
+           *[other] ; Wirkung { NUM($shift, digits: 2) } { $unit }.
+        }
     }
     .why = Das Ergebnis enthält { $n ->
         [one] diese Bildmessung
        *[other] diese Bildmessungen
-     } nicht.{ $shift ->
-        [0] {""}
-       *[other] {" "}Mit ihr läge der Punkt um { NUM($shift, digits: 2) } { $unit } anders.
-    }
+     } nicht, der Punkt enthält ihre Wirkung nicht.
     .do = Die Bildmessung prüfen.
 
-mark_contradicts-undecided = Die { $n } Bildmessungen von { $point } widersprechen sich: { LIST($images, most: 3) }.
-    .why = Diesen Punkt nicht verwenden: Eine falsche Bildmessung ging ein.{ $shift ->
-        [0] {""}
-       *[other] {" "}Ohne eine von ihnen liegt der Punkt um bis zu { NUM($shift, digits: 2) } { $unit } anders.
+mark_contradicts-undecided = Die { $n } Bildmessungen von { $point } widersprechen sich: { LIST($images, most: 3) }{ $shift ->
+        [0] .
+       *[other] ; Wirkung bis { NUM($shift, digits: 2) } { $unit }.
     }
+    .why = Diesen Punkt nicht verwenden: Eine falsche Bildmessung ging ein, und welche, ist nicht bestimmbar.
     .do = Diese Bildmessungen prüfen, die erste zuerst, oder den Punkt in einem weiteren Foto messen.

@@ -30,12 +30,12 @@ mark_contradicts-excluded = { $n ->
        *[other] The marks of { $point } contradict each other: { $images }
     }{ $tau ->
         [0] .
-       *[other] {" "}(test value { NUM($tau, decimals: 1) }).
+       *[other] {" "}(test value { NUM($tau, decimals: 1) }){ $shift ->
+            [0] .
+           *[other] ; effect { NUM($shift, digits: 2) } { $unit }.
+        }
     }
-    .why = It is excluded from the result.{ $shift ->
-        [0] {""}
-       *[other] {" "}It would move the point by { NUM($shift, digits: 2) } { $unit }.
-    }
+    .why = It is excluded from the result, in which the point stands without this effect.
     .do = Check the mark.
 
 # $point = "P12"
@@ -45,9 +45,9 @@ mark_contradicts-excluded = { $n ->
 # $size_px = 0
 # $shift = 0.021
 # $unit = "m"
-mark_contradicts-undecided = The { $n } marks of { $point } contradict each other: { LIST($images, most: 3) }.
-    .why = Do not use this point: a wrong mark took part.{ $shift ->
-        [0] {""}
-       *[other] {" "}Without one of them the point moves by up to { NUM($shift, digits: 2) } { $unit }.
+mark_contradicts-undecided = The { $n } marks of { $point } contradict each other: { LIST($images, most: 3) }{ $shift ->
+        [0] .
+       *[other] ; effect up to { NUM($shift, digits: 2) } { $unit }.
     }
+    .why = Do not use this point: a wrong mark took part, and which one is not determinable.
     .do = Check these marks, the first one first, or measure the point in another photograph.
