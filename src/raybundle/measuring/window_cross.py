@@ -103,21 +103,22 @@ def _linear(A: Array, g: Array) -> Array:
 def _start(g: Array, x: Array, y: Array, places: Sequence[Array]) -> Array:
     """Places, directions and widths to begin with: the best of all, of panes and bars that are alike."""
     angles, best, found = np.deg2rad(np.arange(0.0, 180.0, STEP_DEG)), np.inf, np.zeros(7)
+    keys = np.array([(a, h) for a in angles for h in WIDTHS])
+    i, k = np.triu_indices(len(keys), 1)
+    apart = (keys[k, 0] - keys[i, 0]) % np.pi
+    good = np.minimum(apart, np.pi - apart) >= LEAST_ANGLE
+    i, k = i[good], k[good]
     for place in places:
-        bars = {
-            (a, h): _profiles(np.array([*place, a, a, 0.9, h, h]), x, y)[0] for a in angles.tolist() for h in WIDTHS
-        }
-        keys = list(bars)
-        for i, (a, h) in enumerate(keys):
-            for b, k in keys[i + 1 :]:
-                apart = (b - a) % np.pi
-                if min(apart, np.pi - apart) < LEAST_ANGLE:
-                    continue
-                one, two = bars[a, h], bars[b, k]
-                A = np.stack([(1 - one) * (1 - two), one * (1 - two), two * (1 - one), one * two, x, y], axis=1)
-                e = g - A @ _linear(A, g)
-                if (cost := float(e @ e)) < best:
-                    best, found = cost, np.array([*place, a, b, 0.9, h, k])
+        bars = np.array([_profiles(np.array([*place, a, a, 0.9, h, h]), x, y)[0] for a, h in keys])
+        one, two = bars[i], bars[k]
+        both, flat = one * two, np.broadcast_to(np.stack([np.ones_like(x), x, y]), (len(i), 3, len(x)))
+        A = np.concatenate([np.stack([one, two, both], axis=1), flat], axis=1)  # spans the same as panes and bars alike
+        N, b = A @ A.transpose(0, 2, 1) + 1e-3 * np.eye(6), A @ g
+        explained = np.einsum("ni,ni->n", b, np.linalg.solve(N, b[..., None])[..., 0])
+        n = int(np.argmax(explained))
+        if (cost := float(g @ g - explained[n])) < best:
+            (a, h), (c, d) = keys[i[n]], keys[k[n]]
+            best, found = cost, np.array([*place, a, c, 0.9, h, d])
     return found
 
 
