@@ -21,7 +21,7 @@ from raybundle.adjustment.system.predict import residuals_px
 from raybundle.block import Block
 from raybundle.block.rejection import RejectionKind, known_wrong
 from raybundle.errors import NotSolvable, Text, Value, phrase
-from raybundle.measuring.mark_tests import PointTest, point_test, variance_without
+from raybundle.measuring.mark_tests import LEVEL, PointTest, point_test, variance_without
 from raybundle.measuring.position import Row
 from raybundle.measuring.session import Session
 from raybundle.numerics.arrays import Index
@@ -89,14 +89,15 @@ def without_wrong_marks(block: Block, marked: frozenset[str], adjust: Callable[[
     Marks of which it cannot be determined which are wrong take part, and are named; so are those that nothing tests.
     """
     result, wrong = adjust(block), dict[str, Wrong]()
-    for last in (False,) * ROUNDS + (True,):
-        tests = _tests(result, marked)
+    tests = _tests(result, marked)
+    for _ in range(ROUNDS):
         found = {f"{i}\n{t.point}": _of(result, t, i) for t in tests for i in t.wrong}
-        if last or not found.keys() - wrong.keys():
+        if not found:
             break
         wrong |= found
         out = tuple((w.images[0], w.point) for w in wrong.values())
         result = adjust(replace(block, rejected=(*block.rejected, *out)))
+        tests = _tests(result, marked)
     open_ = [_of(result, t) for t in tests if t.contradicts]
     named = {w.point for w in (*wrong.values(), *open_)}
     left = [w for w in _beyond_chance(result, _left(result, marked)) if w.point not in named]
@@ -130,7 +131,8 @@ def _tests(result: Adjustment, marked: frozenset[str]) -> list[PointTest]:
         xx, yy, xy = o.cov_px2[k]
         covariance = np.array([[xx, xy], [xy, yy]])
         rows[int(o.point[k])].append(Row(int(o.image[k]), np.array(o.xy_px[k]), covariance, adjusted=False))
-    found = [point_test(session, b.points.ids[k], own, tests=len(rows), variance=variance) for k, own in rows.items()]
+    level = LEVEL / max(len(rows), 1)
+    found = [point_test(session, b.points.ids[k], own, level=level, variance=variance) for k, own in rows.items()]
     return [t for t in found if t is not None]
 
 

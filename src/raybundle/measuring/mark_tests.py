@@ -19,7 +19,7 @@ from itertools import combinations
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.errors import Text, Value, phrase, warning
+from raybundle.errors import Severity, Text, phrase
 from raybundle.measuring.position import Row, design, joint_of, meeting, rows_of
 from raybundle.measuring.session import Session
 from raybundle.measuring.state import State
@@ -33,6 +33,8 @@ LEVEL = 0.01
 CLICK_SIGMAS = 4.0
 """Distance of a mark from where the others see its point, in standard deviations, from which on it is reported at once:
 by chance one of 3 000 (chi-square, two degrees of freedom)."""
+CLICK_LEVEL = float(np.exp(-(CLICK_SIGMAS**2) / 2))
+"""The same as a probability: significance of the test of all marks of a point at a click."""
 MOST_WRONG = 3
 """Marks of a point that may be wrong together."""
 LARGE_SIGMAS = 10.0
@@ -129,11 +131,11 @@ class _Marks:
         return np.linalg.solve(N, self.B[keep].T @ P @ self.e[keep])
 
 
-def point_test(session: Session, point: str, rows: Sequence[Row], *, tests: int = 1, variance: float = 1.0
+def point_test(session: Session, point: str, rows: Sequence[Row], *, level: float, variance: float
 ) -> PointTest | None:  # fmt: skip
     """The marks of a point against each other; None without covariances, and where fewer than two rays meet.
 
-    tests     points that are tested together, for the family-wise level
+    level     significance of the test of the point
     variance  factor of the covariances of marks and orientations, of `variance_without`
     """
     n = len(rows)
@@ -141,7 +143,6 @@ def point_test(session: Session, point: str, rows: Sequence[Row], *, tests: int 
     if model is None:
         return None
     names = [session.block.images.ids[r.image] for r in rows]
-    level = LEVEL / max(tests, 1)
     limits = {k: chi_square_limit(level, 2 * k - 3) for k in range(2, n + 1)}
     noncentrality = detectable_noncentrality(level, 2 * n - 3, POWER)
     distance, sigmas, unseen, untested = dict[str, float](), dict[str, float](), dict[str, float](), list[str]()
@@ -204,15 +205,14 @@ def mark_verdict(session: Session, state: State, point: str, image: str) -> Text
     test = point_test_of(session, state, point)
     if test is None or image not in test.images:
         return None
-    off = off_images(test)
+    off = test.look or ((image,) if test.sigmas[image] > CLICK_SIGMAS else ())
     at = image if not off or (image in off and not test.wrong) else off[0]
-    values: dict[str, Value] = {
-        "point": point, "image": at, "distance_px": test.distance_px[at], "sigmas": test.sigmas[at],
-        "images": off or (image,), "n": len(test.images) - 1,
-    }  # fmt: skip
-    if off:
-        return Text.of(warning("mark.off", **values))
-    return phrase("mark.open" if image in test.untested else "mark.fits", **values)
+    code = "mark.off" if off else "mark.open" if image in test.untested else "mark.fits"
+    text = phrase(
+        code, point=point, image=at, distance_px=test.distance_px[at], sigmas=test.sigmas[at], images=off or (image,),
+        n=len(test.images) - 1,
+    )  # fmt: skip
+    return Text.of(replace(text.message, severity=Severity.WARNING)) if off else text
 
 
 def point_test_of(session: Session, state: State, point: str) -> PointTest | None:
@@ -221,7 +221,7 @@ def point_test_of(session: Session, state: State, point: str) -> PointTest | Non
     if len(rows) < 2:
         return None
     variance = variance_without(session.adjustment, frozenset(p for _, p in state.marks))
-    return point_test(session, point, rows, variance=variance)
+    return point_test(session, point, rows, level=CLICK_LEVEL, variance=variance)
 
 
 def off_images(test: PointTest | None) -> tuple[str, ...]:
