@@ -92,6 +92,38 @@ def test_on_a_photograph_ten_clicks_agree():
     assert lost <= 1
 
 
+def window(rng, contrast=70.0, texture=3.0):
+    """A cross of bars of 1 and 4 px half width before four panes, in the texture of paint; its place."""
+    from scipy.ndimage import gaussian_filter
+    from scipy.special import erf
+
+    y, x = np.mgrid[:80, :80] + 0.5
+    at, turn = 40 + rng.uniform(-0.5, 0.5, 2), rng.uniform(-0.2, 0.2)
+    d = [(x - at[0]) * np.cos(turn + a) + (y - at[1]) * np.sin(turn + a) for a in (0, 1.5)]
+    B = [(erf((k + h) / 1.2) - erf((k - h) / 1.2)) / 2 for k, h in zip(d, (1.2, 4.0), strict=True)]
+    panes = np.choose((d[0] > 0) + 2 * (d[1] > 0), rng.uniform(50, 80, 4))
+    bars = 1 - (1 - B[0]) * (1 - B[1])
+    image = (
+        panes * (1 - bars) + (60 + contrast) * bars + gaussian_filter(rng.normal(0, 1, x.shape), 1.0) * 3.5 * texture
+    )
+    return np.clip(image, 0, 255).round().astype(np.uint8), at
+
+
+def test_crosses_of_windows_are_found_and_no_more_precise_than_stated():
+    """Bars of unlike width before unlike panes in a texture that neighbours share: no click is refused."""
+    rng, square = np.random.default_rng(3), 0.0
+    for _ in range(6):
+        image, at = window(rng)
+        found = snap(image, *pictures.click_near(rng, at, 3.0))
+        assert isinstance(found, Snapped), found.why
+        assert found.kind == "cross"
+        xx, yy, xy = found.covariance
+        e = np.array([found.x_px - at[0], found.y_px - at[1]])
+        square += float(e @ np.linalg.solve(np.array([[xx, xy], [xy, yy]]), e))
+        assert max(xx, yy) < 0.09
+    assert square < chi2(12).ppf(0.999)
+
+
 def test_auto_takes_what_fits():
     rng = np.random.default_rng(8)
     for kind in ("ellipse", "corner"):

@@ -34,6 +34,24 @@ def test_a_table_that_cannot_be_read_is_refused_with_its_line(client, project):
     assert not entries_of(journal_path(project))
 
 
+def test_a_mark_far_from_the_prediction_is_red_at_once(client, desk):
+    """Of a point of the block: the answer to the action states it, and so does the prediction, which draws it."""
+    o = desk.block.observations
+    point = int(np.argmax(desk.block.ray_count))
+    row = np.flatnonzero(o.point == point)[0]
+    name, image = desk.block.points.ids[point], desk.block.images.ids[o.image[row]]
+    x, y = map(float, o.xy_px[row])
+    cov = [0.25, 0.25, 0.0]
+    good = act(client, "put", "p1", point=name, image=image, x_px=x + 0.2, y_px=y, covariance=cov).json()
+    assert not good["test"]["off"]
+    bad = act(client, "move", "p2", point=name, image=image, x_px=x + 30, y_px=y, covariance=cov).json()
+    assert bad["test"]["off"]
+    found = client.get("/api/predict", params={"point": name, "images": [image]}).json()
+    assert image in found["off"]
+    assert act(client, "undo", "p3").json()["test"] is None
+    assert client.get("/api/predict", params={"point": name, "images": [image]}).json()["off"] == []
+
+
 def test_masks_are_told_of_each_image(client, desk):
     a, b = desk.given.images.ids[:2]
     done = act(client, "mask", "m1", mask="tree", image=a, polygon=SQUARE)

@@ -24,6 +24,7 @@ export const SNAPS: SnapKind[] = ["auto", "ellipse", "corner", "cross", "patch",
 export const COLOUR = {
   used: "#56b4e9", weak: "#e69f00", rejected: "#d55e00", control: "#f0e442", check: "#2fc79a", mark: "#f5a3cf",
   current: "#ffffff", predicted: "#f0e442", beyond: "#ff5ad1", masked: "#ff7f2a",
+  off: "#ff3b30",
 };
 
 export const photoFilter = (): string =>

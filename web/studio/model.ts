@@ -81,7 +81,8 @@ export class Model {
       const answer = await this.actions.send(verb, args);
       this.command = answer.command;
       this.take(answer.state);
-      this.say(code, values, "good");
+      const { test } = answer;
+      this.show([say(code, values), test?.words ?? ""].filter((t) => t).reverse().join(" "), test?.off ? "bad" : "good", code);
       return true;
     } catch (error) {
       this.fail(error);

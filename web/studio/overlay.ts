@@ -11,6 +11,8 @@ export interface Shown {
   rejectedHere: Set<string>;
   marks: { mark: Mark; x: number; y: number }[];
   prediction: Prediction | null;
+  /** Whether the mark of the current point is mistaken here, or may be. */
+  off: boolean;
   image: string;
   fiducials: Fiducial[];
   fiducial: string;
@@ -65,7 +67,7 @@ export function drawOverlay(pen: Pen, view: View, shown: Shown, ratio: number): 
     drawBeyond(pen, view, o, shown.image);
   }
   if (shown.prediction) drawPrediction(pen, view, shown.prediction, shown.current);
-  for (const each of shown.marks) drawMark(pen, view, each, each.mark.point === shown.current);
+  for (const each of shown.marks) drawMark(pen, view, each, each.mark.point === shown.current, shown.off);
   for (const f of shown.fiducials) drawFiducial(pen, view, f, f.name === shown.fiducial);
   if (shown.hair) drawHair(pen, view);
 }
@@ -165,18 +167,18 @@ export function twice(pen: Pen, colour: string, width: number): void {
   pen.stroke();
 }
 
-function drawMark(pen: Pen, view: View, { mark, x, y }: Shown["marks"][number], current: boolean): void {
+function drawMark(pen: Pen, view: View, { mark, x, y }: Shown["marks"][number], current: boolean, off: boolean): void {
   const [u, v] = view.toScreen(x, y);
   const r = current ? 11 : 8;
-  const colour = current ? COLOUR.current : COLOUR.mark;
+  const colour = current && off ? COLOUR.off : current ? COLOUR.current : COLOUR.mark;
   pen.beginPath();
   for (const [a, b] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
     pen.moveTo(u + 2.5 * a, v + 2.5 * b);
     pen.lineTo(u + r * a, v + r * b);
   }
   twice(pen, colour, current ? 2 : 1.6);
-  if (current) ring(pen, u, v, 14, COLOUR.mark);
-  label(pen, mark.point, u + r + 4, v - 7, colour);
+  if (current) ring(pen, u, v, 14, off ? COLOUR.off : COLOUR.mark);
+  label(pen, current && off ? `${mark.point} !` : mark.point, u + r + 4, v - 7, colour);
 }
 
 function drawFiducial(pen: Pen, view: View, f: Fiducial, current: boolean): void {

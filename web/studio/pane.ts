@@ -119,7 +119,7 @@ export class Pane {
     const { model, picture } = this;
     const prediction = model.prediction?.predictions.find((p) => p.image === picture.id) ?? null;
     return {
-      observations: this.observations, rejectedHere: this.rejectedHere(), marks: this.marks(), prediction,
+      observations: this.observations, rejectedHere: this.rejectedHere(), marks: this.marks(), prediction, off: model.prediction?.off.includes(picture.id) ?? false,
       image: picture.id, fiducials: model.fiducialsIn(picture.id), fiducial: model.fiducial,
       current: model.current, hover: this.hover, hair: this.keyboard && document.activeElement === this.body,
     };

@@ -126,6 +126,8 @@ export interface Predictions {
     neglected: string;
     residuals: Record<string, [number, number]>;
   };
+  /** Images whose marks of the point are mistaken, or may be. */
+  off: string[];
   predictions: Prediction[];
   visible: { image: string; x: number; y: number; angle_deg: number; distance: number }[];
 }
@@ -138,6 +140,8 @@ export interface ActionAnswer {
   seq: number;
   state: State;
   command: string;
+  /** How far a mark lies from where the others see its point; null where nothing tests it. */
+  test?: { words: string; off: boolean } | null;
 }
 
 export interface Worst {

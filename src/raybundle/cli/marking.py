@@ -10,7 +10,7 @@ import click
 
 from raybundle.cli.common import FOLDER, Group, facts
 from raybundle.cli.summary import Summary, of_texts, report
-from raybundle.errors import note
+from raybundle.errors import Severity, note
 
 if TYPE_CHECKING:
     from raybundle.measuring.journal import Entry
@@ -51,7 +51,7 @@ def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
 
 def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
     """Do an action of a verb and report its number; a folder of photographs has its project begun."""
-    from raybundle.commands.marks import mark
+    from raybundle.commands.marks import mark, mark_verdict
     from raybundle.commands.new_project import measuring_folder, standing_folder
 
     begun, lines = list[Path](), list[str]()
@@ -65,7 +65,11 @@ def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
         arguments=words(of.arguments) if of else [],
     )  # fmt: skip
     first = [note("project_status.begun")] if begun else []
-    report(Summary(done=[*first, action], notices=of_texts(lines), files=begun))
+    test = mark_verdict(folder, arguments["image"], arguments["point"]) if verb in {"put", "move"} else None
+    tested = [] if test is None else [*test.messages]
+    fine = [m for m in tested if m.severity is not Severity.WARNING]
+    bad = [m for m in tested if m.severity is Severity.WARNING]
+    report(Summary(done=[*first, action, *fine], notices=[*bad, *of_texts(lines)], files=begun))
 
 
 def _moved(folder: Path, seq: int) -> Entry | None:

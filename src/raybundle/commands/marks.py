@@ -16,7 +16,7 @@ from raybundle.block import Block, Role
 from raybundle.commands.marked_results import adjust_marks_of
 from raybundle.commands.marks_settings import DatumSettings, QuerySettings
 from raybundle.commands.new_project import measuring_folder, standing_folder
-from raybundle.errors import InputError, phrase
+from raybundle.errors import InputError, Text, phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
 from raybundle.io.folders import check_free, new_folder
@@ -32,12 +32,14 @@ from raybundle.measuring.export import (
 )
 from raybundle.measuring.film import read_scans
 from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
+from raybundle.measuring.mark_tests import mark_verdict as verdict_of_mark
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.names import Known
 from raybundle.measuring.quantities import QUANTITIES, Quantity
 from raybundle.measuring.query import Answer, ask, in_axes
 from raybundle.measuring.selection import latest_figures, quantity_of, selected
-from raybundle.measuring.session import adjusted_again, block_folder, given_block, readjusted
+from raybundle.measuring.session import Session, adjusted_again, block_folder, given_block, readjusted
+from raybundle.measuring.start import AT_ONCE, to_begin
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.project import masks_given, photographs_of
@@ -161,6 +163,24 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
         if verb == "control" and "points" not in arguments:
             return journal.append(control_of(str(arguments.get("file", "")))[0], id=id, author=operator)
         return journal.append_verb(verb, arguments, id=id, author=operator)
+
+
+def mark_verdict(folder: str | Path, image: str, point: str) -> Text | None:
+    """How far a mark lies from where the block and the other marks see its point, in words; None: not known yet.
+
+    A block of more than `AT_ONCE` image observations is tested by `adjust_marks`.
+    """
+    project, state = _standing(folder), marks(folder)
+    inner = given_block(project)
+    block = read_block(inner)
+    known = Known.of(block)
+    if len(block.observations) > AT_ONCE or to_begin(block, state):
+        return None
+    if point not in known.points and len(state.marks_of(point)) < 2:
+        return None
+    block, options = made_as(inner, block)
+    session = Session.of_block(block, lambda b: readjusted(b, options=options))
+    return verdict_of_mark(session, state, point, known.image(image))
 
 
 def _beyond(folder: Path, state: State, quantity: str = "", limit: float = float("nan")) -> list[tuple[str, str]]:

@@ -1,13 +1,14 @@
-"""Marks by hand that contradict the others: found by data snooping, and named whether they took part or not.
+"""Marks by hand that contradict the others: left out of an adjustment where they are found, named in any case.
 
-A mistaken mark bends a block of few marks, the camera first, so that the residuals of the adjustment in which it took
-part need not show which it is, and blame the camera instead.  One in which contradicting observations leave one by one
-does.
+In an oriented block the marks of each point are tested against each other (`mark_tests`).  Where photographs were
+oriented from the marks alone, a mistaken one bends the block, the camera first, so that the residuals of the adjustment
+in which it took part need not show which it is, and blame the camera instead.  One in which contradicting observations
+leave one by one does.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,10 +17,13 @@ from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.severity import Severity
 from raybundle.adjustment.result import Adjustment
-from raybundle.adjustment.system.adjusted_values import as_start
 from raybundle.adjustment.system.predict import residuals_px
-from raybundle.block.rejection import RejectionKind
+from raybundle.block import Block
+from raybundle.block.rejection import RejectionKind, known_wrong
 from raybundle.errors import NotSolvable, Text, Value, phrase
+from raybundle.measuring.mark_tests import LEVEL, PointTest, point_test, variance_without
+from raybundle.measuring.position import Row
+from raybundle.measuring.session import Session
 from raybundle.numerics.arrays import Index
 from raybundle.numerics.statistics import ALPHA, family_wise_tau
 from raybundle.observations import observation_kinds
@@ -30,6 +34,8 @@ BENT = frozenset(
 """What a mistaken mark makes an adjustment say of others"""
 TESTED_UP_TO = 50_000
 """Image observations of a block whose marks are looked at."""
+ROUNDS = 3
+"""Adjustments anew without marks that the others contradict: what bent them may have hidden others."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,12 +49,17 @@ class Wrong:
     """its test value; NaN where there is none"""
     size_px: float = float("nan")
     """how far it lies from where the others see it; NaN where that hangs on which of several is wrong"""
+    shift: float = float("nan")
+    """how far the point moves without it, at most without one of several; NaN where it is not known [length unit]"""
+    unit: str = ""
+    """of `shift`; "": none, as of a block without scale"""
 
     @property
     def values(self) -> dict[str, Value]:
         """The values of its messages; 0 for numbers that are not known."""
-        known = {name: 0.0 if np.isnan(v) else v for name, v in (("tau", self.tau), ("size_px", self.size_px))}
-        return {"point": self.point, "images": self.images, "n": len(self.images), **known}
+        numbers = {"tau": self.tau, "size_px": self.size_px, "shift": self.shift if self.unit else 0.0}
+        known = {name: v if np.isfinite(v) else 0.0 for name, v in numbers.items()}
+        return {"point": self.point, "images": self.images, "n": len(self.images), "unit": self.unit, **known}
 
     @property
     def words(self) -> Text:
@@ -72,32 +83,92 @@ def wrong_marks(result: Adjustment, marked: frozenset[str]) -> tuple[Wrong, ...]
     return (*wrong, *(w for w in _left(result, marked) if w not in wrong))
 
 
-def with_wrong_marks(result: Adjustment, marked: frozenset[str], *, alone: bool) -> Adjustment:
-    """The result with a notice of each mistaken mark in place of what it makes the adjustment say of others.
+def without_wrong_marks(block: Block, marked: frozenset[str], adjust: Callable[[Block], Adjustment]) -> Adjustment:
+    """The adjustment of an oriented block without the marks that the others contradict, with a notice of each.
 
-    alone  whether photographs were oriented from the marks, so that a mistaken one may bend everything
-    Looked at where a test value of a mark, or, of marks alone, the sum of all squares is beyond its limit; named where
-    chance makes as large a test value anywhere in one of a thousand blocks.
+    Marks of which it cannot be determined which are wrong take part, and are named; so are those that nothing tests.
     """
+    result, wrong = adjust(block), dict[str, Wrong]()
+    tests = _tests(result, marked)
+    for _ in range(ROUNDS):
+        found = {f"{i}\n{t.point}": _of(result, t, i) for t in tests for i in t.wrong}
+        if not found:
+            break
+        wrong |= found
+        out = tuple((w.images[0], w.point) for w in wrong.values())
+        result = adjust(replace(block, rejected=(*block.rejected, *out)))
+        tests = _tests(result, marked)
+    open_ = [_of(result, t) for t in tests if t.contradicts]
+    named = {w.point for w in (*wrong.values(), *open_)}
+    left = [w for w in _beyond_chance(result, _left(result, marked)) if w.point not in named]
+    notices = [
+        *(_notice(w, took_part=True) for w in open_),
+        *(_notice(w, took_part=False) for w in (*wrong.values(), *left)),
+    ]
+    return _noted(result, notices, bent=bool(open_), tests=tests)
+
+
+def _noted(result: Adjustment, notices: Sequence[Notice], *, bent: bool, tests: Sequence[PointTest]) -> Adjustment:
+    """With notices of mistaken marks before all others, and one of those that nothing tests."""
+    others = [n for n in result.notices if not (bent and n.code in BENT)]
+    untested = [t for t in tests if t.untested]
+    if untested:
+        points = tuple(t.point for t in untested)
+        n = sum(len(t.untested) for t in untested)
+        others.append(Notice(code="marks_untested", values={"n": n, "points": points}, ids=points))
+    return replace(result, notices=(*notices, *others))
+
+
+def _tests(result: Adjustment, marked: frozenset[str]) -> list[PointTest]:
+    """The tests of the points marked by hand that two marks or more determine; none without covariances."""
+    if not result.options.statistics:
+        return []
+    session, b = Session.of(result), result.adjusted
+    variance = variance_without(result, marked)
+    o, taken = b.observations, ~known_wrong(b)
+    rows: dict[int, list[Row]] = {k: [] for k, name in enumerate(b.points.ids) if name in marked}
+    for k in np.flatnonzero(np.isin(o.point, [*rows]) & taken & b.images.oriented[o.image]):
+        xx, yy, xy = o.cov_px2[k]
+        covariance = np.array([[xx, xy], [xy, yy]])
+        rows[int(o.point[k])].append(Row(int(o.image[k]), np.array(o.xy_px[k]), covariance, adjusted=False))
+    level = LEVEL / max(len(rows), 1)
+    found = [point_test(session, b.points.ids[k], own, level=level, variance=variance) for k, own in rows.items()]
+    return [t for t in found if t is not None]
+
+
+def _of(result: Adjustment, test: PointTest, image: str = "") -> Wrong:
+    """The mark of an image that a test names, or all suspects."""
+    unit = "" if result.free_scale else result.given.length_unit
+    if image:
+        return Wrong(point=test.point, images=(image,), tau=test.sigmas[image], size_px=test.distance_px[image],
+                     shift=test.shift, unit=unit)  # fmt: skip
+    return Wrong(point=test.point, images=test.look, tau=max(test.sigmas.values()), shift=test.shift, unit=unit)
+
+
+def with_wrong_marks(result: Adjustment, marked: frozenset[str]) -> Adjustment:
+    """The result, oriented from marks, with a notice of each mistaken one in place of what it makes of others.
+
+    Looked at where a test value of a mark, or the sum of all squares is beyond its limit; named where chance makes as
+    large a test value anywhere in one of a thousand blocks.
+    """
+    return _noted(_with_blunders(result, marked), (), bent=False, tests=_tests(result, marked))
+
+
+def _with_blunders(result: Adjustment, marked: frozenset[str]) -> Adjustment:
     if result.options.reject == "snooping":
         return _with_notices(result, result, _beyond_chance(result, _left(result, marked)))
-    if (
-        not result.options.statistics
-        or len(result.given.observations) > TESTED_UP_TO
-        or not _doubtful(result, marked, alone=alone)
-    ):
+    if not result.options.statistics or len(result.given.observations) > TESTED_UP_TO or not _doubtful(result, marked):
         return result
-    start = as_start(result.given, result.adjusted) if not alone else result.given
     try:
-        tested = decide(start, replace(result.options, reject="snooping"))
+        tested = decide(result.given, replace(result.options, reject="snooping"))
     except NotSolvable:
         return result
     return _with_notices(result, tested, _beyond_chance(tested, _left(tested, marked)))
 
 
-def _doubtful(result: Adjustment, marked: frozenset[str], *, alone: bool) -> bool:
+def _doubtful(result: Adjustment, marked: frozenset[str]) -> bool:
     _, square, upper = result.global_test
-    if alone and square > upper:
+    if square > upper:
         return True
     at = [k for k, name in enumerate(result.given.points.ids) if name in marked]
     t = np.abs(result.image_observations.t[np.isin(result.given.observations.point, at)])
@@ -123,8 +194,9 @@ def _with_notices(result: Adjustment, tested: Adjustment, found: Sequence[Wrong]
 
 
 def _notice(wrong: Wrong, *, took_part: bool) -> MarkNotice:
+    code = "mark_contradicts" if len(wrong.images) == 1 else "mark_contradicts.undecided"
     return MarkNotice(
-        code="mark_contradicts" if took_part else "mark_contradicts.excluded", values=wrong.values,
+        code=code if took_part else "mark_contradicts.excluded", values=wrong.values,
         ids=(wrong.point, *wrong.images), wrong=wrong, measured=Severity.FAULT if took_part else Severity.WARNING,
     )  # fmt: skip
 

@@ -95,6 +95,12 @@ def locate(session: Session, state: State, point: str, *, without: str = "", als
     return Located(point, kind, neglected=session.neglected, rows=rows)
 
 
+def rows_of(session: Session, state: State, point: str) -> list[Row]:
+    """All that oriented images show of a point, marks in place of what the block has."""
+    known = session.points.get(point, session.points.get(_original(state, point), -1))
+    return _rows(session, state, point, known)[0]
+
+
 def _original(state: State, point: str) -> str:
     return next((old for old, new in state.renamed.items() if new == point), point)
 

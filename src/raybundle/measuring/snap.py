@@ -7,7 +7,7 @@ adjustment to find.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -15,7 +15,8 @@ import numpy as np
 from raybundle.errors import InputError, Text, named, phrase
 from raybundle.matching.least_squares import Outcome, WindowOptions, match_windows, with_noisy_gradients
 from raybundle.matching.refine import CORRELATION, INTERPOLATION_PX2, smoothed
-from raybundle.measuring.junction import LEAST_ANGLE, Model, fit_junction, forstner_point
+from raybundle.measuring.junction import LEAST_ANGLE, Junction, Model, fit_junction, forstner_point
+from raybundle.measuring.window_cross import HALVES, fit_window_cross
 from raybundle.numerics.arrays import Array
 from raybundle.targets.centre import fit_dots
 from raybundle.targets.detect import detect_targets, eight_bits
@@ -37,7 +38,8 @@ WINDOWS_PATCH = ((8, 4.8), (12, 7.2), (5, 3.0))
 SURFACE_PX = 0.18
 """Standard deviation that a patch has beside what its grey values and its windows show: surfaces are not plane, and
 their noise is not white.  With it the mean square of the errors over their stated covariance is near 1 on the
-demonstration's photographs, whose truth is known (tests/studio/test_patches.py)."""
+demonstration's photographs, whose truth is known (tests/studio/test_patches.py).  Crosses of windows have it, too:
+their mouldings stand before the panes."""
 FLOOR_PX = {"corner": 0.005}
 """Standard deviation of what a model leaves out: pixels are square and not Gaussian."""
 PEAKS = 4
@@ -55,6 +57,8 @@ WINDOWS = (1.25, 1.3, 1.4, 1.5)
 """Radii to which the ground around a small dot within a ring may be free."""
 RESIDUAL = 0.10
 """Largest standard deviation of a grey value, in units of the contrast, of what is still a corner or cross."""
+WINDOW_RESIDUAL = 0.15
+"""The same of the crosses of windows, whose covariance holds what their texture shares."""
 CONTRAST = 8.0
 """Least contrast [grey values of 256]."""
 SIGMA_PX = 0.3
@@ -114,10 +118,14 @@ def snap(
     _check(grey, x, y, kind, reach_px)
     if kind == "patch" and reference is None:
         raise InputError("snap.no_reference")
-    if kind != "auto":
-        return _snap(grey, x, y, kind, reference, reach_px)
-    if reference is not None:
-        return _snap(grey, x, y, reference.kind, reference, reach_px)
+    if kind != "auto" or reference is not None:
+        taken = reference.kind if kind == "auto" and reference is not None else kind
+        assert taken != "auto"
+        only = _snap(grey, x, y, taken, reference, reach_px)
+        if taken != "cross" or isinstance(only, Snapped):
+            return only
+        wide = _snap(grey, x, y, "cross", None, reach_px, wide=True)
+        return wide if isinstance(wide, Snapped) else only
     dot = _snap(grey, x, y, "ellipse", None, reach_px)
     if isinstance(dot, Snapped) and isinstance(_snap(grey, x, y, "ellipse", None, NEXT_TO_NOTHING), Snapped):
         return dot
@@ -125,6 +133,9 @@ def snap(
     found = [t for t in tried if isinstance(t, Snapped)]
     if found:
         return min(found, key=lambda f: f.moved_px)
+    wide = _snap(grey, x, y, "cross", None, reach_px, wide=True)
+    if isinstance(wide, Snapped):
+        return wide
     return NotSnapped(kind="auto", why=Text.of(*(named(t.kind, t.why) for t in tried if isinstance(t, NotSnapped))))
 
 
@@ -140,7 +151,7 @@ def _check(grey: Array, x: float, y: float, kind: str, reach_px: float) -> None:
 
 
 def _snap(
-    grey: Array, x: float, y: float, kind: Found, reference: Reference | None, reach_px: float
+    grey: Array, x: float, y: float, kind: Found, reference: Reference | None, reach_px: float, *, wide: bool = False
 ) -> Snapped | NotSnapped:
     click = np.array([x, y])
     if kind == "ellipse":
@@ -148,6 +159,8 @@ def _snap(
     elif kind == "patch":
         assert reference is not None
         found = _patch(grey, click, reference, reach_px)
+    elif wide:
+        found = _window_cross(grey, click, reach_px)
     else:
         found = _junction(grey, click, kind, reach_px)
     if isinstance(found, Text):
@@ -250,6 +263,11 @@ def _junction(grey: Array, click: Array, kind: Model, reach: float) -> Point | T
             break
         at = fit.xy
     assert fit is not None
+    return _refused(fit, kind, RESIDUAL, scale) or (fit.xy, fit.covariance, 1 - fit.residual / RESIDUAL)
+
+
+def _refused(fit: Junction, kind: Model, residual: float, scale: float) -> Text | None:
+    """Why a corner or a cross is none."""
     if not fit.ended or not np.isfinite(fit.covariance).all():
         return phrase("not_snapped.no_place", kind=kind)
     if fit.contrast < CONTRAST * scale:
@@ -257,11 +275,31 @@ def _junction(grey: Array, click: Array, kind: Model, reach: float) -> Point | T
     if fit.angle < LEAST_ANGLE:
         angle, limit = np.degrees([fit.angle, LEAST_ANGLE])
         return phrase("not_snapped.angle", angle_deg=angle, limit_deg=limit)
-    if fit.residual > RESIDUAL:
-        return phrase("not_snapped.grey_values", kind=kind, residual=fit.residual, limit=RESIDUAL)
+    if fit.residual > residual:
+        return phrase("not_snapped.grey_values", kind=kind, residual=fit.residual, limit=residual)
     if (sigma := _largest_sigma(fit.covariance)) > SIGMA_PX:
         return phrase("not_snapped.sigma", sigma_px=sigma, limit_px=SIGMA_PX, texture=True)
-    return fit.xy, fit.covariance, 1 - fit.residual / RESIDUAL
+    return None
+
+
+def _window_cross(grey: Array, click: Array, reach: float) -> Point | Text:
+    """The cross of unequal bars nearest to the click, in a photograph's texture."""
+    meeting = _nearest_meeting(grey, click, reach)
+    starts, fit = [click] if meeting is None else [click, meeting], None
+    for _ in range(3):
+        fit = fit_window_cross(grey, starts)
+        if fit is None:
+            return phrase("not_snapped.margin")
+        if not np.isfinite(fit.xy).all() or np.hypot(*(fit.xy - starts[0])) > HALVES[0]:
+            return phrase("not_snapped.other_grey_values", kind="cross")
+        if (np.floor(fit.xy) == np.floor(starts[0])).all():
+            break
+        starts = [fit.xy]
+    assert fit is not None
+    fit = replace(fit, covariance=fit.covariance + SURFACE_PX**2 * np.eye(2))
+    scale = 1.0 if grey.dtype == np.uint8 else 256.0
+    why = _refused(fit, "cross", WINDOW_RESIDUAL, scale)
+    return why or (fit.xy, fit.covariance, 1 - fit.residual / WINDOW_RESIDUAL)
 
 
 def _largest_sigma(covariance: Array) -> float:

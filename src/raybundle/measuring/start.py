@@ -12,7 +12,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import NoOrientation, NotSolvable, Text, as_detail, joined_texts, note, phrase
 from raybundle.measuring.film import Scans
-from raybundle.measuring.mark_blunders import Wrong, with_wrong_marks, wrong_marks
+from raybundle.measuring.mark_blunders import Wrong, with_wrong_marks, without_wrong_marks, wrong_marks
 from raybundle.measuring.merge import Merged, merge
 from raybundle.measuring.orienting import unoriented
 from raybundle.measuring.session import Session
@@ -146,8 +146,9 @@ def adjusted(made: Merged, adjust: Callable[[Block], Adjustment]) -> Adjustment:
             details=[k.message for k in made.lacking[:20]],
             images={k.image: k.words for k in made.lacking},
         )
-    result = solved(made.block, adjust)[0] if made.new else adjust(made.block)
-    return with_wrong_marks(result, made.marked, alone=made.new)
+    if not made.new:
+        return without_wrong_marks(made.block, made.marked, adjust)
+    return with_wrong_marks(solved(made.block, adjust)[0], made.marked)
 
 
 def standing_after(made: Merged, result: Adjustment) -> Standing:

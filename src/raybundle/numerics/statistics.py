@@ -76,6 +76,20 @@ def chi_square_tails(value: float, freedom: float) -> tuple[float, float]:
     return float(gammainc(freedom / 2, value / 2)), float(gammaincc(freedom / 2, value / 2))
 
 
+def chi_square_limit(significance: float, freedom: int) -> float:
+    """Value that a chi-square exceeds with a probability."""
+    from scipy.special import chdtri
+
+    return float(chdtri(freedom, significance))
+
+
+def detectable_noncentrality(significance: float, freedom: int, power: float) -> float:
+    """Noncentrality that a chi-square test at this significance detects with this power (Baarda 1968)."""
+    from scipy.special import chndtrinc
+
+    return float(chndtrinc(chi_square_limit(significance, freedom), freedom, 1 - power))
+
+
 def fisher_tail(value: float, first: int, second: float) -> float:
     """Probability of a larger F value with so many degrees of freedom; the second infinite: chi-square / first."""
     from scipy.special import chdtrc, fdtrc

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.errors import Text
+from raybundle.errors import Severity, Text
 from raybundle.measuring.frames import file_matrix, to_file
 from raybundle.measuring.journal import measured_result
+from raybundle.measuring.mark_tests import mark_verdict, off_images, point_test_of
 from raybundle.measuring.predict import Prediction, predict, visible, worst
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array
@@ -141,12 +142,23 @@ def predictions(desk: Desk, point: str, images: Sequence[str]) -> dict[str, Any]
             "neglected": located.neglected,
             "residuals": {i: list(v) for i, v in located.residuals_px.items()},
         },
+        "off": list(off_images(point_test_of(session, state, point))),
         "predictions": [_prediction(predict(session, state, point, i)) for i in images[:MOST_PREDICTIONS]],
         "visible": [
             {"image": v.image, "x": v.xy_px[0], "y": v.xy_px[1], "angle_deg": v.angle_deg, "distance": v.distance}
             for v in visible(session, state, point)
         ],
     }  # fmt: skip
+
+
+def tested(desk: Desk, verb: str, arguments: Mapping[str, Any]) -> dict[str, Any] | None:
+    """How far a mark that was just put or moved lies from the others, and whether it is mistaken."""
+    if verb not in {"put", "move"}:
+        return None
+    found = mark_verdict(desk.session, desk.journal.state, str(arguments["point"]), str(arguments["image"]))
+    if found is None:
+        return None
+    return {"words": found, "off": any(m.severity is Severity.WARNING for m in found.messages)}
 
 
 def _prediction(p: Prediction) -> dict[str, Any]:

@@ -206,7 +206,10 @@ class Studio:
         self.live.notify_from_thread({"type": "state", "state": state})
         self.work.soon()
         e = next(iter(self.desk.journal.entries(seq - 1)))
-        return {"seq": seq, "state": state, "command": command_of(self.desk.source, e.verb, e.arguments)}
+        return {
+            "seq": seq, "state": state, "command": command_of(self.desk.source, e.verb, e.arguments),
+            "test": answers.tested(self.desk, e.verb, e.arguments),
+        }  # fmt: skip
 
     def _control(self, given: dict[str, Any]) -> dict[str, Any]:
         """Control coordinates of a table: one action, which holds the rows."""

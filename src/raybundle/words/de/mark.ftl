@@ -128,3 +128,15 @@ mark-contradicts = { $n ->
        *[other] {" "}(Testgröße { NUM($tau, decimals: 1) }).
     }
     .do = Die Bildmessung prüfen.
+
+mark-off = Die Bildmessung von { $point } in { $image } liegt { NUM($distance_px, digits: 2) } px ({ NUM($sigmas, digits: 2) } Standardabweichungen) daneben.
+    .why = { $n ->
+        [one] Die andere Beobachtung sieht
+       *[other] Die { $n } anderen Beobachtungen sehen
+    } den Punkt an anderer Stelle. Grenze: vier Standardabweichungen.
+    .do = Die Bildmessung in { LIST($images, most: 4) } prüfen, die erste zuerst.
+
+mark-fits = { $point } passt: { NUM($distance_px, digits: 2) } px ({ NUM($sigmas, digits: 2) } Standardabweichungen) neben den anderen.
+
+mark-open = { $point } ist noch nicht geprüft: { NUM($distance_px, digits: 2) } px neben den anderen, größere Fehler sind möglich.
+    .do = In einem weiteren Foto aus anderer Richtung messen.

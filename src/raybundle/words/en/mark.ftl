@@ -214,3 +214,33 @@ mark-contradicts = { $n ->
        *[other] {" "}(test value { NUM($tau, decimals: 1) }).
     }
     .do = Check the mark.
+
+# $point = "P12"
+# $image = "a.jpg"
+# $distance_px = 71.4
+# $sigmas = 140
+# $images = ["a.jpg"]
+# $n = 3
+mark-off = The mark of { $point } in { $image } lies { NUM($distance_px, digits: 2) } px ({ NUM($sigmas, digits: 2) } sigma) off.
+    .why = The { $n } other { $n ->
+        [one] observation sees
+       *[other] observations see
+    } the point elsewhere. Limit: four standard deviations.
+    .do = Check the mark in { LIST($images, most: 4) }, the first one first.
+
+# $point = "P12"
+# $image = "a.jpg"
+# $distance_px = 71.4
+# $sigmas = 140
+# $images = ["a.jpg"]
+# $n = 3
+mark-fits = { $point } fits: { NUM($distance_px, digits: 2) } px ({ NUM($sigmas, digits: 2) } standard deviations) from the others.
+
+# $point = "P12"
+# $image = "a.jpg"
+# $distance_px = 71.4
+# $sigmas = 140
+# $images = ["a.jpg"]
+# $n = 3
+mark-open = { $point } is not tested yet: { NUM($distance_px, digits: 2) } px from the others, larger errors may be hidden.
+    .do = Measure it in another photograph, from another direction.

@@ -3,12 +3,11 @@
 # $n = 1
 # $tau = 7.4
 # $size_px = 12.5
-mark_contradicts = { $n ->
-        [one] The mark of { $point } in { $images } contradicts the others{ $size_px ->
-            [0] {""}
-           *[other] {" "}by { NUM($size_px, digits: 2) } px
-        }
-       *[other] The marks of { $point } contradict each other: { $images }
+# $shift = 0.021
+# $unit = "m"
+mark_contradicts = The mark of { $point } in { $images } contradicts the others{ $size_px ->
+        [0] {""}
+       *[other] {" "}by { NUM($size_px, digits: 2) } px
     }{ $tau ->
         [0] .
        *[other] {" "}(test value { NUM($tau, decimals: 1) }).
@@ -21,6 +20,8 @@ mark_contradicts = { $n ->
 # $n = 1
 # $tau = 7.4
 # $size_px = 12.5
+# $shift = 0.021
+# $unit = "m"
 mark_contradicts-excluded = { $n ->
         [one] The mark of { $point } in { $images } contradicts the others{ $size_px ->
             [0] {""}
@@ -29,7 +30,24 @@ mark_contradicts-excluded = { $n ->
        *[other] The marks of { $point } contradict each other: { $images }
     }{ $tau ->
         [0] .
-       *[other] {" "}(test value { NUM($tau, decimals: 1) }).
+       *[other] {" "}(test value { NUM($tau, decimals: 1) }){ $shift ->
+            [0] .
+           *[other] ; effect { NUM($shift, digits: 2) } { $unit }.
+        }
     }
-    .why = It is excluded from the result.
+    .why = It is excluded from the result, in which the point stands without this effect.
     .do = Check the mark.
+
+# $point = "P12"
+# $images = ["a.jpg", "b.jpg", "c.jpg"]
+# $n = 3
+# $tau = 7.4
+# $size_px = 0
+# $shift = 0.021
+# $unit = "m"
+mark_contradicts-undecided = The { $n } marks of { $point } contradict each other: { LIST($images, most: 3) }{ $shift ->
+        [0] .
+       *[other] ; effect up to { NUM($shift, digits: 2) } { $unit }.
+    }
+    .why = Do not use this point: a wrong mark took part, and which one is not determinable.
+    .do = Check these marks, the first one first, or measure the point in another photograph.

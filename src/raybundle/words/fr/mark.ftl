@@ -66,3 +66,9 @@ mark-contradicts = { $n ->
         [one] La marque de { $point } dans { $images } contredit les autres
        *[other] Les marques de { $point } se contredisent : { $images }
     }.
+
+mark-off = La marque de { $point } dans { $image } est à { NUM($distance_px, digits: 2) } px ({ NUM($sigmas, digits: 2) } écarts-types) des autres.
+
+mark-fits = { $point } convient : { NUM($distance_px, digits: 2) } px ({ NUM($sigmas, digits: 2) } écarts-types) des autres.
+
+mark-open = { $point } n'est pas encore contrôlé : { NUM($distance_px, digits: 2) } px des autres, de plus grandes erreurs sont possibles.
