@@ -554,8 +554,7 @@ def convert(
     frame_origin  Origin of the block's local east-north-up frame, in crs=. Without it, the block is in crs= itself and
                   is transformed to a local frame in its middle.
     undulation    Height of the geoid above the ellipsoid of WGS 84 or GRS 80, for crs=.
-    photos        Folder of the photographs, for colours of points and undistort=. An oriented project needs it for
-                  undistort= only.
+    photos        Folder of the photographs, for colours of points and undistort=.  [default: as the project states]
     undistort     Write undistorted photographs into images/ beside out=, with pinhole cameras. inside: no empty pixels.
                   all: nothing is cut.
     within        Plane of the drawing (dxf, gpkg): X right, Y up, Z out of it. Give the NAME.toml that rectify writes

@@ -48,8 +48,8 @@ class ConvertSettings:
         None, "Height of the geoid above the ellipsoid of WGS 84 or GRS 80, for {crs}.", metavar="M", limits=ANY
     )
     photos: Path | None = setting(
-        None, "Folder of the photographs, for colours of points and {undistort}. An oriented project needs it for "
-        "{undistort} only.", metavar="FOLDER",
+        None, "Folder of the photographs, for colours of points and {undistort}.  [default: as the project states]",
+        metavar="FOLDER",
     )  # fmt: skip
     undistort: Literal["inside", "all"] | None = setting(
         None, "Write undistorted photographs into images/ beside {out}, with pinhole cameras. inside: no empty "
@@ -195,8 +195,6 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
     s, to = settings, settings.to
     if (s.frame_origin is not None or s.undulation is not None) and s.crs is None:
         raise InputError("crs.needed_by_settings")
-    if s.undistort and s.photos is None:
-        raise InputError("photograph.folder_unknown")
     if s.within is not None and (to in {BLOCK, RPC} or not formats[to].in_plane):
         known = sorted(name for name, f in formats.items() if f.in_plane)
         raise InputError("format.not_in_plane", format=to, known=known)
@@ -204,6 +202,10 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
         raise InputError("format.no_tables", format=to)
     check_new(s.out, to)
     source = result_within(s.source) if s.read_as in {None, BLOCK} else s.source
+    known = photographs_of(source)
+    photos = s.photos or (known[0] if len(known) == 1 else None)
+    if s.undistort and photos is None:
+        raise InputError("photograph.folder_unknown", file=s.source)
     export, remarks = read_source(source, s.read_as, approximate=s.approximate)
     if to == BLOCK and (s.read_as or recognised(source)) != BLOCK:
         block, more = with_two_rays(export.block)
@@ -224,14 +226,14 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
         axes, frame = axes_in(s.within, export), export.frame
         export = replace(export, within=axes, frame=frame if axes is None else None)
     coloured = to not in {BLOCK, RPC} and formats[to].colours
-    if folders := (s.photos,) if s.photos is not None else photographs_of(source) if coloured else ():
+    if folders := (s.photos,) if s.photos is not None else known if coloured else ():
         colours, more = point_colours(export.block, folders, progress=progress)
         export = replace(export, colours=colours)
         remarks += more
     with ExitStack() as pictures:  # they take their name when the model has its own
-        if s.undistort and s.photos is not None:
+        if s.undistort and photos is not None:
             images = s.out.parent / "images"
-            export, more = pictures.enter_context(straightened(export, s.photos, images, s.undistort, progress))
+            export, more = pictures.enter_context(straightened(export, photos, images, s.undistort, progress))
             remarks += more
         progress("writing", 0.0)
         files, more, deviation = written(
