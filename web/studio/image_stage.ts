@@ -61,7 +61,7 @@ export class ImageStage implements Stage {
       made.setAttribute("aria-label", words);
       return made;
     });
-    const select = h("select", { id: "filter" }, ...choices(FILTERS, (filter) => say("studio_photo.filter", { filter })));
+    const select = h("select", { id: "filter" }, ...choices(FILTERS, (filter) => say("studio_photo.filter", { filter }), looks.filter));
     select.addEventListener("change", () => this.look(() => (looks.filter = select.value as Filter)));
     this.loupe = h("input", { type: "checkbox", id: "loupe" });
     this.loupe.addEventListener("change", () => this.look(() => (looks.loupe = this.loupe.checked)));

@@ -15,7 +15,7 @@ export interface Looks {
 }
 
 export const looks: Looks = {
-  brightness: 1, contrast: 1, vectors: 40, filter: "all", loupe: false, linked: true, snap: "auto",
+  brightness: 1, contrast: 1, vectors: 40, filter: "worst", loupe: false, linked: true, snap: "auto",
 };
 
 export const SNAPS: SnapKind[] = ["auto", "ellipse", "corner", "cross", "patch", "hand"];
