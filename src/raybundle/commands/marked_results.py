@@ -43,6 +43,12 @@ if TYPE_CHECKING:
     from raybundle.workflows.orient import Orientation
 
 
+PASSED = (
+    "images", "components", "stages", "image_sigma_px", "photographs_sha256", "frame", "upright", "measurements",
+)  # fmt: skip
+"""Keys of result.json that `orient` writes and every later result of the project keeps"""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Passed:
     """What the result of a project passes on to the one that replaces it."""
@@ -81,10 +87,8 @@ def passed_on(folder: Path) -> Passed:
     found: Any = tree.get("frame").value if tree is not None and tree.has("frame") else None
     folders = photographs_of(folder)
     photographs = [str(p.resolve()) for p in folders]  # commands that are given the result ask for them
-    additions: dict[str, object] = {
-        **({PHOTOGRAPHS_IN: photographs} if photographs else {}),
-        **({"frame": found} if found else {}),
-    }
+    stated_too = {name: tree.get(name).value for name in PASSED if tree is not None and tree.has(name)}
+    additions: dict[str, object] = {**({PHOTOGRAPHS_IN: photographs} if photographs else {}), **stated_too}
     return Passed(
         language=language_in(folder), record=stated, known=known, wanted=wanted, additions=additions, folders=folders,
         frame=frame_from_mapping(found) if isinstance(found, dict) else None,
@@ -106,6 +110,8 @@ def write_marked(
 
     project, known = project_of(folder), passed_on(folder)
     additions = dict(known.additions or {})
+    if "images" in additions:
+        additions["images"] = _oriented_now(additions["images"], adjustment)
 
     def written(target: Path, added: dict[str, object]) -> Path:
         write_result(
@@ -130,6 +136,16 @@ def adjust_marks_of(
     found = merge(read_block(block), state, scans)
     lacking = {k.image: k.words for k in found.lacking if k.kind != "marks"}
     return adjusted(found, lambda block: adjust(block, decided, progress)), {**found.left_out, **lacking}
+
+
+def _oriented_now(images: object, adjustment: Adjustment) -> object:
+    """What `orient` stated of its photographs, with those that marks have oriented since."""
+    given: dict[str, Any] = dict(images) if isinstance(images, dict) else {}
+    block = adjustment.adjusted.images
+    there = {f for f, o in zip(block.file, block.oriented.tolist(), strict=True) if o}
+    lost = given.get("not_oriented")
+    left = [k for k in lost if not (isinstance(k, dict) and k.get("file") in there)] if isinstance(lost, list) else []
+    return {**given, "oriented": int(block.oriented.sum()), "not_oriented": left}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

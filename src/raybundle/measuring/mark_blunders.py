@@ -86,7 +86,8 @@ def wrong_marks(result: Adjustment, marked: frozenset[str]) -> tuple[Wrong, ...]
 def without_wrong_marks(block: Block, marked: frozenset[str], adjust: Callable[[Block], Adjustment]) -> Adjustment:
     """The adjustment of an oriented block without the marks that the others contradict, with a notice of each.
 
-    Marks of which it cannot be determined which are wrong take part, and are named; so are those that nothing tests.
+    Marks of which it cannot be determined which are wrong take part with standard deviations under which they agree,
+    and are named; so are those that nothing tests.
     """
     result, wrong = adjust(block), dict[str, Wrong]()
     tests = _tests(result, marked)
@@ -98,7 +99,11 @@ def without_wrong_marks(block: Block, marked: frozenset[str], adjust: Callable[[
         out = tuple((w.images[0], w.point) for w in wrong.values())
         result = adjust(replace(block, rejected=(*block.rejected, *out)))
         tests = _tests(result, marked)
-    open_ = [_of(result, t) for t in tests if t.contradicts]
+    undecided = [t for t in tests if t.contradicts]
+    open_ = [_of(result, t) for t in undecided]
+    if undecided:
+        out = tuple((w.images[0], w.point) for w in wrong.values())
+        result = adjust(replace(_with_larger_sigmas(block, undecided), rejected=(*block.rejected, *out)))
     named = {w.point for w in (*wrong.values(), *open_)}
     left = [w for w in _beyond_chance(result, _left(result, marked)) if w.point not in named]
     notices = [
@@ -106,6 +111,15 @@ def without_wrong_marks(block: Block, marked: frozenset[str], adjust: Callable[[
         *(_notice(w, took_part=False) for w in (*wrong.values(), *left)),
     ]
     return _noted(result, notices, bent=bool(open_), tests=tests)
+
+
+def _with_larger_sigmas(block: Block, tests: Sequence[PointTest]) -> Block:
+    """The block with the marks of these points as inaccurate as they contradict each other: T over its mean."""
+    o, covariance = block.observations, np.array(block.observations.cov_px2)
+    position = {name: k for k, name in enumerate(block.points.ids)}
+    for t in tests:
+        covariance[o.point == position[t.point]] *= max(t.square / max(2 * len(t.images) - 3, 1), 1.0)
+    return replace(block, observations=replace(o, cov_px2=covariance))
 
 
 def _noted(result: Adjustment, notices: Sequence[Notice], *, bent: bool, tests: Sequence[PointTest]) -> Adjustment:

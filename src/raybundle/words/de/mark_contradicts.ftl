@@ -31,5 +31,5 @@ mark_contradicts-undecided = Die { $n } Bildmessungen von { $point } widersprech
         [0] .
        *[other] ; Wirkung bis { NUM($shift, digits: 2) } { $unit }.
     }
-    .why = Diesen Punkt nicht verwenden: Eine falsche Bildmessung ging ein, und welche, ist nicht bestimmbar.
+    .why = Welche falsch ist, ist nicht bestimmbar: alle gingen mit Standardabweichungen ein, unter denen sie übereinstimmen.
     .do = Diese Bildmessungen prüfen, die erste zuerst, oder den Punkt in einem weiteren Foto messen.

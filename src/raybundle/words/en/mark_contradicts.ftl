@@ -49,5 +49,5 @@ mark_contradicts-undecided = The { $n } marks of { $point } contradict each othe
         [0] .
        *[other] ; effect up to { NUM($shift, digits: 2) } { $unit }.
     }
-    .why = Do not use this point: a wrong mark took part, and which one is not determinable.
+    .why = Which one is wrong is not determinable: all took part with standard deviations under which they agree.
     .do = Check these marks, the first one first, or measure the point in another photograph.
