@@ -26,6 +26,9 @@ from raybundle.block.select import select_block as select_block
 from raybundle.block.transform import transform_block as transform_block
 from raybundle.calibration.at_pixels import projection_uncertainty as projection_uncertainty
 from raybundle.cameras.opencv import OpenCVCamera as OpenCVCamera
+from raybundle.commands.archive import Archive as Archive
+from raybundle.commands.archive import ArchiveSettings as ArchiveSettings
+from raybundle.commands.archive import archive as archive
 from raybundle.commands.calibrate import CalibrateSettings as CalibrateSettings
 from raybundle.commands.calibrations import CalibrationAddSettings as CalibrationAddSettings
 from raybundle.commands.calibrations import CalibrationCompareSettings as CalibrationCompareSettings
@@ -134,6 +137,8 @@ from typing import Literal
 __all__ = [
     "Adjustment",
     "AdjustmentOptions",
+    "Archive",
+    "ArchiveSettings",
     "Batch",
     "Block",
     "BoardViews",
@@ -205,6 +210,7 @@ __all__ = [
     "__version__",
     "adjust",
     "adjust_marks",
+    "archive",
     "begin",
     "board_block",
     "calibrate",

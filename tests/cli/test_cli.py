@@ -127,10 +127,10 @@ def raising(error):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("adjust", "x"), "Missing option '--out'"),
+        (("adjust", "x"), "[adjustment.out_missing]"),
         (("adjust", "x", "--out", "y", "--datum", "best"), "'best' is not one of 'auto', 'control'"),
         (("polish",), "No such command 'polish'"),
-        (("compare", "only-one"), "Missing argument"),
+        (("compare", "only-one"), "[comparison.one_result]"),
         (("simulate", "moon", "--out", "x"), "[simulation.unknown_scene]"),
     ],
 )

@@ -222,7 +222,16 @@ def options_of_commands(command, context, name=""):
     return found
 
 
-FOREIGN = {"--preload", "--nthreads", "--no-deps", "--no-compile", "--dest", "--no-index", "--find-links"}
+FOREIGN = {
+    "--memory-limit",
+    "--preload",
+    "--nthreads",
+    "--no-deps",
+    "--no-compile",
+    "--dest",
+    "--no-index",
+    "--find-links",
+}
 """Options of other programs, as of pip and Dask."""
 
 

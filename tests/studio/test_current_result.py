@@ -13,7 +13,7 @@ from raybundle.commands.marked_results import write_marked
 from raybundle.commands.status import status_of
 from raybundle.errors import InputError
 from raybundle.measuring.session import given_block, latest_block
-from raybundle.results.project_results import base_result, earlier_results, made_of
+from raybundle.results.project_results import base_result, earlier_results, made_of, replacing
 
 
 def marked(project, *, length=2.0):
@@ -131,3 +131,47 @@ def test_a_further_run_of_orient_adjusts_with_the_marks(project, photo_folders, 
     assert "marks_not_adjusted" in {n.code for n in done.adjustment.notices}
     assert "scale" in done.adjustment.datum_defect
     assert not made_of(project / "result").base
+
+
+def test_a_missing_or_damaged_base_is_named_and_orient_mends_it(project, photo_folders):
+    marked(project)
+    rb.mark(project, "unbar", start="A", end="B")
+    base = project / "results" / "1-orient"
+    (base / "block" / "block.toml").unlink()
+    with pytest.raises(InputError) as refused:
+        adjusted(project)
+    assert refused.value.code == "project.base_missing"
+    shutil.rmtree(base)
+    with pytest.raises(InputError) as refused:
+        adjusted(project)
+    assert refused.value.code == "project.base_missing"
+    done = rb.orient(sorted(photo_folders[0].glob("*.jpg"))[:5], project, precise=False, report=False)
+    assert "scale" in done.adjustment.datum_defect
+    assert adjusted(project) == project / "result"
+
+
+def test_what_result_json_states_chooses_no_other_folder(project, tmp_path):
+    file = project / "result" / "result.json"
+    made = {"made": {"by": "x/../../../victim", "base": "../../victim"}}
+    file.write_text(json.dumps({**stated(project / "result"), **made}))
+    adjusted(project)
+    assert {p.name for p in project.parent.iterdir()} == {"photos", "project"}
+    assert [p.name for p in earlier_results(project)] == ["1-orient"]
+
+
+def test_killed_runs_leave_one_copy_and_folders_of_others_stay(project, monkeypatch):
+    foreign = project / "results" / "7-orient"
+    foreign.mkdir(parents=True)
+    (foreign / "notes.txt").write_text("mine")
+    monkeypatch.setattr("raybundle.results.project_results.MOST", 1)
+    killed = [replacing(project, "marks", marks=True) for _ in range(3)]
+    for run in killed:  # between keeping and replacing; what ends them has no say
+        run.__enter__()
+    assert [p.name for p in earlier_results(project)] == ["8-orient"]
+    assert [k.path.name for k in status_of(project).results] == ["result"]
+    marked(project)
+    for k in range(2):
+        rb.mark(project, "bar", start="A", end="B", length=2.1 + k, sigma=0.001)
+        adjusted(project)
+    assert (foreign / "notes.txt").read_text() == "mine"
+    assert base_result(project) == project / "results" / "8-orient"

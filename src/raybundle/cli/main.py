@@ -62,6 +62,7 @@ TASKS: dict[str, dict[str, str]] = {
         "convert": "Convert from and to COLMAP, Metashape, LAS; undistort photographs.",
         "spreadsheet": "Write the tables of a result as a workbook.",
         "record": "Edit the recording sheet: object, client, rights.",
+        "archive": "Write a package for deposit: result, record, checksums.",
     },
     "Satellite": {
         "rpc": "Project, correct, fit and orthorectify by RPC.",

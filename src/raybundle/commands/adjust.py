@@ -20,7 +20,7 @@ from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR,
 from raybundle.commands.worker import AWAITED_HELP, AWAITED_LIMIT_HELP
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.report.arrangement import Appendix
+from raybundle.report.appendix import Appendix
 from raybundle.settings import NOT_NEGATIVE, Range, setting
 
 if TYPE_CHECKING:
@@ -88,7 +88,8 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     out = settings.out if project is None else project / RESULT
     if out is None:
         raise InputError("adjustment.out_missing", file=settings.block)
-    source = block_folder(settings.block)
+    whole = project is not None or (settings.block / "result.json").is_file() or project_of(settings.block) is not None
+    source = block_folder(settings.block) if whole else settings.block
     check_target(out)
     check_pages(settings)
     check_tables(settings.tables)

@@ -14,7 +14,7 @@ from raybundle.commands.pages import APPENDIX_HELP, LANGUAGE_HELP, NO_REPORT_HEL
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError, NotSolvable, Text, as_detail, note, phrase, text_json
 from raybundle.numerics.progress import Progress, silent
-from raybundle.report.arrangement import Appendix
+from raybundle.report.appendix import Appendix
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, keywords, setting
 
 if TYPE_CHECKING:

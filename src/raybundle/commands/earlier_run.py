@@ -22,10 +22,10 @@ def earlier_run(project: Path) -> Earlier | None:
     from raybundle.results.project_results import base_result
     from raybundle.workflows.orienting.previous_names import Earlier
 
-    result = base_result(project)
-    if result is None:
-        return None
     try:
+        result = base_result(project)
+        if result is None:
+            return None
         block = read_block(result / "block")
         texts = [text for e in entries_of(journal_path(project)) for text in _texts(e.arguments)]
     except InputError:

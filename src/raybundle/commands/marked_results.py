@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -168,7 +169,9 @@ def with_marks(done: Orientation, project: Path, made: Made, progress: Progress 
     state = state_of(journal_path(project))
     if not state.adjusts:
         return Marked(orientation=done, made=made)
-    base, before = new_place(project, ORIENT), base_result(project)
+    base, before = new_place(project, ORIENT), None
+    with contextlib.suppress(InputError):  # of a damaged one, which is made anew here
+        before = base_result(project)
     write_result(done.adjustment, base, report="none", additions=done.additions(), frame=done.frame, progress=progress)
     if before is not None and before.name != RESULT and fingerprint(before) == fingerprint(base):
         shutil.rmtree(base, ignore_errors=True)

@@ -13,7 +13,7 @@ from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR,
 from raybundle.commands.worker import AWAITED_HELP, AWAITED_LIMIT_HELP, store_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.report.arrangement import Appendix
+from raybundle.report.appendix import Appendix
 from raybundle.report.languages import ENGLISH
 from raybundle.settings import (
     ANY,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Protocol
 
-from raybundle.io.reading.trees import read_toml
 from raybundle.report.languages import ENGLISH, checked_language, language_codes
 from raybundle.report.paper.needed import check_typesetter
 
@@ -52,6 +51,8 @@ def language_in(folder: Path | None, given: str = "") -> str:
 
     raises  InputError for a language that there is not
     """
+    from raybundle.io.reading.trees import read_toml
+
     if given:
         return checked_language(given)
     places = () if folder is None else (folder, folder.parent, folder.parent.parent)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from raybundle.commands.record_settings import record_in
 from raybundle.errors import InputError, phrase
-from raybundle.results.project_results import project_of
 from raybundle.results.record import NAMES, RECORD, RECORD_FILE, Record, checked
 from raybundle.settings import keywords, made, path_of, setting
 
@@ -165,6 +164,7 @@ def known_record(folder: Path) -> Record:
 
     folder  a result folder, of a project or alone
     """
+    from raybundle.results.project_results import project_of
     from raybundle.results.recording_sheet import read_recorded
 
     own, known = read_recorded(folder)

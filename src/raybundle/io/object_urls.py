@@ -11,6 +11,8 @@ from raybundle.io.copies import StoreLost
 
 TRIES, PAUSE_S = 3, 0.5
 """Times that something is tried, and the pause before the second, doubled before each further one."""
+SILENT_S = 30.0
+"""Seconds without a byte after which a web server is given up"""
 APPEARS_WHOLE = {
     "s3", "s3a", "gs", "gcs", "az", "abfs", "abfss", "adl", "oss", "ocilake", "oci", "tos", "obs", "hf", "memory",
 }  # fmt: skip
@@ -41,7 +43,7 @@ def opened(url: str) -> tuple[Any, str]:
             file=urlsplit(url)._replace(netloc=urlsplit(url).hostname or "").geturl(),
         )
     try:
-        fs, root = fsspec.core.url_to_fs(url, use_listings_cache=False)  # others write there
+        fs, root = fsspec.core.url_to_fs(url, use_listings_cache=False, **_patience(url))  # others write there
     except ImportError as error:
         package = PACKAGES.get(urlsplit(url).scheme, "")
         raise StoreLost("store.service_package", detail=reason(error), package=package or "-", file=url) from None
@@ -53,6 +55,15 @@ def opened(url: str) -> tuple[Any, str]:
     if not root and not url.startswith("memory:"):
         raise InputError("store.no_bucket_name", file=url)
     return fs, root
+
+
+def _patience(url: str) -> dict[str, Any]:
+    """Options of a web server: one that falls silent is tried again, however long all of a file takes."""
+    if urlsplit(url).scheme not in WEB:
+        return {}
+    import aiohttp
+
+    return {"client_kwargs": {"timeout": aiohttp.ClientTimeout(total=None, sock_connect=SILENT_S, sock_read=SILENT_S)}}
 
 
 def reason(error: BaseException) -> str:

@@ -10,8 +10,6 @@ from raybundle.errors import phrase
 from raybundle.report.parts import Figures, Folded, Heading, Part, Pointer, Section, Table
 
 PartName = Literal["client", "specialist", "appendix"]
-Appendix = Literal["none", "short", "all"]
-"""What is printed of it: nothing; all, but of many object points a sample; all with every object point"""
 LONG = 20
 """Rows of a table that is read where it stands: a third of a page of A4 in print.  What is longer is looked up."""
 

@@ -8,7 +8,8 @@ from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, TypeVar
 
-from raybundle.report.arrangement import Appendix, PartName
+from raybundle.report.appendix import Appendix
+from raybundle.report.arrangement import PartName
 from raybundle.report.languages.language import Language
 from raybundle.report.parts import Section
 from raybundle.report.view import View

@@ -11,7 +11,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.io.table_files import TableFormat
 from raybundle.io.tables import write_table
 from raybundle.numerics.progress import Progress, silent
-from raybundle.report.arrangement import Appendix
+from raybundle.report.appendix import Appendix
 from raybundle.report.languages import ENGLISH, checked_language
 from raybundle.report.languages.language import language_of
 from raybundle.report.paper.needed import check_typesetter

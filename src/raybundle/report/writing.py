@@ -9,7 +9,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.calibration.quality import CalibrationQuality
 from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
-from raybundle.report.arrangement import Appendix
+from raybundle.report.appendix import Appendix
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import Delivery, delivery_of
 from raybundle.report.document import PDF, Document, document_of, html

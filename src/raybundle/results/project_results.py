@@ -31,7 +31,7 @@ MADE = "made"
 ORIENT, MARKS, ADJUST = "orient", "marks", "adjust"
 MOST = 8
 """Earlier results that are kept, beside the one that marks are merged into; the oldest make room."""
-_NAME = re.compile(r"(\d{1,9})-(orient|marks|adjust)")
+_NAME = re.compile(r"([0-9]+)-(orient|marks|adjust)")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,8 +60,8 @@ def made_of(result: Path) -> Made:
 
 def _made(tree: Json) -> Made:
     made = tree.get(MADE)
-    base = made.get("base").text() if made.has("base") else ""
-    return Made(by=made.get("by").text(), base=base if _NAME.fullmatch(base) else "")
+    by, base = (made.get(name).text() if made.has(name) else "" for name in ("by", "base"))
+    return Made(by=by if by in {MARKS, ADJUST} else ORIENT, base=base if _NAME.fullmatch(base) else "")
 
 
 def project_of(folder: str | Path) -> Path | None:
@@ -77,18 +77,39 @@ def project_of(folder: str | Path) -> Path | None:
 
 
 def base_result(project: Path) -> Path | None:
-    """The result of a project that marks are merged into; None: there is none without marks."""
+    """The result of a project that marks are merged into; None: there is none without marks.
+
+    raises  InputError where it is gone or damaged
+    """
     current = project / RESULT
     if not (current / "result.json").is_file():
         return None
+    if not _whole(current):
+        raise InputError("project.result_damaged", n=len(earlier_results(project)), file=current)
     made = made_of(current)
-    if made.base and (project / EARLIER / made.base / "result.json").is_file():
-        return project / EARLIER / made.base
+    if made.base:
+        base = project / EARLIER / made.base
+        if not _whole(base):
+            raise InputError("project.base_missing", file=base)
+        return base
     return None if made.by == MARKS else current
+
+
+def _whole(result: Path) -> bool:
+    """Whether a folder is a result with its block."""
+    try:
+        return read_json(result / "result.json").has("sigma0") and (result / "block" / "block.toml").is_file()
+    except InputError:
+        return False
 
 
 def earlier_results(project: Path) -> list[Path]:
     """The results that were replaced, newest first."""
+    return [p for p in _numbered(project) if (p / "result.json").is_file()]
+
+
+def _numbered(project: Path) -> list[Path]:
+    """What is called as an earlier result, by number, the largest first."""
     folder = project / EARLIER
     found = [p for p in folder.iterdir() if _NAME.fullmatch(p.name)] if folder.is_dir() else []
     return sorted(found, key=lambda p: -_number(p))
@@ -115,7 +136,18 @@ class Kept:
 
 def kept_results(project: Path) -> list[Kept]:
     """The current result, then the earlier ones, newest first; what cannot be read is passed over."""
-    return [k for p in (project / RESULT, *earlier_results(project)) for k in _in_figures(p)]
+    current = project / RESULT
+    others = [p for p in earlier_results(project) if not _same(p, current)]
+    return [k for p in (current, *others) for k in _in_figures(p)]
+
+
+def _same(first: Path, second: Path) -> bool:
+    """Whether two folders hold one result: the first of a run that was killed before it replaced the second."""
+    a, b = first / "result.json", second / "result.json"
+    try:
+        return a.samefile(b) or a.read_bytes() == b.read_bytes()
+    except OSError:
+        return False
 
 
 def _in_figures(result: Path) -> list[Kept]:
@@ -145,15 +177,16 @@ def replacing(project: Path, by: str, *, marks: bool) -> Generator[Made]:
     where the file system can: results are replaced whole, never changed.
     """
     current, before, made = project / RESULT, fingerprint(project / RESULT), made_of(project / RESULT)
+    there = set(earlier_results(project))
     kept = _kept(project, made.by)
     base = made.base or (kept.name if kept is not None and made.by != MARKS else "")
     try:
         yield Made(by=by, base=base if marks else "")
     except BaseException:
-        if kept is not None:
+        if kept is not None and kept not in there:
             shutil.rmtree(kept, ignore_errors=True)
         raise
-    if kept is not None and kept != base_result(project) and fingerprint(current) == before:
+    if kept is not None and kept.name != made_of(current).base and fingerprint(current) == before:
         shutil.rmtree(kept, ignore_errors=True)
     _forget_oldest(project)
 
@@ -163,6 +196,9 @@ def _kept(project: Path, by: str) -> Path | None:
     current = project / RESULT
     if not (current / "result.json").is_file():
         return None
+    last = next(iter(earlier_results(project)), None)
+    if last is not None and _same(last, current):
+        return last
     kept = new_place(project, by)
     with new_folder(kept) as folder:
         left = shutil.ignore_patterns(FINISHED)
@@ -172,13 +208,13 @@ def _kept(project: Path, by: str) -> Path | None:
 
 def new_place(project: Path, by: str) -> Path:
     """Where a further result among the earlier ones stands."""
-    last = max(map(_number, earlier_results(project)), default=0)
+    last = max(map(_number, _numbered(project)), default=0)
     return project / EARLIER / f"{last + 1}-{by}"
 
 
 def _forget_oldest(project: Path) -> None:
     """Delete the oldest of the earlier results beyond `MOST`."""
-    base = base_result(project)
+    base = project / EARLIER / made_of(project / RESULT).base
     for old in [p for p in earlier_results(project) if p != base][MOST:]:
         shutil.rmtree(old, ignore_errors=True)
 

@@ -19,6 +19,8 @@ from raybundle.errors import InputError
 
 T = TypeVar("T")
 _URL = re.compile(r"([a-z][a-z0-9]+):/+(?=[^/])")
+UTF16 = (b"\xff\xfe", b"\xfe\xff")
+"""First bytes of such a file"""
 LISTS = {".txt", ".list"}
 """Ends of files that hold names of photographs, one a line"""
 GONE = {404, 410}
@@ -50,7 +52,11 @@ def remote_files(path: Path) -> list[Path] | None:
 
     url = url_of(path)
     if path.suffix.lower() in LISTS:
-        text = _tried(url, lambda fs, place: bytes(fs.cat_file(place))).decode("utf-8", "replace")
+        data = _tried(url, lambda fs, place: bytes(fs.cat_file(place)))
+        try:
+            text = data.decode("utf-8-sig")
+        except UnicodeDecodeError as error:
+            raise InputError("file.not_utf8", byte=error.start + 1, utf16=data[:2] in UTF16, file=url) from None
         lines = (line.strip() for line in text.splitlines())
         names = [line for line in lines if line and not line.startswith("#")]
         return [Path(n if _URL.match(n) else _beside(url, n)) for n in names]

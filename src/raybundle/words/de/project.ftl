@@ -54,3 +54,12 @@ project-no_result = Das Projekt hat noch kein Ergebnis.
 
 project-at_url = Ein Projekt kann nicht an einer URL liegen; sein Ordner muss auf diesem Rechner sein.
     .do = Einen Ordner angeben, und die URL für die Produkte: { OPTION("store", "URL") }.
+
+project-base_missing = Das Ergebnis ohne gemessene Punkte, in das diese eingefügt werden, fehlt oder ist beschädigt.
+    .do = `raybundle orient` noch einmal ausführen: es erzeugt das Ergebnis neu und gleicht mit den Punkten aus.
+
+project-result_damaged = Das aktuelle Ergebnis des Projekts ist beschädigt.
+    .do = Diesen Ordner löschen und `raybundle orient` noch einmal ausführen.{ $n ->
+        [0] {""}
+       *[other] {" Frühere stehen im Ordner results."}
+    }

@@ -72,3 +72,13 @@ project-no_result = The project has no result yet.
 
 project-at_url = A project cannot be at a URL; its folder must be on this machine.
     .do = Give a folder, and the URL for the products: { OPTION("store", "URL") }.
+
+project-base_missing = The result without marks, into which the marks are merged, is missing or damaged.
+    .do = Run `raybundle orient` again: it makes it anew, and adjusts with the marks.
+
+# $n = 2
+project-result_damaged = The current result of the project is damaged.
+    .do = Delete this folder and run `raybundle orient` again.{ $n ->
+        [0] {""}
+       *[other] {" Earlier ones are in the folder results."}
+    }

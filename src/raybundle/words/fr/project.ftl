@@ -23,3 +23,7 @@ project-missing = Il n'y a pas de tel projet.
 project-no_result = Le projet n'a pas encore de résultat.
 
 project-at_url = Un projet ne peut pas se trouver à une URL ; son dossier doit être sur cette machine.
+
+project-base_missing = Le résultat sans points mesurés, auquel ceux-ci sont ajoutés, manque ou est endommagé.
+
+project-result_damaged = Le résultat actuel du projet est endommagé.

@@ -1,0 +1,1 @@
+deposit-written = Gepackt: { $n } Dateien, { NUM($mb, digits: 3) } MB.
