@@ -223,7 +223,7 @@ def options_of_commands(command, context, name=""):
 
 
 FOREIGN = {
-    "--memory-limit",
+    "--memory-limit", "--resources",
     "--preload",
     "--nthreads",
     "--no-deps",
