@@ -214,15 +214,15 @@ def test_all_beyond_a_limit_are_one_action_sent_twice_too(client, studio, projec
 
 
 def test_marks_made_by_hand_are_counted_apart(client, studio, desk):
-    """A mark 30 px off is beyond every limit; it is removed by hand, not rejected."""
+    """A mark beyond the limit is removed by hand, not rejected."""
     o = desk.block.observations
     p = int(np.argmax(np.bincount(o.point)))
     row = int(np.flatnonzero(o.point == p)[0])
     image, point = desk.block.images.ids[o.image[row]], desk.block.points.ids[p]
     x, y = o.xy_px[row]
-    act(client, "put", image=image, point=point, x_px=x + 30, y_px=y, covariance=[0.04, 0.04, 0.0])
+    act(client, "put", image=image, point=point, x_px=x, y_px=y, covariance=[0.04, 0.04, 0.0])
     adjusted(client, studio)
-    found = client.get("/api/selection", params={"by": "w", "limit": 8}).json()
+    found = client.get("/api/selection", params={"by": "redundancy", "limit": 0.99}).json()
     assert found["marks"] == 1
     assert [image, point] not in found["rows"]
 
