@@ -86,8 +86,8 @@ PAGES = [
 
 
 LONG = {
-    "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "calibrate",
-    "calibrations-elsewhere", "cluster", "drawing-sheet", "exchange", "facade", "first-photographs", "gnss-ins",
+    "README", "accuracy-class", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "calibrate",
+    "calibration-report", "calibrations-elsewhere", "cluster", "detect-targets", "drawing-sheet", "exchange", "facade", "first-photographs", "gnss-ins",
     "heights", "install", "large-blocks", "line-scanner", "masks", "measure-a-part", "measure-by-hand",
     "measure-targets", "merge-blocks", "moved", "next-photograph", "orthorectify", "own-observation-kind",
     "photograph-lists", "plan-a-facade", "plan-a-flight", "plan-photographs", "predict-a-flight", "read-the-report", "recipes",
