@@ -87,7 +87,7 @@ PAGES = [
 
 LONG = {
     "README", "accuracy-class", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "calibrate",
-    "calibration-report", "calibrations-elsewhere", "cluster", "detect-targets", "drawing-sheet", "exchange", "facade", "first-photographs", "gnss-ins", "gnss-ins-in-python",
+    "calibration-report", "calibrations-elsewhere", "cluster", "detect-targets", "drawing-sheet", "exchange", "facade", "first-photographs", "gis-and-cad", "gnss-ins", "gnss-ins-in-python",
     "heights", "install", "large-blocks", "line-scanner", "masks", "measure-a-part", "measure-by-hand",
     "measure-targets", "merge-blocks", "moved", "next-photograph", "orthorectify", "own-observation-kind",
     "photograph-lists", "plan-a-facade", "plan-a-flight", "plan-photographs", "predict-a-flight", "read-the-report", "recipes",
