@@ -4,7 +4,7 @@
     python tools/check_writing.py --count  how many of each kind stand in the pages that are not checked yet
 
 Checked: words for what programs do not do (they report, print, detect; they do not speak), sentences of more than 25
-words, words for which docs/reference/glossary.toml has another term.  Quotations and code are not checked.
+words, words for which docs/reference/glossary.toml has another term.  Quotations, code and formulas are not checked.
 tools/unchecked_pages.txt lists the pages of docs/ that are not checked yet; it may only shrink.
 """
 
@@ -36,7 +36,7 @@ EXCEPTIONS = frozenset({"docs/reference/glossary.md"})
 PAGES = frozenset((ROOT / "tools/unchecked_pages.txt").read_text(encoding="utf-8").split())
 """Pages of docs/ that are not checked yet"""
 _CODE = re.compile(
-    r"```.*?```|``[^`]*``|`[^`]*`|<!--.*?-->|\[\^?[^\]]*\]\([^)]*\)|^    .*?$|^\|.*?$|^#.*?$", re.DOTALL | re.MULTILINE
+    r"```.*?```|``[^`]*``|`[^`]*`|<!--.*?-->|\[\^?[^\]]*\]\([^)]*\)|^    .*?$|^<p>.*?$|^\|.*?$|^#.*?$", re.DOTALL | re.MULTILINE
 )
 _END = re.compile(r"(?<=[.!?:;])[)\"']*\s+|\n\s*\n|\n\s*[-*] |\n\s*\d+\. ")
 
