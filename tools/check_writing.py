@@ -35,14 +35,13 @@ EXCEPTIONS = frozenset({"docs/reference/glossary.md"})
 """It lists the words to avoid"""
 PAGES = frozenset((ROOT / "tools/unchecked_pages.txt").read_text(encoding="utf-8").split())
 """Pages of docs/ that are not checked yet"""
-_CODE = re.compile(
-    r"```.*?```|``[^`]*``|`[^`]*`|<!--.*?-->|\[\^?[^\]]*\]\([^)]*\)|^    .*?$|^<p>.*?$|^\|.*?$|^#.*?$", re.DOTALL | re.MULTILINE
-)
+_CODE = re.compile(r"```.*?```|``[^`]*``|`[^`]*`|<!--.*?-->|\[\^?[^\]]*\]\([^)]*\)|^    .*?$", re.DOTALL | re.MULTILINE)
 _END = re.compile(r"(?<=[.!?:;])[)\"']*\s+|\n\s*\n|\n\s*[-*] |\n\s*\d+\. ")
 
 
 def sentences(text: str) -> Iterator[str]:
-    """Sentences of a text in Markdown, without code, tables and headings."""
+    """Sentences of a text in Markdown, without code, tables, headings and formulas."""
+    text = re.sub(r"^(?:\||#|<p>).*$", "\n", text, flags=re.MULTILINE)
     plain = _CODE.sub(" X ", re.sub(r"\n    ", "\n", text) if "```" not in text and "\n\n    " not in text else text)
     for part in _END.split(plain):
         found = " ".join(part.split())
