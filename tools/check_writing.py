@@ -4,7 +4,7 @@
     python tools/check_writing.py --count  how many of each kind stand in the pages that are not checked yet
 
 Checked: words for what programs do not do (they report, print, detect; they do not speak), sentences of more than 25
-words, words for which docs/reference/glossary.toml has another term.  Quotations and code are not checked.
+words, words for which docs/reference/glossary.toml has another term.  Quotations, code and formulas are not checked.
 tools/unchecked_pages.txt lists the pages of docs/ that are not checked yet; it may only shrink.
 """
 
@@ -35,14 +35,13 @@ EXCEPTIONS = frozenset({"docs/reference/glossary.md"})
 """It lists the words to avoid"""
 PAGES = frozenset((ROOT / "tools/unchecked_pages.txt").read_text(encoding="utf-8").split())
 """Pages of docs/ that are not checked yet"""
-_CODE = re.compile(
-    r"```.*?```|``[^`]*``|`[^`]*`|<!--.*?-->|\[\^?[^\]]*\]\([^)]*\)|^    .*?$|^\|.*?$|^#.*?$", re.DOTALL | re.MULTILINE
-)
+_CODE = re.compile(r"```.*?```|``[^`]*``|`[^`]*`|<!--.*?-->|\[\^?[^\]]*\]\([^)]*\)|^    .*?$", re.DOTALL | re.MULTILINE)
 _END = re.compile(r"(?<=[.!?:;])[)\"']*\s+|\n\s*\n|\n\s*[-*] |\n\s*\d+\. ")
 
 
 def sentences(text: str) -> Iterator[str]:
-    """Sentences of a text in Markdown, without code, tables and headings."""
+    """Sentences of a text in Markdown, without code, tables, headings and formulas."""
+    text = re.sub(r"^(?:\||#|<p>).*$", "\n", text, flags=re.MULTILINE)
     plain = _CODE.sub(" X ", re.sub(r"\n    ", "\n", text) if "```" not in text and "\n\n    " not in text else text)
     for part in _END.split(plain):
         found = " ".join(part.split())

@@ -229,7 +229,7 @@ def test_too_few_check_points_are_not_called_kept(block):
 
 
 def test_the_chances_that_the_page_tells_are_those_of_chi_square():
-    page = (Path(__file__).parents[2] / "docs/how-to/uav.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[2] / "docs/how-to/accuracy-class.md").read_text(encoding="utf-8")
     chance = {(n, share): round(100 * float(chdtrc(n, n / share**2))) for n in (5, 30) for share in (1.0, 0.8)}
     right, better = ([f"{chance[n, share]}" for n in (5, 30)] for share in (1.0, 0.8))
     assert in_a_row(page, right[0], "5", right[1], "30", "0.8", *better)

@@ -86,13 +86,15 @@ PAGES = [
 
 
 LONG = {
-    "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "calibrate",
-    "calibrations-elsewhere", "cluster", "drawing-sheet", "exchange", "facade", "first-photographs", "gnss-ins",
-    "heights", "install", "large-blocks", "line-scanner", "masks", "measure-a-part", "measure-by-hand",
-    "measure-targets", "merge-blocks", "moved", "next-photograph", "orthorectify", "own-observation-kind",
-    "photograph-lists", "plan-a-facade", "plan-a-flight", "plan-photographs", "read-the-report", "recipes",
-    "recording-sheet", "rectify", "results-in-python", "rtk-flight", "satellite-pair", "satellite-rpc", "scale-bars",
-    "studio", "surface", "surface-products", "targets", "uav", "uav-precision", "video", "without-a-compiler",
+    "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "accuracy-class", "calibrate",
+    "calibration-report", "calibrations-elsewhere", "cluster", "detect-targets", "drawing-sheet", "exchange",
+    "facade", "first-photographs", "gis-and-cad", "gnss-ins", "gnss-ins-in-python", "heights", "install",
+    "large-blocks", "line-scanner", "masks", "measure-a-part", "measure-by-hand", "measure-targets", "merge-blocks",
+    "moved", "next-photograph", "orthorectify", "own-observation-kind", "own-unknowns", "photograph-lists",
+    "plan-a-facade", "plan-a-flight", "plan-photographs", "predict-a-flight", "read-the-report", "recipes",
+    "recording-sheet", "rectify", "results-in-python", "rtk-flight", "satellite-pair", "satellite-rpc",
+    "scale-bars", "studio", "surface", "surface-products", "surface-test", "targets", "uav", "uav-precision",
+    "video", "without-a-compiler",
 }  # fmt: skip
 """Pages whose examples take more than five seconds; others of more than 1.5 stand in tests/slow.txt"""
 RUN_PAGES = [pytest.param(p, marks=pytest.mark.long if p.stem in LONG else (), id=p.stem) for p in PAGES]

@@ -1,4 +1,4 @@
-"""The figures of docs/how-to/heights.md are those of benchmarks/surface_heights.py."""
+"""The figures of docs/explanation/heights.md are those of benchmarks/surface_heights.py."""
 
 import json
 from pathlib import Path
@@ -9,7 +9,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def test_figures_are_those_of_the_benchmark():
-    page = (ROOT / "docs/how-to/heights.md").read_text()
+    page = (ROOT / "docs/explanation/heights.md").read_text()
     found = json.loads((ROOT / "benchmarks/results/surface_heights.json").read_text())
     cells, means, profiles, volumes = (found[k] for k in ("cells", "means", "profiles", "volumes"))
     assert found["cell_m"] == 0.01

@@ -1,4 +1,4 @@
-"""The figures of docs/how-to/surface.md are those of benchmarks/surface_truth.py."""
+"""The figures of docs/explanation/surface.md are those of benchmarks/surface_truth.py."""
 
 import json
 from pathlib import Path
@@ -14,7 +14,7 @@ def between(values, digits, factor=1.0):
 
 
 def test_figures_are_those_of_the_benchmark():
-    page = (ROOT / "docs/how-to/surface.md").read_text()
+    page = (ROOT / "docs/explanation/surface.md").read_text()
     found = json.loads((ROOT / "benchmarks/results/surface_truth.json").read_text())
     maps = found["portal"]["maps"]
     assert len(maps) == 4

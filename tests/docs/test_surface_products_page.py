@@ -1,4 +1,4 @@
-"""The figures of docs/how-to/surface-products.md are those of benchmarks/surface_orthophoto.py."""
+"""The figures of docs/explanation/surface.md are those of benchmarks/surface_orthophoto.py."""
 
 import json
 from pathlib import Path
@@ -9,7 +9,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def test_figures_are_those_of_the_benchmark():
-    page = (ROOT / "docs/how-to/surface-products.md").read_text()
+    page = (ROOT / "docs/explanation/surface.md").read_text()
     found = json.loads((ROOT / "benchmarks/results/surface_orthophoto.json").read_text())
     right, up, mesh, seams = (found[k] for k in ("right", "up", "mesh", "seams"))
     within = (f"{100 * q['within_1.96']:.1f}" for q in (right, up))

@@ -5,8 +5,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-PAGE = Path(__file__).resolve().parents[2] / "docs/how-to/own-observation-kind.md"
-CODE = re.findall(r"^```python\n(.*?)^```", PAGE.read_text(), re.MULTILINE | re.DOTALL)
+HOW_TO = Path(__file__).resolve().parents[2] / "docs/how-to"
+TEXT = "".join((HOW_TO / f"{name}.md").read_text() for name in ("own-observation-kind", "your-own-platform"))
+CODE = re.findall(r"^```python\n(.*?)^```", TEXT, re.MULTILINE | re.DOTALL)
 EVERYTHING = """
 import raybundle.adjustment.records.severity
 import raybundle.block.merge

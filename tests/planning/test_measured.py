@@ -45,7 +45,7 @@ def test_the_page_says_what_is_counted_with(kind):
 
 def test_the_page_says_how_true_it_is():
     achieved = json.loads((ROOT / "benchmarks/results/plan_achieved.json").read_text())
-    page = " ".join(PAGE.split())
+    page = " ".join((ROOT / "docs/explanation/plan-precision.md").read_text().split())
     natural = [a for a in achieved.values() if a["class"] in {"natural", "phone"}]
     for free, words in ((False, "{:.2f} to {:.2f} of the standard deviations"), (True, "only {:.2f} to {:.2f}")):
         ratios = [a["median_ratio"] for a in natural if bool(a["free"]) is free]

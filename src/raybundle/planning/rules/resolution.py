@@ -25,7 +25,7 @@ CONTRAST, DIAMETER = 160.0, 8.0
 TEXTURE = 25.0
 """Standard deviation of the texture's grey values in the coarsest image."""
 REST = 0.012
-"""What the bundle left of targets on a printed panel where grey values promised 0.004 px (how-to/targets) [px]."""
+"""What the bundle left of targets on a printed panel where grey values promised 0.004 px (explanation/targets) [px]."""
 GROUND = 4.0
 """Of the plain ground around a target [px]."""
 WINDOWS, DOTS = 36, 24
@@ -80,7 +80,7 @@ class Resolution(Rule):
         "the object: sigma stays at {natural_px:.3f} px. Where the finest detail is resolved already, it brings "
         "{soft:.2f} times. Of the target grey values alone promise {target:.2f} times (the edge is longer by two "
         "and sharper by two: √8), from {target_px:.4f} px on. But that is below what else moves targets: a printed "
-        "panel left {rest:.3f} px where 0.004 px were promised ([targets](../how-to/targets.md)), of paper and "
+        "panel left {rest:.3f} px where 0.004 px were promised ([targets](targets.md)), of paper and "
         "lens, which finer pixels do not mend. With that remainder, held fixed on the object, twice the resolution "
         "brings {limited:.2f} times.",
         ends="The rule holds of targets because of what is not their noise; by noise alone it would be the other "
