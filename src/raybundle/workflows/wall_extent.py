@@ -6,9 +6,11 @@ import numpy as np
 from scipy.ndimage import binary_dilation, label
 
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.planes import RELIEF
 from raybundle.workflows.object_plane import Plane
 
+DEPTH = 0.2
+"""Of what belongs to a wall, in front of its plane and behind, as a share of its longer side: wings stand further out
+than its relief (`numerics.planes.RELIEF`)"""
 CELLS = 16
 """Of the longer side of the points in the plane: points in cells that touch belong together"""
 STRAY = 0.002
@@ -23,13 +25,13 @@ def wall_extent(plane: Plane, xyz: Array) -> tuple[Array, tuple[float, float]]:
     """Left, bottom, right, top (4,) of a wall, and the depths between which its points lie.
 
     xyz  (n, 3) object points, in the frame of the block
-    Points count that lie in the plane's relief (`RELIEF`) and in the largest group of occupied cells that touch.
+    Points count that lie near the plane (`DEPTH`) and in the largest group of occupied cells that touch.
     Limits: parts of the wall beyond a gap that is wider than three cells, as behind a tree.
     """
     at = plane.coordinates(xyz[np.isfinite(xyz).all(axis=1)])
     left, bottom, right, top = plane.extent
     longer = max(right - left, top - bottom)
-    at = at[np.abs(at[:, 2]) <= RELIEF * longer]
+    at = at[np.abs(at[:, 2]) <= DEPTH * longer]
     if len(at) < LEAST:
         return plane.extent, (float(at[:, 2].min(initial=0.0)), float(at[:, 2].max(initial=0.0)))
     at = at[_together(at[:, :2], longer / CELLS)]
