@@ -9,8 +9,9 @@ import pytest
 
 import raybundle as rb
 from raybundle.adjustment.system.predict import predicted_px
+from raybundle.block import Role
 from raybundle.errors import InputError
-from raybundle.io.block.folder import read_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.planes import planes_of_most
 from raybundle.surfaces.files.input import opened
@@ -54,7 +55,7 @@ def test_picture_sheet_drawing_and_sections_are_written(drawn):
 
 
 def test_points_in_front_of_the_plane_and_behind_stand_at_their_places(drawn, half):
-    """Windows of photographs around tie points against the picture: within three standard deviations and half a pixel."""
+    """Windows of photographs around tie points against the picture: within three standard deviations."""
     block, picture = drawn.surface.surface.block, picture_of(drawn)
     grey = cv2.cvtColor(picture[..., :3].copy(), cv2.COLOR_RGB2GRAY)
     at, axes = drawn.plane.coordinates(block.points.xyz), drawn.plane.axes
@@ -119,16 +120,15 @@ def test_a_hole_is_filled_with_what_stands_there(drawn, half):
 
 def test_without_a_scale_there_is_a_picture_and_no_sheet(half, copy_of_surface, drawn, tmp_path):
     block = read_block(half / "block")
-    from raybundle.block import Role
-    from raybundle.io.block.folder import write_block
-
     n = len(block.points)
     free = replace(block.points, role=np.full(n, Role.TIE, np.int32), sigma=np.full((n, 3), np.nan))
     write_block(replace(block, points=free), tmp_path / "block")
-    done = rb.facade(tmp_path / "block", tmp_path / "f", photos=(half,), density="4", jobs=1, extent=(-0.4, -0.4, 0.4, 0.4))
+    done = rb.facade(
+        tmp_path / "block", tmp_path / "f", photos=(half,), density="4", jobs=1, extent=(-0.4, -0.4, 0.4, 0.4)
+    )  # fmt: skip
     assert done.sheet is None
     assert done.unit == ""
-    assert [m.code for m in done.warnings][0] == "facade.no_scale"
+    assert next(m.code for m in done.warnings) == "facade.no_scale"
     assert (tmp_path / "f/facade.tif").is_file()
     assert not (tmp_path / "f/sheet.pdf").exists()
 

@@ -254,7 +254,8 @@ def _picture(w: _Wall, measured: MeasuredSurface, progress: Progress) -> Facade:
     from raybundle.pipeline.project import photographs_of
     from raybundle.results.record import STATE
     from raybundle.surfaces.files.input import opened
-    from raybundle.surfaces.orthophoto_files import ABOUT, PICTURE as ORTHOPHOTO, SIGMAS
+    from raybundle.surfaces.orthophoto_files import ABOUT, SIGMAS
+    from raybundle.surfaces.orthophoto_files import PICTURE as ORTHOPHOTO
     from raybundle.surfaces.orthophoto_holes import fill_holes
     from raybundle.surfaces.photographs import photographs_there
     from raybundle.workflows.object_plane import MapLevel
@@ -314,7 +315,8 @@ def _sections(w: _Wall) -> list[Path]:
     inner = 1e-6 * (right - left)  # rounding of coordinates must not lie beside the grid
     across, up = (left + right) / 2, (bottom + top) / 2
     lines = w.settings.section or (
-        f"{left + inner!r} {up!r}, {right - inner!r} {up!r}", f"{across!r} {bottom + inner!r}, {across!r} {top - inner!r}",
+        f"{left + inner!r} {up!r}, {right - inner!r} {up!r}",
+        f"{across!r} {bottom + inner!r}, {across!r} {top - inner!r}",
     )  # fmt: skip
     out = tuple(w.out / name for name in SECTIONS)
     return list(run_section(HeightsSectionSettings(source=w.out / SURFACE, line=lines, out=out)).files)

@@ -59,7 +59,12 @@ def plane_asked(settings: PlaneSettings) -> PlaneAsked:
 
     s = settings
     return PlaneAsked(
-        points=s.plane, vertical=s.vertical, horizontal=s.horizontal, up=s.up, axis=s.axis, origin=s.origin,
+        points=s.plane,
+        vertical=s.vertical,
+        horizontal=s.horizontal,
+        up=s.up,
+        axis=s.axis,
+        origin=s.origin,
         wall=s.wall,
     )
 

@@ -47,7 +47,7 @@ class RectifySettings(PlaneSettings):
     )
     only: tuple[str, ...] = setting((), "Use only these photographs.", metavar="A,B,C,...", joined=True)
     relief: float | None = setting(
-        None, "Largest displacement by the relief of a wall, in the object's unit. Beyond it, `facade` is the command.  "
+        None, "Largest displacement by the relief of a wall, in the object's unit. Beyond it, use `facade`.  "
         "[default: 3 pixels]", metavar="LENGTH", limits=POSITIVE,
     )  # fmt: skip
     control: Path | None = setting(
