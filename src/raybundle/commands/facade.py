@@ -159,11 +159,6 @@ class _Wall:
         assert self.settings.out is not None
         return self.settings.out
 
-    @property
-    def free(self) -> bool:
-        """Whether the scale is arbitrary."""
-        return self.export.block.free_scale
-
 
 def run_facade(settings: FacadeSettings, progress: Progress = silent) -> Facade:
     """Draw the wall that the settings ask for."""
@@ -177,7 +172,7 @@ def run_facade(settings: FacadeSettings, progress: Progress = silent) -> Facade:
         files = [wall.out / PICTURE, *_sections(wall)]
         sheet = None
         wrong = list[Message]()
-        if wall.free:
+        if measured.surface.free_scale:
             wrong.append(warning("facade.no_scale"))
             for name in (SHEET, DRAWING):  # of an earlier run
                 (wall.out / name).unlink(missing_ok=True)
@@ -235,7 +230,7 @@ def _surface_settings(w: _Wall) -> SurfaceSettings:
         "source", "density", "photos", "masks", "jobs", "memory", "title", "client", "operator", "language", *OF_PLANE,
     )}  # fmt: skip
     return SurfaceSettings(
-        **alike, out=w.out / SURFACE, dsm=w.cell, ortho=w.pixel, extent=(left, bottom, right, top), free_scale=w.free
+        **alike, out=w.out / SURFACE, dsm=w.cell, ortho=w.pixel, extent=(left, bottom, right, top), free_scale=True
     )
 
 
@@ -287,7 +282,7 @@ def _picture(w: _Wall, measured: MeasuredSurface, progress: Progress) -> Facade:
     shares = {"measured": float(seen.mean()), "filled": float(found.mean())}
     names = [f or i for f, i in zip(w.export.block.images.file, w.export.block.images.ids, strict=True)]
     stated = {"place_sigma": place_sigma} if np.isfinite(place_sigma) else {}
-    scale = {"scale": "free"} if w.free else {}
+    scale = {"scale": "free"} if surface.free_scale else {}
     about = {
         **{k: v for k, v in about.items() if not isinstance(v, dict)}, **shares, **stated, **scale,
         **{k: v for k, v in about.items() if isinstance(v, dict)}, "stations": stations_of(w.export, names),
@@ -324,11 +319,14 @@ def _sections(w: _Wall) -> list[Path]:
 
 def _sheet(w: _Wall, progress: Progress) -> DrawingSheet:
     """The sheet at the largest usual scale that the picture is good for and a paper takes."""
+    from raybundle.commands.record import known_record
     from raybundle.commands.sheet import run_drawing_sheet
     from raybundle.commands.sheet_settings import DrawingSheetSettings
     from raybundle.report.drawing.paper import usual_scales
 
-    s = w.settings
+    s, known = w.settings, known_record(w.result)
+    if not (s.title or known.title or known.object):  # not the name of the picture
+        s = replace(s, title=s.source.resolve().name)
     common = {f.name: getattr(s, f.name) for f in fields(DrawingSheetSettings) if f.name in (
         "grid", "title", "client", "operator", "language",
     )}  # fmt: skip
