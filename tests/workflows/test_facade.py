@@ -59,10 +59,13 @@ def test_points_in_front_of_the_plane_and_behind_stand_at_their_places(drawn, ha
     block, picture = drawn.surface.surface.block, picture_of(drawn)
     grey = cv2.cvtColor(picture[..., :3].copy(), cv2.COLOR_RGB2GRAY)
     at, axes = drawn.plane.coordinates(block.points.xyz), drawn.plane.axes
-    grid = drawn.surface.surface.orthophoto.grid
+    grid = drawn.grid
     cells = grid.cells(at[:, :2])
     with rasterio.open(drawn.folder / "surface/orthophoto_sigma.tif") as file:
-        sigma = np.hypot(file.read(1), file.read(2))
+        whole = drawn.surface.surface.orthophoto.grid
+        column, row = np.rint(whole.cells(np.array([[grid.left, grid.top]]))[0]).astype(int)
+        window = rasterio.windows.Window(column, row, grid.width, grid.height)
+        sigma = np.hypot(file.read(1, window=window), file.read(2, window=window))
     photos = [cv2.imread(str(half / f), cv2.IMREAD_GRAYSCALE) for f in block.images.file]
     rays = np.bincount(block.observations.point, minlength=len(at))
     inside = ((cells > WINDOW + REACH + 2) & (cells < [grid.width - 24, grid.height - 24])).all(axis=1)
@@ -95,14 +98,16 @@ def test_the_drawing_has_the_picture_below_it_in_its_place(drawn):
     first = next(iter(drawing.modelspace()))
     assert first.dxftype() == "IMAGE"
     assert first.image_def.dxf.filename == "facade.tif"
-    g = drawn.surface.surface.orthophoto.grid
+    g = drawn.grid
     assert np.allclose(tuple(first.dxf.insert)[:2], [g.left, g.top - g.height * g.pixel])
     assert first.dxf.u_pixel.magnitude == pytest.approx(g.pixel)
     assert not drawing.layers.get("stations").is_on()
 
 
 def test_a_hole_is_filled_with_what_stands_there(drawn, half):
-    s, whole = drawn.surface.surface, picture_of(drawn)
+    s = drawn.surface.surface
+    with rasterio.open(drawn.folder / "surface/orthophoto.tif") as file:
+        whole = np.ascontiguousarray(np.moveaxis(file.read(), 0, 2))
     colours = whole.copy()
     middle = np.array(whole.shape[:2]) // 2
     part = tuple(slice(m - 20, m + 20) for m in middle)

@@ -45,7 +45,7 @@ def command(source: Path, progress: str, **given: Any) -> int:
     except KeyboardInterrupt:
         click.echo(phrase("interruption.kept", folder=str(settings.out or source / "facade")), err=True)
         return 130
-    facts(width=done.size_px[0], height=done.size_px[1], pixel=done.pixel, unit=done.unit, measured=done.measured,
+    facts(width=done.grid.width, height=done.grid.height, pixel=done.grid.pixel, unit=done.unit, measured=done.measured,
           filled=done.filled, white=done.white, place_sigma=done.place_sigma, folder=str(done.folder))  # fmt: skip
     if done.sheet is not None:
         facts(scale=done.sheet.scale, paper=done.sheet.paper, lines=done.sheet.lines)
@@ -61,8 +61,8 @@ def _summary(done: Facade) -> Summary:
     plane, (back, front) = done.plane, done.relief
     lines: list[Message] = [
         note("facade.wall", kind=plane.kind, n=plane.points, of=plane.of, back=back, front=front, unit=done.unit),
-        note("facade.picture", width=done.size_px[0], height=done.size_px[1], pixel=done.pixel, unit=done.unit),
-        note("facade.coverage", measured=done.measured, filled=done.filled, white=done.white),
+        note("facade.picture", width=done.grid.width, height=done.grid.height, pixel=done.grid.pixel, unit=done.unit),
+        note("facade.coverage", share=done.measured, filled=done.filled, white=done.white),
     ]  # fmt: skip
     if done.place_sigma > 0:
         factor, unit = precision_unit(done.place_sigma, done.unit)

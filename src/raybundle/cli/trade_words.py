@@ -49,6 +49,7 @@ TRADE_WORDS: dict[str, str] = {
     "cut-fill": "heights volume SURFACE",
     "dod": "heights difference BEFORE AFTER",
     "cloud-compare": "heights difference BEFORE AFTER",
+    "elevation": "facade RESULT",
     "rectification": "rectify RESULT --out FILE",
     "orthorectify": "rpc ortho SCENE --dem FILE",
     # measurement

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from raybundle.commands.pages import PROJECT_LANGUAGE_HELP, language_in
 from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings, plane_in
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE
-from raybundle.commands.surface import MOST_JOBS, MeasuredSurface, SurfaceSettings, run_surface
+from raybundle.commands.surface import MOST_JOBS, WORK, MeasuredSurface, SurfaceSettings, run_surface
 from raybundle.errors import InputError, Message, warning
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import ANY, NOT_NEGATIVE, POSITIVE, Range, keywords, made, path_of, setting
@@ -18,14 +18,17 @@ from raybundle.settings import ANY, NOT_NEGATIVE, POSITIVE, Range, keywords, mad
 if TYPE_CHECKING:
     from raybundle.commands.sheet import DrawingSheet
     from raybundle.io.formats import Export
-    from raybundle.numerics.arrays import Array
+    from raybundle.numerics.arrays import Array, Mask
     from raybundle.workflows.object_plane import Plane
+    from raybundle.workflows.rectify import Grid
 
 SURFACE, PICTURE, SHEET, DRAWING = "surface", "facade.tif", "sheet.pdf", "drawing.dxf"
 SECTIONS = ("sections.dxf", "sections.csv")
 WIDEST = 0.05
 """Depth of a hole that is filled, as a share of the longer side: windows and doors, not courtyards"""
 PAPERS = ("A3", "A2", "A1")
+LEAST_SEEN = 0.05
+"""Of a row or column at the edge of the picture, as a share: where less is seen it is cut off"""
 FINEST_MM = 0.25
 """Pixel on paper from which on a larger scale shows no more"""
 DENSITY = "2"
@@ -88,13 +91,10 @@ class Facade:
     """A drawn wall."""
 
     plane: Plane
-    extent: Array
-    """(4,) left, bottom, right, top in the plane"""
     relief: tuple[float, float]
     """depths of the wall's object points, in front of the plane positive"""
-    pixel: float
-    size_px: tuple[int, int]
-    """width, height"""
+    grid: Grid
+    """pixels of the picture in the plane"""
     measured: float
     """share of the pixels on measured heights"""
     filled: float
@@ -240,66 +240,92 @@ def _picture(w: _Wall, measured: MeasuredSurface, progress: Progress) -> Facade:
 
     import numpy as np
 
-    from raybundle.commands.drawn_masks import masks_of_result
     from raybundle.commands.record import known_record
-    from raybundle.io.photos.masks import find_masks
     from raybundle.io.pictures.plane_file import stations_of
     from raybundle.io.pictures.rectified import Rectified
     from raybundle.io.raster_library import raster_library
-    from raybundle.pipeline.project import photographs_of
     from raybundle.results.record import STATE
-    from raybundle.surfaces.files.input import opened
     from raybundle.surfaces.orthophoto_files import ABOUT, SIGMAS
+    from raybundle.workflows.object_plane import MapLevel
+
+    orthophoto = measured.surface.orthophoto
+    assert orthophoto is not None
+    colours, found = _coloured(w, measured, progress)
+    with raster_library().open(w.out / SURFACE / SIGMAS) as file:
+        sigma = np.hypot(file.read(1), file.read(2))
+    g = orthophoto.grid
+    if w.settings.extent is None:
+        g, window = _shown(g, colours[..., 3] > 0)
+        colours, found, sigma = colours[window], found[window], sigma[window]
+    seen, known = colours[..., 3] > 0, np.isfinite(sigma)
+    place_sigma = float(np.median(sigma[known])) if known.any() else float("nan")
+    share, filled = float((seen & ~found).mean()), float(found.mean())
+    stated = tomllib.loads((w.out / SURFACE / ABOUT).read_text(encoding="utf-8"))
+    images = w.export.block.images
+    names = [f or i for f, i in zip(images.file, images.ids, strict=True)]
+    about = {
+        **{k: v for k, v in stated.items() if not isinstance(v, dict)}, "left": g.left, "top": g.top,
+        "width_px": g.width, "height_px": g.height, "measured": share, "filled": filled,
+        **({"place_sigma": place_sigma} if known.any() else {}),
+        **({"scale": "free"} if measured.surface.free_scale else {}),
+        **{k: v for k, v in stated.items() if isinstance(v, dict)}, "stations": stations_of(w.export, names),
+    }  # fmt: skip
+    state = w.export.record.get(STATE, "")
+    remarks = Rectified(colours=colours[..., :3], seen=seen).write(
+        w.out / PICTURE, left=g.left, top=g.top, pixel=g.pixel, about=about,
+        wkt=w.plane.system.to_wkt() if isinstance(w.plane, MapLevel) else "",
+        record={**known_record(w.result).as_mapping(), **({STATE: state} if state else {})},
+    )  # fmt: skip
+    return Facade(
+        plane=w.plane, relief=w.relief, grid=g, measured=share, filled=filled, place_sigma=place_sigma,
+        unit=measured.unit, folder=w.out, files=(), sheet=None, surface=measured, remarks=remarks,
+    )  # fmt: skip
+
+
+def _coloured(w: _Wall, measured: MeasuredSurface, progress: Progress) -> tuple[Array, Mask]:
+    """Colours (h, w, 4) of the orthophoto with holes filled, and which pixels (h, w) were."""
+    import numpy as np
+
+    from raybundle.commands.drawn_masks import masks_of_result
+    from raybundle.io.photos.masks import find_masks
+    from raybundle.io.raster_library import raster_library
+    from raybundle.pipeline.project import photographs_of
+    from raybundle.surfaces.files.input import opened
     from raybundle.surfaces.orthophoto_files import PICTURE as ORTHOPHOTO
     from raybundle.surfaces.orthophoto_holes import fill_holes
     from raybundle.surfaces.photographs import photographs_there
-    from raybundle.workflows.object_plane import MapLevel
 
-    s, folder, surface = w.settings, w.out / SURFACE, measured.surface
+    s, surface = w.settings, measured.surface
     orthophoto, heights = surface.orthophoto, surface.heights
     assert orthophoto is not None
     assert heights is not None
-    library = raster_library()
-    with library.open(folder / ORTHOPHOTO) as file:
+    with raster_library().open(w.out / SURFACE / ORTHOPHOTO) as file:
         colours = np.ascontiguousarray(np.moveaxis(file.read(), 0, 2))
-    with library.open(folder / SIGMAS) as file:
-        sigma = np.hypot(file.read(1), file.read(2))
-    about = tomllib.loads((folder / ABOUT).read_text(encoding="utf-8"))
-    seen = colours[..., 3] > 0
-    longer = float(max(w.extent[2] - w.extent[0], w.extent[3] - w.extent[1]))
-    widest = WIDEST * longer if s.fill is None else s.fill
-    found = np.zeros(seen.shape, bool)
+    left, bottom, right, top = w.extent.tolist()
+    widest = WIDEST * max(right - left, top - bottom) if s.fill is None else s.fill
+    if not widest:
+        return colours, np.zeros(colours.shape[:2], bool)
     folders = s.photos or photographs_of(w.result)
-    if widest > 0 and not seen.all():
-        photos, _ = photographs_there(surface.block, folders)
-        masks = masks_of_result(s.source, s.masks, folders, w.out / SURFACE / "work")
-        found = fill_holes(
-            colours, orthophoto.grid, heights.grid, opened(folder).model, widest=widest, block=surface.block,
-            photos=photos, masks=None if masks is None else find_masks(masks, tuple(photos.values())),
-            gains=orthophoto.gains, progress=progress,
-        )  # fmt: skip
-    place_sigma = float(np.median(sigma[np.isfinite(sigma)])) if np.isfinite(sigma).any() else float("nan")
-    shares = {"measured": float(seen.mean()), "filled": float(found.mean())}
-    names = [f or i for f, i in zip(w.export.block.images.file, w.export.block.images.ids, strict=True)]
-    stated = {"place_sigma": place_sigma} if np.isfinite(place_sigma) else {}
-    scale = {"scale": "free"} if surface.free_scale else {}
-    about = {
-        **{k: v for k, v in about.items() if not isinstance(v, dict)}, **shares, **stated, **scale,
-        **{k: v for k, v in about.items() if isinstance(v, dict)}, "stations": stations_of(w.export, names),
-    }  # fmt: skip
-    g = orthophoto.grid
-    record = known_record(w.result).as_mapping()
-    state = w.export.record.get(STATE, "")
-    wkt = w.plane.system.to_wkt() if isinstance(w.plane, MapLevel) else ""
-    more = Rectified(colours=colours[..., :3], seen=colours[..., 3] > 0).write(
-        w.out / PICTURE, left=g.left, top=g.top, pixel=g.pixel, about=about, wkt=wkt,
-        record={**record, **({STATE: state} if state else {})},
+    photos, _ = photographs_there(surface.block, folders)
+    masks = masks_of_result(s.source, s.masks, folders, w.out / SURFACE / WORK)
+    found = fill_holes(
+        colours, orthophoto.grid, heights.grid, opened(w.out / SURFACE).model, widest=widest, block=surface.block,
+        photos=photos, masks=None if masks is None else find_masks(masks, tuple(photos.values())),
+        gains=orthophoto.gains, progress=progress,
     )  # fmt: skip
-    return Facade(
-        plane=w.plane, extent=w.extent, relief=w.relief, pixel=g.pixel, size_px=(g.width, g.height),
-        place_sigma=place_sigma, unit=measured.unit, folder=w.out, files=(), sheet=None, surface=measured,
-        remarks=more, **shares,
-    )  # fmt: skip
+    return colours, found
+
+
+def _shown(grid: Grid, seen: Mask) -> tuple[Grid, tuple[slice, slice]]:
+    """The part of a picture between the outermost rows and columns of which a share is seen; all of an empty one."""
+    import numpy as np
+
+    rows, columns = (np.flatnonzero(seen.mean(axis=axis) > LEAST_SEEN) for axis in (1, 0))
+    if not len(rows) or not len(columns):
+        return grid, (slice(None), slice(None))
+    (top, bottom), (left, right) = rows[[0, -1]].tolist(), columns[[0, -1]].tolist()
+    part = grid.part(left, top, right - left + 1, bottom - top + 1)
+    return part, (slice(top, bottom + 1), slice(left, right + 1))
 
 
 def _sections(w: _Wall) -> list[Path]:

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from scipy.ndimage import label
 
 from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import Block
@@ -19,7 +18,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.surfaces.grid import HeightGrid
 from raybundle.surfaces.heights.height_model import HeightModel
-from raybundle.surfaces.heights.hole_filling import filled
+from raybundle.surfaces.heights.hole_filling import filled, parts_of
 from raybundle.surfaces.heights.interpolation import height_at
 from raybundle.surfaces.heights.sight_lines import seen_from
 from raybundle.surfaces.tasks import colours_of, free_of
@@ -62,7 +61,7 @@ def fill_holes(
     images = sorted(photos)
     chosen = _chosen(_costs(block, images, grid, height, sigma, wanted), wanted, height.shape)[cell_of]
     for done, k in enumerate(images):
-        progress("holes of the orthophoto", done / len(images))
+        progress("orthophoto holes", done / len(images))
         mine = np.flatnonzero(chosen == done)
         if not len(mine):
             continue
@@ -76,7 +75,7 @@ def fill_holes(
         colours[row[mine], column[mine], :3] = colour.astype(np.uint8)
         colours[row[mine], column[mine], 3] = 255
         found[row[mine], column[mine]] = True
-    progress("holes of the orthophoto", 1.0)
+    progress("orthophoto holes", 1.0)
     return found
 
 
@@ -109,7 +108,7 @@ def _chosen(costs: Array, cells: Index, shape: tuple[int, int]) -> Index:
     best = costs.min(axis=0)
     hole = np.zeros(shape[0] * shape[1], bool)
     hole[cells] = True
-    number = label(hole.reshape(shape), np.ones((3, 3)))[0].ravel()[cells]
+    number = parts_of(hole.reshape(shape))[0].ravel()[cells]
     share = np.where(seen, costs / np.where(np.isfinite(best), best, 1.0), UNSEEN)
     of_hole = np.argmin([np.bincount(number, weights=s) for s in share], axis=0)[number]
     mine = seen[of_hole, np.arange(len(cells))]

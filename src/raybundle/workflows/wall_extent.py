@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import cast
+
 import numpy as np
 from scipy.ndimage import binary_dilation, label
 
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.workflows.object_plane import Plane
 
 DEPTH = 0.2
@@ -41,7 +43,7 @@ def wall_extent(plane: Plane, xyz: Array) -> tuple[Array, tuple[float, float]]:
     return extent, (float(low[2]), float(high[2]))
 
 
-def _together(at: Array, cell: float) -> Array:
+def _together(at: Array, cell: float) -> Mask:
     """(n,) places in the largest group: that of most places, of cells with at most two empty ones between."""
     low = at.min(axis=0)
     column, row = ((at - low) / cell).astype(int).T
@@ -50,6 +52,7 @@ def _together(at: Array, cell: float) -> Array:
         return np.ones(len(at), bool)
     occupied = np.zeros(shape, bool)
     occupied[row, column] = True
-    groups, _ = label(binary_dilation(occupied, np.ones((3, 3)), iterations=1), np.ones((3, 3)))
+    wider = binary_dilation(occupied, np.ones((3, 3)))
+    groups = cast("tuple[Index, int]", label(wider, np.ones((3, 3))))[0]
     mine = groups[row, column]
     return mine == np.bincount(mine).argmax()

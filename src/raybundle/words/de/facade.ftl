@@ -6,7 +6,7 @@ facade-wall = Wand: { $kind ->
 
 facade-picture = Echtes Orthofoto: { $width } x { $height } px von { $pixel } { $unit }.
 
-facade-coverage = Pixel: { PERCENT($measured) } % auf gemessenen Höhen, { PERCENT($filled) } % ergänzt, { PERCENT($white) } % weiß.
+facade-coverage = Pixel: { PERCENT($share) } % auf gemessenen Höhen, { PERCENT($filled) } % ergänzt, { PERCENT($white) } % weiß.
 
 facade-place_sigma = Standardabweichung des Ortes eines Pixels: { NUM($sigma, digits: 2) } { $unit } (Median).
 

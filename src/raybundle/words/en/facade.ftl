@@ -16,10 +16,10 @@ facade-wall = Wall: { $kind ->
 # $unit = "m"
 facade-picture = True orthophoto: { $width } x { $height } px of { $pixel } { $unit }.
 
-# $measured = 0.91
+# $share = 0.91
 # $filled = 0.06
 # $white = 0.03
-facade-coverage = Pixels: { PERCENT($measured) } % on measured heights, { PERCENT($filled) } % filled, { PERCENT($white) } % white.
+facade-coverage = Pixels: { PERCENT($share) } % on measured heights, { PERCENT($filled) } % filled, { PERCENT($white) } % white.
 
 # $sigma = 3.4
 # $unit = "mm"

@@ -6,7 +6,7 @@ facade-wall = Mur : plan { $kind ->
 
 facade-picture = Orthophoto vraie : { $width } x { $height } px de { $pixel } { $unit }.
 
-facade-coverage = Pixels : { PERCENT($measured) } % sur des hauteurs mesurées, { PERCENT($filled) } % complétés, { PERCENT($white) } % blancs.
+facade-coverage = Pixels : { PERCENT($share) } % sur des hauteurs mesurées, { PERCENT($filled) } % complétés, { PERCENT($white) } % blancs.
 
 facade-place_sigma = Écart-type de la position d'un pixel : { NUM($sigma, digits: 2) } { $unit } (médiane).
 

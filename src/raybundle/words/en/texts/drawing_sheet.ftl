@@ -163,12 +163,10 @@ drawing_sheet-shortened = Shortened in the title block: { LIST($names, most: 12)
 # $letters = ["א", "字"]
 drawing_sheet-letters = Letters that a sheet cannot show are printed as question marks: { LIST($letters, most: 10) }.
 
-# $measured = 0.91
+# $share = 0.91
 # $filled = 0.06
 # $white = 0.03
-# $known = true
+drawing_sheet-true_orthophoto = True orthophoto: { PERCENT($share) } % on measured heights, { PERCENT($filled) } % filled, { PERCENT($white) } % seen by no photograph.
+
 # $sigma_mm = 3.4
-drawing_sheet-true_orthophoto = True orthophoto: { PERCENT($measured) } % on measured heights{ $known ->
-        [yes] {" "}(standard deviation of a place { NUM($sigma_mm, digits: 2) } mm, median)
-        *[no] {""}
-    }, { PERCENT($filled) } % on interpolated heights, { PERCENT($white) } % white: seen by no photograph.
+drawing_sheet-place_sigma = Standard deviation of the place of a measured pixel: { NUM($sigma_mm, digits: 2) } mm (median).
