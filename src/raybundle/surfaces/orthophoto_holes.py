@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
+from scipy.ndimage import distance_transform_edt
 
 from raybundle.adjustment.system.predict import predicted_px
 from raybundle.block import Block
@@ -40,13 +41,14 @@ def fill_holes(
     """Give colours (h, w, 4) to pixels without any, in place; which they are (h, w).
 
     grid    of the heights; its upper left corner is that of `pixels`
-    model   heights; holes that they enclose are interpolated up to the depth `widest`, in the unit of the plane
+    model   heights; holes, and gaps that reach the edge, are interpolated up to the depth `widest`, in its unit
     photos  by image of the block
     gains   factors of the colours of each, as of the rest of the orthophoto
     Limits: what stands in a hole is shown where the interpolated surface is, displaced by its distance from it.
     """
     found = np.zeros(colours.shape[:2], bool)
-    whole = filled(model, widest / grid.grid.pixel)
+    reach = widest / grid.grid.pixel
+    whole = filled(model, reach, _closed(model.known, reach))
     height, sigma = whole.heights.height, whole.heights.sigma
     ratio = pixels.pixel / grid.grid.pixel
     row, column = np.nonzero(colours[..., 3] == 0)
@@ -77,6 +79,14 @@ def fill_holes(
         found[row[mine], column[mine]] = True
     progress("orthophoto holes", 1.0)
     return found
+
+
+def _closed(known: Mask, reach: float) -> Mask:
+    """(rows, columns) cells with heights and those in gaps of less than twice a reach [cells] between them."""
+    room = int(np.ceil(reach)) + 1
+    near = np.asarray(distance_transform_edt(~np.pad(known, room))) <= reach
+    inner = np.asarray(distance_transform_edt(near)) > reach
+    return np.asarray(inner[room:-room, room:-room] | known)
 
 
 def _costs(block: Block, images: list[int], grid: HeightGrid, height: Array, sigma: Array, cells: Index) -> Array:
