@@ -96,7 +96,7 @@ def main() -> None:
             run(page, folder)
         first_page(folder / "pit-project/result/report.pdf", "report.png", dpi=96)
         first_page(folder / "before/report.pdf", "tutorial-part-report.png", dpi=96)
-        first_page(folder / "portal-front.pdf", "tutorial-facade-sheet.png", dpi=60)
+        first_page(folder / "portal/facade/sheet.pdf", "tutorial-facade-sheet.png", dpi=60)
         photograph(folder / "pit/photos/PIT_0008.jpg", "tutorial-flight-photograph.webp", 700)
         photograph(folder / "pit-map.tif", "tutorial-flight-map.webp", 700)
         photograph(folder / "part/before/before_01.jpg", "tutorial-part-photograph.webp", 800)

@@ -46,6 +46,8 @@ from raybundle.commands.convert import Converted as Converted
 from raybundle.commands.empirical import Empirical as Empirical
 from raybundle.commands.empirical import EmpiricalSettings as EmpiricalSettings
 from raybundle.commands.estimate_cost import EstimateCostSettings as EstimateCostSettings
+from raybundle.commands.facade import Facade as Facade
+from raybundle.commands.facade import FacadeSettings as FacadeSettings
 from raybundle.commands.film import FilmSettings as FilmSettings
 from raybundle.commands.film import StraightFilm as StraightFilm
 from raybundle.commands.marks import export_marks as export_marks
@@ -162,6 +164,8 @@ __all__ = [
     "EmpiricalSettings",
     "Estimate",
     "EstimateCostSettings",
+    "Facade",
+    "FacadeSettings",
     "FilmSettings",
     "Flight",
     "FramesSettings",
@@ -226,6 +230,7 @@ __all__ = [
     "empirical",
     "estimate_cost",
     "export_marks",
+    "facade",
     "film",
     "find_calibration",
     "find_fiducials",
@@ -646,6 +651,7 @@ def drawing_sheet(
     up: str = 'z',
     axis: tuple[str, str] | list[str] | None = None,
     origin: str = '',
+    wall: int = 1,
     scale: int | None = None,
     paper: Literal['A4', 'A3', 'A2', 'A1', 'A0'] = 'A3',
     landscape: bool = False,
@@ -683,6 +689,7 @@ def drawing_sheet(
     up           Plumb direction. z: Z axis of the block. lines: its measured plumb lines. A,B: two points, B above A.
     axis         Two points of the plane's axis to the right, from A to B.  [default: level]
     origin       Point with its foot at the origin of the plane.  [default: in the middle of the points]
+    wall         Without plane=: wall N by number of points. 1: the wall with most points.
     scale        Denominator of the scale: 50 is 1 : 50.  [default: the largest of 1, 2, 5, 10, 20, 50 ... that fits]
     paper        Paper size.
     landscape    Use the paper with its longer side horizontal.  [default: by the drawing]
@@ -765,6 +772,72 @@ def estimate_cost(
     store_line        Bandwidth of the store [Gbit/s].
     measure           Measure this machine again, even if stored figures exist.
     shipped           Use the built-in figures of the processor named there.
+    """
+
+def facade(
+    source: str | Path,
+    out: str | Path | None = None,
+    *,
+    progress: Progress = ...,
+    plane: str | Sequence[str] = (),
+    vertical: bool = False,
+    horizontal: bool = False,
+    up: str = 'z',
+    axis: tuple[str, str] | list[str] | None = None,
+    origin: str = '',
+    wall: int = 1,
+    extent: tuple[float, float, float, float] | list[float] | None = None,
+    pixel: float | None = None,
+    density: Literal['1', '2', '4'] = '2',
+    fill: float | None = None,
+    section: str | Sequence[str] = (),
+    scale: int | None = None,
+    paper: Literal['auto', 'A4', 'A3', 'A2', 'A1', 'A0'] = 'auto',
+    grid: float | None = None,
+    photos: str | Path | Sequence[str | Path] = (),
+    masks: str | Path | None = None,
+    jobs: int = 0,
+    memory: float = 2.0,
+    title: str = '',
+    client: str = '',
+    operator: str = '',
+    language: str = '',
+) -> Facade:
+    """Draw a wall with relief: true orthophoto, sheet to scale, drawing and sections.
+
+    source    result folder or project of `orient`
+    out       folder; a run that was stopped goes on there
+    settings  as of the command line, by the names of `FacadeSettings`: wall=2, scale=50, paper="A2"
+    raises    InputError where no wall is found, and where no two photographs show it
+
+    Limits: what hides the wall is in the picture; pixels on interpolated heights may be displaced.
+
+    plane       Object points of the plane: three or more, or two with vertical=.  [default: plane of most points]
+    vertical    Use a plumb plane: through two points of plane=, fitted to more of them, or through most points.
+    horizontal  Use a level plane at the points' median height: floors, flat ground. If the result has a coordinate
+                system, the picture is in its map.
+    up          Plumb direction. z: Z axis of the block. lines: its measured plumb lines. A,B: two points, B above A.
+    axis        Two points of the plane's axis to the right, from A to B.  [default: level]
+    origin      Point with its foot at the origin of the plane.  [default: in the middle of the points]
+    wall        Without plane=: wall N by number of points. 1: the wall with most points.
+    extent      Part of the wall, in coordinates of its plane.  [default: extent of its points]
+    pixel       Pixel of the orthophoto in the object's unit.  [default: that of the photographs]
+    density     Measured pixels: each, or every second or fourth of rows and columns.
+    fill        Fill holes up to this depth from the next best photograph; 0: leave them white.  [default: 5 % of the
+                longer side]
+    section     Section line: corners X Y, X Y, ... in the plane.  [default: one level, one plumb, through the middle]
+    scale       Denominator of the scale of the sheet.  [default: the largest usual one that fits the pixel and A1]
+    paper       Paper size. auto: A3, A2 or A1.
+    grid        Spacing of the grid crosses of the sheet; 0: none.  [default: a usual one]
+    photos      Folder of the photographs.  [default: recorded in the project]
+    masks       Masks of the photographs, as for `surface`.  [default: masks and drawn areas of the project]
+    jobs        Number of processors; 0: all.
+    memory      Memory limit of all depth maps in work.
+    title       Title of the report.
+    client      Client, on the first page of the report.
+    operator    Operator, on the first page of the report.
+    language    Language of the report: en, de, fr. Tables and result.json stay English.  [default: that of the project,
+                else en]
     """
 
 def film(
@@ -1536,10 +1609,12 @@ def rectify(
     up: str = 'z',
     axis: tuple[str, str] | list[str] | None = None,
     origin: str = '',
+    wall: int = 1,
     pixel: float | None = None,
     extent: tuple[float, float, float, float] | list[float] | None = None,
     photos: str | Path | Sequence[str | Path] = (),
     only: str | Sequence[str] = (),
+    relief: float | None = None,
     control: str | Path | None = None,
     transformation: Literal['projective', 'affine'] = 'projective',
     calibration: str | Path | None = None,
@@ -1563,10 +1638,13 @@ def rectify(
                     A.
     axis            Two points of the plane's axis to the right, from A to B.  [default: level]
     origin          Point with its foot at the origin of the plane.  [default: in the middle of the points]
+    wall            Without plane=: wall N by number of points. 1: the wall with most points.
     pixel           Size of a pixel in the object's unit.  [default: that of the photographs]
     extent          Part of the plane, in its coordinates; of a map, east and north.  [default: extent of the points]
     photos          Folder of the photographs.  [default: recorded in the project]
     only            Use only these photographs.
+    relief          Largest displacement by the relief of a wall, in the object's unit. Beyond it, use `facade`.
+                    [default: 3 pixels]
     control         For a PHOTO: points of the plane with their image points, as for orient.
     transformation  For a PHOTO: transformation. affine: for a distant view or a flat copy.
     calibration     For a PHOTO: calibration of the lens, to correct distortion.
@@ -1735,6 +1813,7 @@ def surface(
     up: str = 'z',
     axis: tuple[str, str] | list[str] | None = None,
     origin: str = '',
+    wall: int = 1,
     density: Literal['1', '2', '4'] = '1',
     dsm: float | None = None,
     ortho: float | None = None,
@@ -1776,6 +1855,7 @@ def surface(
                       A.
     axis              Two points of the plane's axis to the right, from A to B.  [default: level]
     origin            Point with its foot at the origin of the plane.  [default: in the middle of the points]
+    wall              Without plane=: wall N by number of points. 1: the wall with most points.
     density           Measured pixels: each, or every second or fourth of rows and columns.
     dsm               Also write heights above the plane, on a grid of this cell size in the object's unit. If the
                       result has a coordinate system and no plane is given, heights are in its map.

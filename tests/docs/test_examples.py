@@ -225,7 +225,8 @@ def options_of_commands(command, context, name=""):
 
 
 FOREIGN = {
-    "--memory-limit", "--resources",
+    "--memory-limit",
+    "--resources",
     "--preload",
     "--nthreads",
     "--no-deps",

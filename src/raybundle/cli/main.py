@@ -55,6 +55,7 @@ TASKS: dict[str, dict[str, str]] = {
     "Surface and maps": {
         "surface": "Compute point cloud, DSM, orthophoto and mesh.",
         "heights": "Compute DTM, cut and fill volumes, profiles, contours, differences.",
+        "facade": "Draw a wall with relief: true orthophoto, sheet, sections.",
         "rectify": "Rectify a plane object to scale: facade, floor, painting.",
         "sheet": "Draw a sheet to scale as PDF.",
     },

@@ -89,6 +89,7 @@ TRADE_WORDS: dict[str, str] = {
     "dod": "heights difference BEFORE AFTER",
     "cloud-compare": "heights difference BEFORE AFTER",
     "warp-perspective": "rectify RESULT --out FILE",
+    "elevation": "facade RESULT",
     "rectification": "rectify RESULT --out FILE",
     "orthorectify": "rpc ortho SCENE --dem FILE",
     # measurement

@@ -180,7 +180,7 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
     from raybundle.block.frames import in_file_frames
     from raybundle.io.cameras.single_exposure import at_one_instant
     from raybundle.io.formats import formats
-    from raybundle.io.pictures.plane_file import axes_in
+    from raybundle.io.pictures.plane_file import axes_in, underlay_of
     from raybundle.io.pictures.undistort import point_colours
     from raybundle.pipeline.project import photographs_of
     from raybundle.workflows.convert import BLOCK, RPC, check_new, placed, straightened, written
@@ -224,7 +224,9 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
         export = replace(export, block=in_file_frames(export.block))
     if s.within is not None:
         axes, frame = axes_in(s.within, export), export.frame
-        export = replace(export, within=axes, frame=frame if axes is None else None)
+        export = replace(
+            export, within=axes, frame=frame if axes is None else None, underlay=underlay_of(s.within, s.out.parent)
+        )  # fmt: skip
     coloured = to not in {BLOCK, RPC} and formats[to].colours
     if folders := (s.photos,) if s.photos is not None else known if coloured else ():
         colours, more = point_colours(export.block, folders, progress=progress)

@@ -246,7 +246,19 @@ def _plane_notes(plane: PlaneFile) -> tuple[str, ...]:
         plane.vertical_by,
     )  # fmt: skip
     moved = phrase("drawing_sheet.moved", slope=plane.slope_rms) if np.isfinite(plane.slope_rms) else ""
-    return tuple(filter(None, (found, moved)))
+    return tuple(filter(None, (found, moved, *_coverage(plane))))
+
+
+def _coverage(plane: PlaneFile) -> tuple[Text, ...]:
+    """Of a true orthophoto: which share was measured, filled and left white, and how well pixels are placed."""
+    if not np.isfinite(plane.measured):
+        return ()
+    filled = plane.filled if np.isfinite(plane.filled) else 0.0
+    white = max(1 - plane.measured - filled, 0.0)
+    shares = phrase("drawing_sheet.true_orthophoto", share=plane.measured, filled=filled, white=white)
+    if not np.isfinite(plane.place_sigma):
+        return (shares,)
+    return shares, phrase("drawing_sheet.place_sigma", sigma_mm=plane.place_sigma * METRES.get(plane.unit, 1000.0))
 
 
 def _of_pixels(planes: Sequence[PlaneFile], millimetres: float) -> tuple[str, ...]:

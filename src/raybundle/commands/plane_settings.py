@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from raybundle.errors import InputError, NotSolvable, phrase
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import setting
+from raybundle.settings import Range, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
     from raybundle.workflows.object_plane import Covariance, Plane, PlaneAsked
 
-OF_PLANE = ("plane", "vertical", "horizontal", "up", "axis", "origin")
+OF_PLANE = ("plane", "vertical", "horizontal", "up", "axis", "origin", "wall")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,6 +47,10 @@ class PlaneSettings:
         "", "Point with its foot at the origin of the plane.  [default: in the middle of the points]",
         metavar="POINT",
     )  # fmt: skip
+    wall: int = setting(
+        1, "Without {plane}: wall N by number of points. 1: the wall with most points.", metavar="N",
+        limits=Range(low=1, high=20),
+    )  # fmt: skip
 
 
 def plane_asked(settings: PlaneSettings) -> PlaneAsked:
@@ -55,7 +59,13 @@ def plane_asked(settings: PlaneSettings) -> PlaneAsked:
 
     s = settings
     return PlaneAsked(
-        points=s.plane, vertical=s.vertical, horizontal=s.horizontal, up=s.up, axis=s.axis, origin=s.origin
+        points=s.plane,
+        vertical=s.vertical,
+        horizontal=s.horizontal,
+        up=s.up,
+        axis=s.axis,
+        origin=s.origin,
+        wall=s.wall,
     )
 
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 OF_PHOTO = ("control", "calibration", "transformation", "mark_sigma")
-OF_RESULT = (*OF_PLANE, "photos", "only", "free_scale")
+OF_RESULT = (*OF_PLANE, "photos", "only", "relief", "free_scale")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,6 +46,10 @@ class RectifySettings(PlaneSettings):
         (), "Folder of the photographs.  [default: recorded in the project]", metavar="FOLDER"
     )
     only: tuple[str, ...] = setting((), "Use only these photographs.", metavar="A,B,C,...", joined=True)
+    relief: float | None = setting(
+        None, "Largest displacement by the relief of a wall, in the object's unit. Beyond it, use `facade`.  "
+        "[default: 3 pixels]", metavar="LENGTH", limits=POSITIVE,
+    )  # fmt: skip
     control: Path | None = setting(
         None, "For a PHOTO: points of the plane with their image points, as for orient.", metavar="FILE"
     )
@@ -168,7 +172,9 @@ def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, M
         else:
             check_area(plane, area)
     grid = grid_over(area, pixel)
-    picture, remarks = rectify_block(block, folders, plane, grid, only=s.only, progress=progress)
+    picture, remarks = rectify_block(
+        block, folders, plane, grid, only=s.only, sigma=export.sigma, tolerated=s.relief, progress=progress
+    )  # fmt: skip
     unit = "" if block.free_scale else plane.unit if isinstance(plane, MapLevel) else block.length_unit
     state = export.record.get(STATE, "")
     about = {"block": block.name, "unit": unit, **({STATE: state} if state else {}), **_about(plane, picture)}

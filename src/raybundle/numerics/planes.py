@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,6 +18,8 @@ SAMPLE = 2000
 ROUNDS = 20
 STEEP = 0.26
 """Vertical part of the normal up to which a plane is a wall: 15 degrees, which no building that stands leans"""
+RELIEF = 0.1
+"""Depth of a wall's relief (cornices, reveals, bays), as a share of its longer side: no other wall lies within it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,6 +67,35 @@ def plane_of_most(points: Array, sigma: Array, least: float, *, steep: Array | N
         if cost < best:
             best, found = cost, (a, normal)
     return _fitted(points, variance, least, *found)
+
+
+def planes_of_most(
+    points: Array, sigma: Array, least: float, *, count: int, steep: Array | None = None
+) -> list[FoundPlane]:
+    """Up to `count` planes, most points first, each without the points of those before it and of their relief.
+
+    Arguments as of `plane_of_most`.  Fewer planes are returned where fewer than three points are left.
+    """
+    rest, found = np.arange(len(points)), list[FoundPlane]()
+    while len(found) < count and len(rest) > 2:
+        one = plane_of_most(points[rest], sigma[rest], least, steep=steep)
+        if one.inliers.sum() < 3:
+            break
+        mine = np.zeros(len(points), bool)
+        mine[rest[one.inliers]] = True
+        found.append(replace(one, inliers=mine))
+        rest = rest[~_in_relief(points[rest], points[mine], one)]
+    return found
+
+
+def _in_relief(points: Array, mine: Array, plane: FoundPlane) -> Mask:
+    """(n,) points in front of or behind the part of a plane that its own points (k, 3) cover, by its relief at most."""
+    axes = np.linalg.svd(mine - plane.origin, full_matrices=False)[2]
+    own, at = (mine - plane.origin) @ axes[:2].T, (points - plane.origin) @ axes[:2].T
+    low, high = np.percentile(own, [0.5, 99.5], axis=0)
+    reach = RELIEF * float((high - low).max())
+    near = np.abs((points - plane.origin) @ plane.normal) <= reach
+    return np.asarray(near & (at >= low - reach).all(axis=1) & (at <= high + reach).all(axis=1))
 
 
 def in_plane(points: Array, variance: Array, least: float, origin: Array, normal: Array) -> Mask:

@@ -19,7 +19,7 @@ from raybundle.io.geo.parsed_names import plan_system
 from raybundle.io.geo.parsed_systems import system_name
 from raybundle.measuring.axes import IN_LINE
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.numerics.planes import in_plane, plane_of_most
+from raybundle.numerics.planes import in_plane, planes_of_most
 from raybundle.workflows.vertical import Plumb, asked_plumb, points_at
 
 if TYPE_CHECKING:
@@ -51,6 +51,8 @@ class PlaneAsked:
     """None: level"""
     origin: str = ""
     """point whose foot is the origin; "": the middle of the points"""
+    wall: int = 1
+    """of planes by most points, the how many-th"""
 
     def __post_init__(self) -> None:
         """Raises InputError for what does not go together."""
@@ -309,7 +311,10 @@ def _placed(points: Array, sigma: Array, least: float, asked: PlaneAsked, up: Ar
         middle = np.median(points, axis=0)
         return middle + (np.median(heights) - middle @ up) * up, up, inliers
     if not asked.points:
-        found = plane_of_most(points, sigma, least, steep=up if asked.vertical else None)
+        walls = planes_of_most(points, sigma, least, count=asked.wall, steep=up if asked.vertical else None)
+        if len(walls) < asked.wall:
+            raise InputError("plane.no_such_wall", wall=asked.wall, n=len(walls))
+        found = walls[-1]
         _check_spread(points[found.inliers])
         if asked.vertical:  # of the wall as it stands: those within a plumb plane would be a band of one that leans
             return found.origin, _made_plumb(points[found.inliers], up), found.inliers

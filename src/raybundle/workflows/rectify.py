@@ -23,6 +23,7 @@ from raybundle.io.geo.parsed_systems import system_name
 from raybundle.io.pictures.rectified import Rectified
 from raybundle.io.pictures.undistort import camera_plane, pixels_of_plane
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.planes import RELIEF
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rows import rows_of_each
 from raybundle.scenes.empirical import EmpiricalFit, fit_empirical
@@ -43,6 +44,11 @@ STRAIGHT, FEWEST_OFF = 1e-3, 3
 """Width of points in shares of their length below which they lie on a line, and how many must be left for that."""
 WORTH_A_WORD = 0.02
 """Share of the picture from which on it is stated that something stands before the plane."""
+DISPLACED_SHARE, DISPLACED_PX, DISPLACED_SIGMA = 0.05, 3.0, 3.0
+"""Share of a wall's points that its relief may displace in a picture of one plane, and from which displacement on, in
+pixels of the picture and in standard deviations of the point: two doors where there is one come of some ten pixels."""
+LEAST_POINTS = 20
+"""Of the wall in the picture, from which on its relief is judged"""
 FEW = 0.5
 """Share of the points in a plane below which most of what the picture shows is not in it."""
 
@@ -150,6 +156,8 @@ def rectify_block(
     grid: Grid,
     *,
     only: Sequence[str] = (),
+    sigma: Array | None = None,
+    tolerated: float | None = None,
     progress: Progress = silent,
 ) -> tuple[Rectified, tuple[str, ...]]:
     """The picture of a plane from all oriented photographs, or from those named, and remarks.
@@ -157,12 +165,18 @@ def rectify_block(
     Of several photographs that show a place the one that looks at it most squarely with small pixels is taken, and that
     object points around it say to be looking at the plane, not at what stands before it.  Limits: what
     hides the plane and has no object points, as a lamp post.
+
+    sigma      (p, 3) standard deviations of the object points; None: not known
+    tolerated  displacement by the relief of a wall, in the unit of the plane; None: three pixels of the picture
+    raises     InputError where more of the wall's points are displaced further
     """
     names = [f or i for f, i in zip(block.images.file, block.images.ids, strict=True)]
     images = _photographs(block, names, only)
     places, shape = grid.coarse()
     xyz = plane.places(places)
     maps, choice, before = _best_views(block, images, plane, xyz, shape, progress)
+    if plane.kind != "horizontal":
+        _check_relief(block, plane, grid, choice.reshape(shape), sigma, tolerated)
     picture = Rectified.empty(grid.height, grid.width)
     remarks: list[str] = []
     used = [k for k in maps if (choice == k).any()]
@@ -189,6 +203,42 @@ def rectify_block(
     every = np.concatenate(slopes)
     picture.slope = float(np.sqrt((every**2).mean())), float(every.max())
     return picture, tuple(remarks)
+
+
+def _check_relief(
+    block: Block, plane: Plane, grid: Grid, choice: Index, sigma: Array | None, tolerated: float | None
+) -> None:  # fmt: skip
+    """Raise InputError where the relief of a wall displaces its points by more than is tolerated.
+
+    choice  (m, n) photograph of every sixteenth pixel; -1: none
+    Points count that lie in the picture and in the wall's relief; a point h off the plane is displaced by h tan(angle
+    between the ray of its photograph and the normal).
+    """
+    known = np.flatnonzero(
+        (np.bincount(block.observations.point, minlength=len(block.points)) > 1)
+        & np.isfinite(block.points.xyz).all(axis=1)
+    )
+    at = plane.coordinates(block.points.xyz[known])
+    cell = np.floor(grid.cells(at[:, :2]) / STEP + 0.5).astype(int)
+    longer = float(max(plane.extent[2] - plane.extent[0], plane.extent[3] - plane.extent[1]))
+    mine = (cell >= 0).all(axis=1) & (cell < choice.shape[::-1]).all(axis=1) & (np.abs(at[:, 2]) <= RELIEF * longer)
+    known, at, cell = known[mine], at[mine], cell[mine]
+    image = choice[cell[:, 1], cell[:, 0]]
+    known, at, image = known[image >= 0], at[image >= 0], image[image >= 0]
+    if len(known) < LEAST_POINTS:
+        return
+    ray = plane.coordinates(block.images.centre[image]) - at
+    off = np.abs(at[:, 2]) * np.hypot(ray[:, 0], ray[:, 1]) / np.abs(ray[:, 2])
+    own = np.zeros(len(known)) if sigma is None else np.nan_to_num(np.linalg.norm(sigma[known], axis=1))
+    limit = DISPLACED_PX * grid.pixel if tolerated is None else tolerated
+    share = float((off > np.maximum(limit, DISPLACED_SIGMA * own)).mean())
+    if share > DISPLACED_SHARE:
+        back, front = np.quantile(at[:, 2], [0.01, 0.99]).tolist()
+        most = float(np.quantile(off, 1 - DISPLACED_SHARE))
+        raise InputError(
+            "picture.relief", share=share, limit_share=DISPLACED_SHARE, limit=limit, displacement=most, back=back,
+            front=front, unit="" if block.free_scale else block.length_unit,
+        )  # fmt: skip
 
 
 def _photographs(block: Block, names: Sequence[str], only: Sequence[str]) -> list[int]:

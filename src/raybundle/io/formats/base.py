@@ -47,6 +47,18 @@ class PlaneAxes:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Underlay:
+    """A picture to scale below a drawing in the axes of its plane or map."""
+
+    file: str
+    """path, as the drawing names it"""
+    extent: tuple[float, float, float, float]
+    """left, bottom, right, top"""
+    size_px: tuple[int, int]
+    """width, height"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Export:
     """What a writer is given."""
 
@@ -75,6 +87,8 @@ class Export:
     """What is stated of the delivery: title, client, rights and the like; its state, where it is not to be used yet."""
     within: PlaneAxes | None = None
     """Axes of a plane in which it is written; then `frame` is None."""
+    underlay: Underlay | None = None
+    """Picture of that plane or map."""
     interior: Mapping[str, tuple[tuple[str, ...], Array]] = field(
         default_factory=dict[str, tuple[tuple[str, ...], "Array"]]
     )

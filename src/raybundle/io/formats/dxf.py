@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.errors import InputError, phrase
-from raybundle.io.formats.base import Draft, Export, Format, register
+from raybundle.io.formats.base import Draft, Export, Format, Underlay, register
 from raybundle.io.formats.surveyed import Surveyed, check_lengths, surveyed
 from raybundle.numerics.arrays import Array
 
@@ -55,9 +55,15 @@ def write(export: Export, path: Path) -> Draft:
     letter, cross = _sizes(s)
     drawing.header["$PDMODE"], drawing.header["$PDSIZE"] = CROSS, cross
     sheet = _Sheet(drawing=drawing, letter=letter, axes=s.axes)
+    if export.underlay is not None:  # the first entity lies below all others
+        sheet.picture(export.underlay)
     _add_points(sheet, s)
     _add_stations(sheet, s)
     _add_figures(sheet, s)
+    if export.underlay is not None:  # the drawing is of the picture: what is not in its plane is off
+        for layer in ("points-tie", "stations", "stations-names"):
+            if layer in drawing.layers:
+                drawing.layers.get(layer).off()
     _set_view(drawing, s)
     drawing.saveas(path)
     return Draft(remarks=(*remarks, *s.footprint_remarks))
@@ -91,6 +97,15 @@ class _Sheet:
             if np.isfinite(value):
                 reported += [(1000, key), (1040, float(value))]
         found.set_xdata(APPLICATION, reported)
+
+    def picture(self, underlay: Underlay) -> None:
+        """A picture in its place."""
+        left, bottom, right, top = underlay.extent
+        image = self.drawing.add_image_def(filename=underlay.file, size_in_pixel=underlay.size_px)
+        self.space.add_image(
+            image, insert=(left, bottom), size_in_units=(right - left, top - bottom),
+            dxfattribs={"layer": self.layer("picture")},
+        )  # fmt: skip
 
     def words(self, layer: str, text: str, xyz: Array) -> None:
         """Words beside a place."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -11,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.formats.base import Export, PlaneAxes
+from raybundle.io.formats.base import Export, PlaneAxes, Underlay
 from raybundle.io.pictures.geotiff import system_file
 from raybundle.io.pictures.rectified import WORLD
 from raybundle.io.reading.files import read_text
@@ -58,6 +59,12 @@ class PlaneFile:
     """rms distance of the points from the plane"""
     slope_rms: float = float("nan")
     """by which part of its distance from the plane a thing is displaced in the picture, rms"""
+    measured: float = float("nan")
+    """of a true orthophoto: share of the pixels on measured heights"""
+    filled: float = float("nan")
+    """share of the pixels on interpolated heights"""
+    place_sigma: float = float("nan")
+    """median standard deviation of the place of a pixel"""
     photographs: int = 0
     block: str = ""
     """name of the block that it was made of"""
@@ -101,7 +108,8 @@ def read_plane(path: Path) -> PlaneFile:
         file=path, left=left, top=top, pixel=pixel, axes=_axes(tree) if known else None,
         system=_words(tree, "system"), unit=_words(tree, "unit"),
         **{n: tree.optional(n, float("nan")) for n in (
-            "height", "lean_deg", "lean_sigma_deg", "points_rms", "slope_rms",
+            "height", "lean_deg", "lean_sigma_deg", "points_rms", "slope_rms", "measured", "filled",
+            "place_sigma",
         )},
         kind=_words(tree, "plane"), vertical_by=_text(tree, "vertical_by"), axes_by=_text(tree, "axes_by"),
         points=int(tree.optional("points")), photographs=len(tree.get("photographs").mapping())
@@ -148,6 +156,18 @@ def _of_world(world: Path, picture: Path) -> PlaneFile:
         file=world, left=x - a / 2, top=y + a / 2, pixel=a, axes=None,
         system="" if found is None else unescape(found[1]).strip(),
     )  # fmt: skip
+
+
+def underlay_of(path: Path, folder: Path) -> Underlay | None:
+    """The picture beside a NAME.toml that states its size, by its path from the folder of a drawing; None: none."""
+    tree, plane = read_toml(path).tree(), read_plane(path)
+    file = next((f for suffix in PICTURES if (f := path.with_suffix(suffix)).is_file()), None)
+    if file is None or not (tree.has("width_px") and tree.has("height_px")):
+        return None
+    wide, tall = int(tree.get("width_px").number()), int(tree.get("height_px").number())
+    extent = plane.left, plane.top - tall * plane.pixel, plane.left + wide * plane.pixel, plane.top
+    name = os.path.relpath(file.resolve(), folder.resolve()).replace(os.sep, "/")
+    return Underlay(file=name, extent=extent, size_px=(wide, tall))
 
 
 def axes_in(path: Path, export: Export) -> PlaneAxes | None:

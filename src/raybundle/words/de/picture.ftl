@@ -85,3 +85,7 @@ picture-no_redundancy = Das Bild beruht auf der Mindestzahl von Punkten: Fehler 
 picture-mirrored = Das Bild ist gespiegelt.
     .why = Die Passpunkte laufen in der Aufnahme andersherum als in der Ebene.
     .do = Prüfen Sie links und rechts, die Vorzeichen der Achsen und die Seite des Films.
+
+picture-relief = Das Relief versetzt { PERCENT($share) } % der Punkte der Wand um mehr als { NUM($limit, digits: 2) } { $unit } (Grenze { PERCENT($limit_share) } %).
+    .why = Die Wand reicht von { NUM($back, digits: 2) } bis { NUM($front, digits: 2) } { $unit } um die Ebene; ein Bild einer Ebene verschiebt oder verdoppelt sie um { NUM($displacement, digits: 2) } { $unit }.
+    .do = Mit raybundle facade zeichnen oder die Versetzung hinnehmen: { OPTION("relief", "LENGTH") }.

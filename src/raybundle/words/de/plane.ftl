@@ -55,3 +55,9 @@ plane-not_plumb = Die Wand steht nicht lotrecht: ihre Punkte neigen sich { $back
         *[no] {""}
     } Grad.
     .why = Die Ebene ist wie verlangt lotrecht.
+
+plane-no_such_wall = Die Punkte zeigen { $n } { $n ->
+        [one] Wand
+        *[other] Wände
+    }, nicht { $wall }.
+    .do = { OPTION("wall") } kleiner wählen oder Punkte der Wand nennen: { OPTION("plane", "A,B,C") }.

@@ -132,3 +132,14 @@ picture-no_redundancy = The picture rests on as many points as it needs: errors 
 picture-mirrored = The picture is mirrored.
     .why = The control points run the other way round in the photograph than in the plane.
     .do = Check left and right, the signs of the axes, and the side of the film.
+
+# $share = 0.34
+# $limit_share = 0.05
+# $limit = 0.015
+# $displacement = 0.21
+# $back = -0.35
+# $front = 0.62
+# $unit = "m"
+picture-relief = Relief displaces { PERCENT($share) } % of the wall's points by more than { NUM($limit, digits: 2) } { $unit } (limit { PERCENT($limit_share) } %).
+    .why = The wall reaches from { NUM($back, digits: 2) } to { NUM($front, digits: 2) } { $unit } about the plane; a picture of one plane shifts or doubles it by { NUM($displacement, digits: 2) } { $unit }.
+    .do = Draw it with raybundle facade, or accept the displacement: { OPTION("relief", "LENGTH") }.

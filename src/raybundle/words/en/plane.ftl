@@ -76,3 +76,11 @@ plane-not_plumb = The wall is not plumb: its points lean { $back ->
         *[no] {""}
     } degrees.
     .why = The plane is plumb as requested.
+
+# $wall = 3
+# $n = 2
+plane-no_such_wall = The points show { $n } { $n ->
+        [one] wall
+        *[other] walls
+    }, not { $wall }.
+    .do = Give a smaller { OPTION("wall") }, or name points of the wall: { OPTION("plane", "A,B,C") }.

@@ -49,3 +49,7 @@ picture-residuals = Résidus de { NUM($x, digits: 3) }, { NUM($y, digits: 3) } p
 picture-no_redundancy = L'image repose sur le minimum de points : les erreurs ne sont pas décelées.
 
 picture-mirrored = L'image est inversée.
+
+picture-relief = Le relief déplace { PERCENT($share) } % des points du mur de plus de { NUM($limit, digits: 2) } { $unit } (limite { PERCENT($limit_share) } %).
+    .why = Le mur s'étend de { NUM($back, digits: 2) } à { NUM($front, digits: 2) } { $unit } autour du plan ; l'image d'un seul plan le décale ou le dédouble de { NUM($displacement, digits: 2) } { $unit }.
+    .do = Le dessiner par raybundle facade, ou accepter le déplacement : { OPTION("relief", "LENGTH") }.

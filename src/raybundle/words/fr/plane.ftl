@@ -35,3 +35,6 @@ plane-not_plumb = Le mur n'est pas d'aplomb : ses points penchent { $back ->
         [yes] {" "}± { NUM($sigma_deg, digits: 2) }
         *[no] {""}
     } degrés.
+
+plane-no_such_wall = Les points montrent { $n } murs, pas { $wall }.
+    .do = Choisir { OPTION("wall") } plus petit, ou nommer des points du mur : { OPTION("plane", "A,B,C") }.

@@ -127,3 +127,7 @@ drawing_sheet-metres_assumed = Die Einheit des Bildes ist unbekannt; Meter werde
 drawing_sheet-shortened = Im Schriftfeld gekürzt: { LIST($names, most: 12) }.
 
 drawing_sheet-letters = Zeichen, die ein Blatt nicht darstellen kann, sind als Fragezeichen gedruckt: { LIST($letters, most: 10) }.
+
+drawing_sheet-true_orthophoto = Echtes Orthofoto: { PERCENT($share) } % auf gemessenen Höhen, { PERCENT($filled) } % ergänzt, { PERCENT($white) } % von keiner Aufnahme gesehen.
+
+drawing_sheet-place_sigma = Standardabweichung des Ortes eines gemessenen Pixels: { NUM($sigma_mm, digits: 2) } mm (Median).

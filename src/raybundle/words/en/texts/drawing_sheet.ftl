@@ -162,3 +162,11 @@ drawing_sheet-shortened = Shortened in the title block: { LIST($names, most: 12)
 
 # $letters = ["א", "字"]
 drawing_sheet-letters = Letters that a sheet cannot show are printed as question marks: { LIST($letters, most: 10) }.
+
+# $share = 0.91
+# $filled = 0.06
+# $white = 0.03
+drawing_sheet-true_orthophoto = True orthophoto: { PERCENT($share) } % on measured heights, { PERCENT($filled) } % filled, { PERCENT($white) } % seen by no photograph.
+
+# $sigma_mm = 3.4
+drawing_sheet-place_sigma = Standard deviation of the place of a measured pixel: { NUM($sigma_mm, digits: 2) } mm (median).
