@@ -45,11 +45,14 @@ PERHAPS, PERHAPS_SIGMA = PerhapsNumber(), PerhapsNumber(0)
 Covariance = tuple[float, float, float]
 
 
-def _place(folder: Path, verb: str, author: str, sigma: float, covariance: Covariance | None, /, **given: Any) -> None:
-    do(folder, verb, author, covariance=covariance or (sigma**2, sigma**2, 0.0), **given)
+def _place(
+    folder: Path, verb: str, author: str, sigma: float | None, covariance: Covariance | None, /, **given: Any
+) -> None:
+    own = None if sigma is None else (sigma**2, sigma**2, 0.0)
+    do(folder, verb, author, **({"covariance": known} if (known := covariance or own) else {}), **given)
 
 
-def _precision(usual: float) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+def _precision(usual: float | None) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """Add --mark-sigma, with its default, and --covariance."""
     whole = click.option(
         "--covariance", type=(POSITIVE, POSITIVE, NUMBER), metavar="XX YY XY",
@@ -60,9 +63,9 @@ def _precision(usual: float) -> Callable[[Callable[..., Any]], Callable[..., Any
         "sigma",
         type=PIXELS,
         default=usual,
-        show_default=True,
+        show_default=usual is not None,
         metavar="PX",
-        help="Standard deviation of the mark.",
+        help="Standard deviation of the mark." if usual else "Standard deviation of the mark.  [default: as it is]",
     )
     return lambda function: sigma(whole(function))
 
@@ -116,9 +119,9 @@ def put(
 @click.argument("point")
 @click.argument("x_px", type=NUMBER, metavar="X")
 @click.argument("y_px", type=NUMBER, metavar="Y")
-@_precision(0.5)
+@_precision(None)
 def move(
-    folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float, covariance: Covariance | None,
+    folder: Path, image: str, point: str, x_px: float, y_px: float, sigma: float | None, covariance: Covariance | None,
     author: str,
 ) -> None:  # fmt: skip
     """Move a mark.

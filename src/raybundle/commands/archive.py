@@ -19,6 +19,16 @@ from raybundle.settings import setting
 if TYPE_CHECKING:
     from raybundle.results.record import Record
 
+README = "README.txt"
+CONTENTS_OF = {
+    "result": "current result: report, tables, block; its README.txt names each file and column",
+    "surface": "products of the surface", "facade": "products of the facade", "photographs": "the photographs",
+    "project.toml": "parameters of the runs, and the recording sheet",
+    "measurements.json": "journal of what was measured by hand",
+    "photographs.sha256": "checksums of the photographs",
+    "checksums.sha256": "checksums of all files of this package (sha256sum -c checksums.sha256)",
+    "ro-crate-metadata.json": "description of this package (RO-Crate 1.1)",
+}  # fmt: skip
 CRATE, CHECKSUMS = "ro-crate-metadata.json", "checksums.sha256"
 PHOTOGRAPHS, MEASUREMENTS = "photographs.sha256", "measurements.json"
 SPECIFICATION = "https://w3id.org/ro/crate/1.1"
@@ -100,6 +110,8 @@ def run_archive(s: ArchiveSettings, progress: Progress = silent) -> Archive:
         texts = {PHOTOGRAPHS: "".join(f"{h}  {n}\n" for n, h in hashes.items())} if hashes else {}
         texts |= _measurements(s.source)
         sizes |= {name: len(text.encode()) for name, text in texts.items()}
+        texts[README] = _readme(sizes)
+        sizes[README] = len(texts[README].encode())
         texts[CRATE] = _crate(given, result, sizes)
         for name, text in texts.items():
             sums[name] = hashlib.sha256(text.encode()).hexdigest()
@@ -159,6 +171,12 @@ def _measurements(source: Path) -> dict[str, str]:
     return {MEASUREMENTS: json.dumps(rows, indent=1, ensure_ascii=False) + "\n"} if rows else {}
 
 
+def _readme(sizes: Mapping[str, int]) -> str:
+    """What stands at the top of the package."""
+    there = {*(name.partition("/")[0] for name in sizes), CHECKSUMS, CRATE}
+    return "".join(f"{name:26s}{words}\n" for name, words in CONTENTS_OF.items() if name in there)
+
+
 def _hash(file: Path) -> str:
     with file.open("rb") as data:
         return hashlib.file_digest(data, "sha256").hexdigest()
@@ -183,11 +201,11 @@ def _crate(given: Record, result: Path, sizes: Mapping[str, int]) -> str:
 
     r = given.as_mapping()
     now = datetime.now(UTC).replace(microsecond=0).isoformat()
+    made_at = datetime.fromtimestamp((result / "result.json").stat().st_mtime, UTC).replace(microsecond=0).isoformat()
     people = [{"@id": f"#person-{k}"} for k, _ in enumerate(_names(given.operator), 1)]
     properties = [
         {"@type": "PropertyValue", "@id": f"#{n}", "name": n, "value": r[n]}
-        for n in ("kind", "dating", "persons", "materials", "condition", "protection", "purpose", "instruments",
-                  "conditions", "control") if n in r
+        for n in ("kind", "dating", "persons", "materials", "condition", "protection") if n in r
     ]  # fmt: skip
     root: dict[str, Any] = {
         "@id": "./", "@type": "Dataset", "name": r.get("title") or result.resolve().parent.name,
@@ -212,10 +230,12 @@ def _crate(given: Record, result: Path, sizes: Mapping[str, int]) -> str:
           for n, kind in (("place", "Place"), ("archive", "Organization"), ("client", "Organization")) if n in r),
         {"@id": "https://pypi.org/project/raybundle", "@type": "SoftwareApplication", "name": "raybundle",
          "softwareVersion": __version__, "url": "https://pypi.org/project/raybundle"},
-        {"@id": "#adjustment", "@type": "CreateAction", "name": "Orientation and bundle adjustment", "endTime": now,
+        {"@id": "#adjustment", "@type": "CreateAction", "name": "Orientation and bundle adjustment", "endTime": made_at,
          "instrument": {"@id": "https://pypi.org/project/raybundle"}, "agent": people,
          "object": [{"@id": PHOTOGRAPHS}] if PHOTOGRAPHS in sizes else [],
-         "result": [{"@id": "result/result.json"}]},
+         "result": [{"@id": "result/result.json"}],
+         **{name: r[n] for n, name in (("instruments", "description"), ("conditions", "disambiguatingDescription"))
+            if n in r}},
     ]  # fmt: skip
     made = {"@context": f"{SPECIFICATION}/context", "@graph": context}
     return json.dumps(made, indent=1, ensure_ascii=False) + "\n"

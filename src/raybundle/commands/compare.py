@@ -58,7 +58,7 @@ def run_compare(settings: CompareSettings, progress: Progress = silent) -> Compa
 
 def _compared(settings: CompareSettings) -> tuple[Path, Path]:
     """The two result folders; of one project alone the one before and the current one."""
-    from raybundle.results.project_results import earlier_results
+    from raybundle.results.project_results import earlier_results, made_of
     from raybundle.workflows.sources import result_within
 
     if settings.second is not None:
@@ -67,4 +67,5 @@ def _compared(settings: CompareSettings) -> tuple[Path, Path]:
     earlier = earlier_results(settings.first)
     if not earlier:
         raise InputError("comparison.one_result", file=settings.first)
-    return earlier[0], current
+    base = made_of(current).base  # of one run with the current one
+    return next((p for p in earlier if p.name != base), earlier[0]), current

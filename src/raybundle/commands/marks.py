@@ -162,6 +162,11 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
             arguments["rows"] = _beyond(_standing(folder), journal.state, **arguments)
         if verb == "control" and "points" not in arguments:
             return journal.append(control_of(str(arguments.get("file", "")))[0], id=id, author=operator)
+        if verb == "move" and "covariance" not in arguments:
+            before = journal.state.marks.get(
+                (journal.known.image(str(arguments.get("image", ""))), arguments.get("point"))
+            )
+            arguments |= {} if before is None else {"covariance": list(before.covariance)}
         return journal.append_verb(verb, arguments, id=id, author=operator)
 
 

@@ -104,7 +104,8 @@ def write_result(
         pages = [folder / name for name, wanted in (("report.html", report == "html"), ("report.pdf", pdf)) if wanted]
         names = [*(entry.name for entry in folder.iterdir() if not _empty(entry)), *(p.name for p in pages)]
         names += ["network.html"] * (report == "html")
-        text = readme(adjustment, sorted(names), language_of(language, [adjustment.adjusted.name]))
+        every = {entry.name for entry in folder.iterdir()} | set(names)
+        text = readme(adjustment, sorted(every), language_of(language, [adjustment.adjusted.name]))
         (folder / README).write_text(text, encoding="utf-8", newline="\n")
         if pages:
             from raybundle.report.writing import write_reports

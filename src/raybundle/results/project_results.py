@@ -173,8 +173,8 @@ def replacing(project: Path, by: str, *, marks: bool) -> Generator[Made]:
 
     marks  whether marks are merged in the new one
 
-    Where the new result has the same orientations and cameras, or is not written, nothing is kept. Files are linked
-    where the file system can: results are replaced whole, never changed.
+    Where the new result has the same orientations, cameras and files, or is not written, nothing is kept. Files are
+    linked where the file system can: results are replaced whole, never changed.
     """
     current, before, made = project / RESULT, fingerprint(project / RESULT), made_of(project / RESULT)
     there = set(earlier_results(project))
@@ -186,7 +186,8 @@ def replacing(project: Path, by: str, *, marks: bool) -> Generator[Made]:
         if kept is not None and kept not in there:
             shutil.rmtree(kept, ignore_errors=True)
         raise
-    if kept is not None and kept.name != made_of(current).base and fingerprint(current) == before:
+    whole = kept is not None and {p.name for p in kept.iterdir()} <= {p.name for p in current.iterdir()}
+    if kept is not None and whole and kept.name != made_of(current).base and fingerprint(current) == before:
         shutil.rmtree(kept, ignore_errors=True)
     _forget_oldest(project)
 

@@ -19,6 +19,7 @@ from raybundle.report.delivery import Delivery, delivery_of
 from raybundle.report.figures.object_view import object_view
 from raybundle.report.figures.photograph_view import photograph_view
 from raybundle.report.figures.svg import spread_rows
+from raybundle.report.languages import Localised
 from raybundle.report.parts import (
     Column,
     Fact,
@@ -87,9 +88,9 @@ def head_of(o: Occasion, d: Delivery) -> tuple[tuple[str, str], ...]:
         *((x.label, x.sentence) for x in d.outcomes),
         *_lengths(o, d),
         *((phrase("front.asprs_statement", height=k > 0), s) for k, s in enumerate(d.statements)),
-        (phrase("front.client"), r.client), (phrase("front.operator"), r.operator), (phrase("front.object"), r.object),
-        (phrase("front.place"), r.place), (phrase("front.date"), r.date or taken_words(o)),
-        (phrase("front.instruments"), r.instruments), (phrase("front.rights"), r.rights),
+        *((phrase(f"front.{name}"), Localised(getattr(r, name))) for name in ("client", "operator", "object", "place")),
+        (phrase("front.date"), Localised(r.date) if r.date else taken_words(o)),
+        *((phrase(f"front.{name}"), Localised(getattr(r, name))) for name in ("instruments", "rights")),
         *_system(d),
     ]  # fmt: skip
     return tuple((word, sentence) for word, sentence in pairs if sentence)

@@ -28,7 +28,7 @@ def title_of(o: Occasion) -> str:
     """The title that was given, else what was done."""
     given = "" if o.delivery is None else o.delivery.record.title
     if given:
-        return given
+        return Localised(given)
     return phrase("front.calibration") if o.qualities else phrase("front.adjustment", name=o.view.given.name)
 
 

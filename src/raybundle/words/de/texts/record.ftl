@@ -1,6 +1,6 @@
 record-empty = Das Aufnahmeblatt hat keinen Eintrag.
 
 record-next = { $oriented ->
-        [yes] raybundle orient noch einmal ausführen: der Bericht übernimmt das Aufnahmeblatt.
+        [yes] orient oder mark adjust noch einmal ausführen: der Bericht übernimmt das Aufnahmeblatt.
         *[no] raybundle orient ausführen: der Bericht übernimmt das Aufnahmeblatt.
     }
