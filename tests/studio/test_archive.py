@@ -49,7 +49,7 @@ def test_photographs_that_are_gone_are_named(project, photo_folders):
     (photo_folders[0] / first).unlink()
     file = project / "project.toml"
     file.write_text(re.sub(r'"[^"]*/photos/', f'"{photo_folders[0].as_posix()}/', file.read_text()))
-    done, package = packed(project, photo_folders, photographs=True)
+    done, package = packed(project, photo_folders, with_photographs=True)
     found = {n.removeprefix("photographs/") for n in package.namelist() if n.startswith("photographs/")}
     missing = [
         n for m in done.notices if m.message.code == "deposit.photographs_missing" for n in m.message.values["names"]

@@ -27,7 +27,7 @@ def command(source: Path, progress: str, **given: Any) -> None:
 
     \b
     Example:
-      raybundle archive facade-project --out facade.zip --photographs
+      raybundle archive facade-project --out facade.zip --with-photographs
     """
     from raybundle.cli.progress import reporting
 

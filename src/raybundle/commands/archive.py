@@ -52,8 +52,8 @@ class ArchiveSettings:
     source: Path
     """project or result folder"""
     out: Path = setting(MISSING, "New package, NAME.zip.", metavar="NAME.zip")
-    photographs: bool = setting(False, "Also put the photographs into the package; their checksums always are.")
-    surface: bool = setting(False, "Also put the products of `surface` and `facade` into the package.")
+    with_photographs: bool = setting(False, "Also put the photographs into the package; their checksums always are.")
+    with_surface: bool = setting(False, "Also put the products of `surface` and `facade` into the package.")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,19 +67,24 @@ class Archive:
     """entries of the record that an archive asks for, and photographs that are not there"""
 
 
-def archive(source: str | Path, out: str | Path, *, photographs: bool = False, surface: bool = False) -> Archive:
+def archive(
+    source: str | Path, out: str | Path, *, with_photographs: bool = False, with_surface: bool = False
+) -> Archive:
     """Write a project as one package for deposit: the current result, its record, parameters and checksums.
 
     The package is an RO-Crate 1.1: `ro-crate-metadata.json` describes it in the terms of schema.org, from which
     repositories take those of DataCite.
 
-    source       project or result folder
-    out          new file, NAME.zip
-    photographs  whether the photographs are in it; their checksums are in any case
-    surface      whether the products of `surface` and `facade` are in it
-    raises       InputError where there is no result
+    source            project or result folder
+    out               new file, NAME.zip
+    with_photographs  whether the photographs are in it; their checksums are in any case
+    with_surface      whether the products of `surface` and `facade` are in it
+    raises            InputError where there is no result
     """
-    return run_archive(ArchiveSettings(source=Path(source), out=Path(out), photographs=photographs, surface=surface))
+    settings = ArchiveSettings(
+        source=Path(source), out=Path(out), with_photographs=with_photographs, with_surface=with_surface
+    )
+    return run_archive(settings)
 
 
 def run_archive(s: ArchiveSettings, progress: Progress = silent) -> Archive:
@@ -132,7 +137,7 @@ def _files(s: ArchiveSettings, result: Path) -> Iterator[tuple[str, Path]]:
     if project is not None:
         if (project / "project.toml").is_file():
             yield "project.toml", project / "project.toml"
-        if s.surface:
+        if s.with_surface:
             folders += [f for name in ("surface", "facade") if (f := project / name).is_dir()]
     for folder in folders:
         name = "result" if folder == result else folder.name
@@ -157,9 +162,9 @@ def _photographs(s: ArchiveSettings, result: Path, files: dict[str, Path]) -> tu
     there = photograph_files(block, photographs_of(s.source) or photographs_of(result))
     names = [n for n in block.images.file if n]
     hashes = {n: stated.get(n) or _hash(there[n]) for n in names if n in stated or n in there}
-    if s.photographs:
+    if s.with_photographs:
         files |= {f"photographs/{n}": path for n, path in there.items()}
-    return hashes, [n for n in names if n not in (there if s.photographs else hashes)]
+    return hashes, [n for n in names if n not in (there if s.with_photographs else hashes)]
 
 
 def _measurements(source: Path) -> dict[str, str]:

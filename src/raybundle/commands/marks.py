@@ -163,9 +163,8 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
         if verb == "control" and "points" not in arguments:
             return journal.append(control_of(str(arguments.get("file", "")))[0], id=id, author=operator)
         if verb == "move" and "covariance" not in arguments:
-            before = journal.state.marks.get(
-                (journal.known.image(str(arguments.get("image", ""))), arguments.get("point"))
-            )
+            image, point = (str(arguments.get(name, "")) for name in ("image", "point"))
+            before = journal.state.marks.get((journal.known.image(image), point))
             arguments |= {} if before is None else {"covariance": list(before.covariance)}
         return journal.append_verb(verb, arguments, id=id, author=operator)
 
