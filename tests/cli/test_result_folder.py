@@ -17,7 +17,7 @@ from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
 from raybundle.results.folder import check_target, read_result
-from raybundle.results.tables import TABLES
+from raybundle.results.tables import ALWAYS
 
 SURVEY = Survey(
     control=5,
@@ -55,7 +55,7 @@ HEADERS = {
 
 
 def test_the_files_and_headers_are_those_of_the_format(folder):
-    expected = {"block", "result.json", *(f"{name}.csv" for name in TABLES)}
+    expected = {"block", "result.json", "README.txt", *(f"{name}.csv" for name in ALWAYS)}
     assert {p.name for p in folder.iterdir()} == expected
     for name, header in HEADERS.items():
         assert (folder / f"{name}.csv").read_text().split("\n", 1)[0] == header

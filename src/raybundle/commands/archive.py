@@ -20,15 +20,10 @@ if TYPE_CHECKING:
     from raybundle.results.record import Record
 
 README = "README.txt"
-CONTENTS_OF = {
-    "result": "current result: report, tables, block; its README.txt names each file and column",
-    "surface": "products of the surface", "facade": "products of the facade", "photographs": "the photographs",
-    "project.toml": "parameters of the runs, and the recording sheet",
-    "measurements.json": "journal of what was measured by hand",
-    "photographs.sha256": "checksums of the photographs",
-    "checksums.sha256": "checksums of all files of this package (sha256sum -c checksums.sha256)",
-    "ro-crate-metadata.json": "description of this package (RO-Crate 1.1)",
-}  # fmt: skip
+CONTENTS_OF = (
+    "result", "surface", "facade", "photographs", "project.toml", "measurements.json", "photographs.sha256",
+    "checksums.sha256", "ro-crate-metadata.json",
+)  # fmt: skip
 CRATE, CHECKSUMS = "ro-crate-metadata.json", "checksums.sha256"
 PHOTOGRAPHS, MEASUREMENTS = "photographs.sha256", "measurements.json"
 SPECIFICATION = "https://w3id.org/ro/crate/1.1"
@@ -179,7 +174,8 @@ def _measurements(source: Path) -> dict[str, str]:
 def _readme(sizes: Mapping[str, int]) -> str:
     """What stands at the top of the package."""
     there = {*(name.partition("/")[0] for name in sizes), CHECKSUMS, CRATE}
-    return "".join(f"{name:26s}{words}\n" for name, words in CONTENTS_OF.items() if name in there)
+    rows = ((n, phrase("deposit.content", entry=n.replace(".", "_").replace("-", "_"))) for n in CONTENTS_OF)
+    return "".join(f"{name:26s}{words}\n" for name, words in rows if name in there)
 
 
 def _hash(file: Path) -> str:
@@ -235,7 +231,7 @@ def _crate(given: Record, result: Path, sizes: Mapping[str, int]) -> str:
           for n, kind in (("place", "Place"), ("archive", "Organization"), ("client", "Organization")) if n in r),
         {"@id": "https://pypi.org/project/raybundle", "@type": "SoftwareApplication", "name": "raybundle",
          "softwareVersion": __version__, "url": "https://pypi.org/project/raybundle"},
-        {"@id": "#adjustment", "@type": "CreateAction", "name": "Orientation and bundle adjustment", "endTime": made_at,
+        {"@id": "#adjustment", "@type": "CreateAction", "name": phrase("deposit.adjustment"), "endTime": made_at,
          "instrument": {"@id": "https://pypi.org/project/raybundle"}, "agent": people,
          "object": [{"@id": PHOTOGRAPHS}] if PHOTOGRAPHS in sizes else [],
          "result": [{"@id": "result/result.json"}],
@@ -252,8 +248,7 @@ def _names(persons: str) -> list[str]:
 
 def _words(given: Record) -> str:
     """What the package holds, where nobody described it."""
-    of = ", ".join(w for w in (given.object, given.place) if w)
-    return "Photogrammetric recording" + (f" of {of}" if of else "") + ": orientations, coordinates, their precision."
+    return phrase("deposit.description", of=[w for w in (given.object, given.place) if w])
 
 
 def _type(name: str) -> dict[str, str]:

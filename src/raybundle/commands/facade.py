@@ -236,14 +236,13 @@ def _surface_settings(w: _Wall) -> SurfaceSettings:
 
 def _picture(w: _Wall, measured: MeasuredSurface, progress: Progress) -> Facade:
     """The orthophoto with holes filled, as picture with world file and NAME.toml."""
-    import tomllib
-
     import numpy as np
 
     from raybundle.commands.record import known_record
     from raybundle.io.pictures.plane_file import stations_of
     from raybundle.io.pictures.rectified import Rectified
     from raybundle.io.raster_library import raster_library
+    from raybundle.io.reading.trees import read_toml
     from raybundle.results.record import STATE
     from raybundle.surfaces.orthophoto_files import ABOUT, SIGMAS
     from raybundle.workflows.object_plane import MapLevel
@@ -260,7 +259,7 @@ def _picture(w: _Wall, measured: MeasuredSurface, progress: Progress) -> Facade:
     seen, known = colours[..., 3] > 0, np.isfinite(sigma)
     place_sigma = float(np.median(sigma[known])) if known.any() else float("nan")
     share, filled = float((seen & ~found).mean()), float(found.mean())
-    stated = tomllib.loads((w.out / SURFACE / ABOUT).read_text(encoding="utf-8"))
+    stated = {k: v.value for k, v in read_toml(w.out / SURFACE / ABOUT).tree().mapping().items()}
     images = w.export.block.images
     names = [f or i for f, i in zip(images.file, images.ids, strict=True)]
     about = {

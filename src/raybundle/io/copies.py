@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from raybundle.errors import InputError
+from raybundle.io.reading.words import number_of, quoted, whole_of
 from raybundle.io.user_folders import made_again_folder
 
 FULL = {errno.ENOSPC, errno.EDQUOT} if hasattr(errno, "EDQUOT") else {errno.ENOSPC}
@@ -56,12 +57,9 @@ def bytes_given() -> float | None:
     text = os.environ.get(VARIABLE_GB, "")
     if not text:
         return None
-    try:
-        found = float(text) * 1e9
-    except ValueError:
-        found = -1.0
-    if not found >= 0.0:
-        raise InputError("store.copies_size", variable=VARIABLE_GB, value=repr(text))
+    found = number_of(text, 1e9)
+    if found is None or found < 0.0:
+        raise InputError("store.copies_size", variable=VARIABLE_GB, value=quoted(text))
     return found
 
 
@@ -151,10 +149,9 @@ class Copies:
         """Promise room, and make it where there is none, as far as there are copies."""
         with _alone(self.folder / "lock"):
             record = self.folder / "held"
-            try:
-                held = int(record.read_text())
-            except (OSError, ValueError):
-                held = None
+            held = None
+            with suppress(OSError):
+                held = whole_of(record.read_text())
             if held is not None and held < 0:  # nobody's count
                 held = None
             most = self._most(held or 0)

@@ -88,9 +88,10 @@ def head_of(o: Occasion, d: Delivery) -> tuple[tuple[str, str], ...]:
         *((x.label, x.sentence) for x in d.outcomes),
         *_lengths(o, d),
         *((phrase("front.asprs_statement", height=k > 0), s) for k, s in enumerate(d.statements)),
-        *((phrase(f"front.{name}"), Localised(getattr(r, name))) for name in ("client", "operator", "object", "place")),
+        (phrase("front.client"), Localised(r.client)), (phrase("front.operator"), Localised(r.operator)),
+        (phrase("front.object"), Localised(r.object)), (phrase("front.place"), Localised(r.place)),
         (phrase("front.date"), Localised(r.date) if r.date else taken_words(o)),
-        *((phrase(f"front.{name}"), Localised(getattr(r, name))) for name in ("instruments", "rights")),
+        (phrase("front.instruments"), Localised(r.instruments)), (phrase("front.rights"), Localised(r.rights)),
         *_system(d),
     ]  # fmt: skip
     return tuple((word, sentence) for word, sentence in pairs if sentence)
