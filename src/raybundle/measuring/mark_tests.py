@@ -66,9 +66,9 @@ class PointTest:
     unseen_px: dict[str, float]
     """image -> error of its mark that remains undetected with the probability 1 - POWER, in the worst direction"""
     untested: tuple[str, ...]
-    """images whose marks may be wrong by `LARGE_SIGMAS` and more without being detected"""
+    """images with marks that may be wrong by `LARGE_SIGMAS` and more without being detected"""
     wrong: tuple[str, ...] = ()
-    """images whose marks are wrong: the others agree, and no other few explain the contradiction"""
+    """images with wrong marks: the others agree, and no other few explain the contradiction"""
     suspects: tuple[str, ...] = ()
     """where it cannot be determined which are wrong: images, the likeliest first"""
     shift: float = 0.0
@@ -225,7 +225,7 @@ def point_test_of(session: Session, state: State, point: str) -> PointTest | Non
 
 
 def off_images(test: PointTest | None) -> tuple[str, ...]:
-    """Images whose marks are to be shown as mistaken: those that are, or may be, or lie too far from the others."""
+    """Images with marks that are to be shown as mistaken: those that are, or may be, or lie too far from the others."""
     if test is None:
         return ()
     return test.look or tuple(i for i, s in test.sigmas.items() if s > CLICK_SIGMAS)
