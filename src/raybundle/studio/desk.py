@@ -14,6 +14,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
+from raybundle.measuring.actions.masks import photograph_files
 from raybundle.measuring.film import Scans, read_scans
 from raybundle.measuring.journal import Journal, journal_path
 from raybundle.measuring.names import Known
@@ -171,23 +172,9 @@ def _latest_block(source: Path, given: Block) -> Block:
 
 
 def _tiles(folder: Path, source: Path, given: Block, known: Known, photos: Sequence[Path]) -> Tiles:
-    paths = _photographs(given, [*photos, *photographs_of(source), *photographs_of(source / "result")])
+    files = photograph_files(given, [*photos, *photographs_of(source), *photographs_of(source / "result")])
+    paths = {k: files[name] for k, name in enumerate(given.images.file) if name in files}
     return Tiles(folder, paths, {k: known.size_px[name] for k, name in enumerate(given.images.ids)})
-
-
-def _photographs(block: Block, folders: Sequence[Path]) -> dict[int, Path]:
-    """Where the photographs of a block are: by the names of their files, whatever folder the block remembers."""
-    found: dict[int, Path] = {}
-    for k, name in enumerate(block.images.file):
-        if not name:
-            continue
-        parts = Path(name.replace("\\", "/"))
-        inside = not parts.is_absolute() and ".." not in parts.parts
-        for folder in folders:
-            for path in ((folder / parts,) if inside else ()) + (folder / parts.name,):
-                if k not in found and path.is_file():
-                    found[k] = path
-    return found
 
 
 def named(desk: Desk, image: str) -> int:
