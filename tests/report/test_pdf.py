@@ -173,7 +173,7 @@ def test_signs_of_the_trade_have_their_glyphs():
 
 def test_pages_have_heads_numbers_and_bookmarks(case):
     view = view_of(case("rich"))
-    made = document_of(Occasion(view=view, reported=verdict(view)))
+    made = document_of(Occasion(view=view, reported=verdict(view), appendix="short"))
     reader = read(pdf_of(made))
     count = len(reader.pages)
     for k, page in enumerate(reader.pages, 1):
@@ -197,9 +197,12 @@ def test_pages_have_heads_numbers_and_bookmarks(case):
 @pytest.mark.parametrize("name", ["rich", "two_cameras", "without_statistics"])
 def test_no_more_than_six_pages_stand_before_the_appendix(case, name):
     view = view_of(case(name))
-    pages = read(pdf_of(document_of(Occasion(view=view, reported=verdict(view))))).pages
+    pages = read(pdf_of(document_of(Occasion(view=view, reported=verdict(view), appendix="short")))).pages
     first = next(k for k, p in enumerate(pages) if "APPENDIX" in p.extract_text())
     assert first <= BODY
+    alone = read(pdf_of(document_of(Occasion(view=view, reported=verdict(view))))).pages
+    assert len(alone) <= BODY
+    assert "report.html" in alone[-1].extract_text()
 
 
 def test_a_calibration_begins_with_its_verdict(case, tmp_path):
