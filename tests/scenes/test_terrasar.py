@@ -43,7 +43,7 @@ def test_the_folder_of_a_product_is_read(tmp_path):
     ("before", "after", "code", "element"),
     [
         ("Variant>SSC", "Variant>EEC", "scene.map_product", "level1Product"),
-        ("Variant>SSC", "Variant>XXX", "value.not_supported", "productVariant"),
+        ("Variant>SSC", "Variant>ABC", "value.not_supported", "productVariant"),
         ("Mode>SM", "Mode>SC", "scene.burst_images", "imagingMode"),
         ("EARLYAZ", "MIDDLEAZ", "value.not_supported", "imageDataStartWith"),
         ("(<columnSpacing.*?>)0.0005", r"\g<1>0.0006", "scene.line_order", "columnSpacing"),

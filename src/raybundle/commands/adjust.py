@@ -84,12 +84,13 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     from raybundle.workflows.block_frame import in_block_frame
     from raybundle.workflows.within_memory import within_memory
 
-    project = None if settings.out is not None else project_of(settings.block)
+    own = project_of(settings.block)
+    project = own if settings.out is None else None
     out = settings.out if project is None else project / RESULT
     if out is None:
         raise InputError("adjustment.out_missing", file=settings.block)
-    whole = project is not None or (settings.block / "result.json").is_file() or project_of(settings.block) is not None
-    source = block_folder(settings.block) if whole else settings.block
+    within = own is not None or (settings.block / "result.json").is_file()
+    source = block_folder(settings.block) if within else settings.block
     check_target(out)
     check_pages(settings)
     check_tables(settings.tables)

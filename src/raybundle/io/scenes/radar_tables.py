@@ -55,7 +55,7 @@ def only(parent: Element, name: str) -> Element:
 
 
 def amount(parent: Element, name: str, unit: str = "m") -> float:
-    """The number in a child, whose attribute may state another unit."""
+    """The number in a child; an attribute may state another unit."""
     child = only(parent, name)
     stated = (child.attributes.get("units") or child.attributes.get("unit")).strip() or unit
     if stated.lower() not in UNITS[unit]:
