@@ -123,6 +123,7 @@ _HOME = {
     "keep_calibration": "commands.calibrations",
     "kept_calibrations": "commands.calibrations",
     "find_fiducials": "commands.marks",
+    "find_panels": "commands.panels",
     "mark": "commands.marks",
     "marks": "commands.marks",
     "measure": "commands.measure",

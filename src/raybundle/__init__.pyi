@@ -60,6 +60,7 @@ from raybundle.commands.merge import MergeSettings as MergeSettings
 from raybundle.commands.moved import MovedSettings as MovedSettings
 from raybundle.commands.new_project import Notify
 from raybundle.commands.orient import OrientSettings as OrientSettings
+from raybundle.commands.panels import find_panels as find_panels
 from raybundle.commands.photos import FramesSettings as FramesSettings
 from raybundle.commands.photos import KnownPhotos
 from raybundle.commands.photos import PhotosSettings as PhotosSettings
@@ -234,6 +235,7 @@ __all__ = [
     "film",
     "find_calibration",
     "find_fiducials",
+    "find_panels",
     "frames",
     "keep_calibration",
     "kept_calibrations",

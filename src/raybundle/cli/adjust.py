@@ -33,7 +33,7 @@ def command(block: Path, out: Path | None, progress: str, **given: Any) -> int:
     \b
     Exit status: 0 a result is written, and its faults are printed (one of them where the iteration did not come
     to an end); 2 bad input, named by file, line and column; 3 not solvable as given, the message names what is
-    not determined; 4 the accuracy of --accuracy-class is not kept.
+    not determined; 4 the accuracy of --accuracy-class, or of the project, is not kept.
 
     \b
     Example:

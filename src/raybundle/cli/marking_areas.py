@@ -1,4 +1,4 @@
-"""`raybundle mark control | mask | unmask`: tables and areas as one action each."""
+"""`raybundle mark control | find | mask | unmask`: tables, panels and areas."""
 
 from __future__ import annotations
 
@@ -6,8 +6,11 @@ from pathlib import Path
 
 import click
 
-from raybundle.cli.marking import do, subcommand
-from raybundle.errors import InputError
+from raybundle.cli.common import FOLDER, common_options, facts
+from raybundle.cli.marking import command, do, subcommand
+from raybundle.cli.numbers import PIXELS
+from raybundle.cli.summary import Summary, report
+from raybundle.errors import InputError, note, warning
 
 
 @subcommand("control")
@@ -15,13 +18,59 @@ from raybundle.errors import InputError
 def control(folder: Path, file: str, author: str) -> None:
     """Set coordinates of all points of a table in one action: point,X,Y,Z; optional sX,sY,sZ,role.
 
-    The action holds the rows: the table is not read again.
+    The action holds the rows: the table is not read again. In a project with a coordinate system, the coordinates are
+    in that system, or in the local frame of the block: whichever lies nearer to the block.
 
     \b
     Example:
       raybundle mark control facade-project total-station.csv
     """
     do(folder, "control", author, file=file)
+
+
+@command.command("find")
+@click.argument("folder", type=FOLDER)
+@click.argument("points", nargs=-1, metavar="[POINT]...")
+@click.option(
+    "--reach", type=PIXELS, metavar="LENGTH",
+    help="Largest difference between given coordinates and the block.  [default: 6 m if only positions place the "
+    "block; else four standard deviations of the control and 40 px]",
+)  # fmt: skip
+@click.option("--operator", "author", default="", metavar="TEXT", help="Name of the operator, for the journal.")
+@common_options
+def find(folder: Path, points: tuple[str, ...], reach: float | None, author: str, progress: str) -> None:
+    """Find the ground panels of control points in the photographs, and mark them.
+
+    Panels are crosses, chequered squares, iron crosses and discs. The block must be placed by positions of the
+    photographs or by three marked control points. A point is marked in three photographs or more.
+
+    \b
+    Example:
+      raybundle orient flight/ --control gcps.csv --crs EPSG:25832+7837
+      raybundle mark find flight-project
+      raybundle mark adjust flight-project
+    """
+    from raybundle.cli.progress import reporting
+    from raybundle.commands.panels import find_panels
+    from raybundle.measuring.panel_search import LEAST_RAYS
+
+    with reporting(progress) as notify:
+        done = find_panels(folder, points, reach=reach or 0.0, operator=author, progress=notify)
+    s, unit = done.search, done.length_unit
+    marked = [f.point for f in s.found if f.point in done.asked]
+    first = [note("panels.found", n=len(marked), of=len(done.asked), marks=done.marked)]
+    if s.found:
+        x, y, z = (float(v) for v in s.shift)
+        first.append(note("panels.shift", x=x, y=y, z=z, unit=unit, spread=s.spread))
+    missed = {name: why for name, why in s.missed.items() if name in done.asked}
+    reasons = dict.fromkeys(missed.values())
+    notices = [
+        warning("panels.missed", why=why, names=[n for n, w in missed.items() if w == why], least=LEAST_RAYS)
+        for why in reasons
+    ]
+    off = [note("panels.off", point=n, distance=d, unit=unit) for n, d in s.off.items() if n in missed]
+    facts(found=marked, missed=missed, marks=done.marked)
+    report(Summary(done=first, details=off, notices=notices))
 
 
 @subcommand("mask")

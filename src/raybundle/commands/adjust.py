@@ -134,10 +134,12 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
 
 
 def accuracy_outcome(settings: AdjustSettings, done: Adjustment) -> Outcome | None:
-    """What became of the accuracy that was asked for; None where none was."""
+    """What became of the accuracy that the command or the project asks for; None where neither does."""
     from raybundle.adjustment.blunders.accuracy_class import accuracy_class
+    from raybundle.commands.marked_results import passed_on
     from raybundle.report.delivery import wanted_outcome
     from raybundle.workflows.block_frame import in_block_frame
 
+    known = passed_on(settings.block)
     _, frame, _ = in_block_frame(done.given)
-    return wanted_outcome(done, accuracy_class(settings.accuracy_class), frame)
+    return wanted_outcome(done, accuracy_class(settings.accuracy_class) or known.wanted, frame or known.frame)

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from raybundle.adjustment.blunders.accuracy_class import AccuracyClass
     from raybundle.adjustment.result import Adjustment
     from raybundle.io.geo.coordinate_systems import LocalFrame
+    from raybundle.io.reading.trees import Json
     from raybundle.results.record import Record
     from raybundle.results.recording_sheet import KnownByPhotographs
     from raybundle.workflows.orient import Orientation
@@ -66,7 +67,6 @@ class Passed:
 
 def passed_on(folder: Path) -> Passed:
     """Language, record, accuracy asked for, coordinate system and photographs of a project, or of a result alone."""
-    from raybundle.adjustment.blunders.accuracy_class import accuracy_class
     from raybundle.commands.pages import language_in
     from raybundle.commands.record import record_of_run, run_of
     from raybundle.commands.record_settings import record_in
@@ -83,7 +83,7 @@ def passed_on(folder: Path) -> Passed:
         stated = record_in(project).over(record_of_run(project)).over(stated)
         run = run_of(project)
         if run is not None and run.has("accuracy_class"):
-            wanted = accuracy_class(run.get("accuracy_class").text())
+            wanted = _class_of(run.get("accuracy_class"))
     tree = read_json(result / "result.json") if (result / "result.json").is_file() else None
     found: Any = tree.get("frame").value if tree is not None and tree.has("frame") else None
     folders = photographs_of(folder)
@@ -94,6 +94,16 @@ def passed_on(folder: Path) -> Passed:
         language=language_in(folder), record=stated, known=known, wanted=wanted, additions=additions, folders=folders,
         frame=frame_from_mapping(found) if isinstance(found, dict) else None,
     )  # fmt: skip
+
+
+def _class_of(value: Json) -> AccuracyClass | None:
+    """The accuracy that a project asks for; raises InputError with the place."""
+    from raybundle.adjustment.blunders.accuracy_class import accuracy_class
+
+    try:
+        return accuracy_class(value.text())
+    except InputError as error:
+        raise error.at(value.file, column=value.at) from None
 
 
 def write_marked(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -21,7 +21,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
 from raybundle.io.folders import check_free, new_folder
 from raybundle.io.tables import write_table
-from raybundle.measuring.actions.control import control_of
+from raybundle.measuring.actions.control import GiveControl, control_of
 from raybundle.measuring.actions.masks import drawn_by_file, photographs_in, write_masks
 from raybundle.measuring.export import (
     lost_in_csv,
@@ -161,12 +161,38 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
         if verb == "reject_beyond" and "rows" not in arguments:
             arguments["rows"] = _beyond(_standing(folder), journal.state, **arguments)
         if verb == "control" and "points" not in arguments:
-            return journal.append(control_of(str(arguments.get("file", "")))[0], id=id, author=operator)
+            action, _ = control_in_block(folder, control_of(str(arguments.get("file", "")))[0])
+            return journal.append(action, id=id, author=operator)
         if verb == "move" and "covariance" not in arguments:
             image, point = (str(arguments.get(name, "")) for name in ("image", "point"))
             before = journal.state.marks.get((journal.known.image(image), point))
             arguments |= {} if before is None else {"covariance": list(before.covariance)}
         return journal.append_verb(verb, arguments, id=id, author=operator)
+
+
+def control_in_block(folder: str | Path, action: GiveControl) -> tuple[GiveControl, str]:
+    """A table of control in the frame of the block, and the system that it was converted from; empty: none.
+
+    A project with a coordinate system has a local frame in it.  The coordinates are taken in that system if they lie
+    nearer to the block so than as they stand.
+    """
+    from raybundle.commands.marked_results import passed_on
+
+    frame = passed_on(Path(folder)).frame
+    if frame is None:
+        return action, ""
+    xyz = np.array([[np.nan if v is None else v for v in p.xyz] for p in action.points])
+    try:
+        local = frame.local_from_crs(xyz)
+    except InputError:  # outside the area of the system
+        return action, ""
+    if not float(np.nanmedian(np.abs(local[:, :2]))) < float(np.nanmedian(np.abs(xyz[:, :2]))):
+        return action, ""
+    points = tuple(
+        replace(p, xyz=cast("Any", tuple(None if v is None else float(w) for v, w in zip(p.xyz, row, strict=True))))
+        for p, row in zip(action.points, local, strict=True)
+    )
+    return replace(action, points=points), frame.crs
 
 
 def mark_verdict(folder: str | Path, image: str, point: str) -> Text | None:

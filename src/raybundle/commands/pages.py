@@ -47,14 +47,18 @@ def check_pages(settings: Pages) -> None:
 
 
 def language_in(folder: Path | None, given: str = "") -> str:
-    """Of the pages: as asked for, else that of the reports of the project that a folder is or belongs to.
+    """Of the pages: as asked for, else that of the current result of the project, or of the settings of the project.
 
     raises  InputError for a language that there is not
     """
     from raybundle.io.reading.trees import read_toml
+    from raybundle.results.project_results import language_of_result, project_of
 
     if given:
         return checked_language(given)
+    own = None if folder is None else project_of(folder)
+    if own is not None and (current := language_of_result(own)) in language_codes():
+        return current
     places = () if folder is None else (folder, folder.parent, folder.parent.parent)
     project = next((p / PROJECT_FILE for p in places if (p / PROJECT_FILE).is_file()), None)
     if project is None:

@@ -33,6 +33,7 @@ from raybundle.observations.kind import in_order
 from raybundle.orientation.absolute import partial_similarity
 from raybundle.orientation.projective.missing_data import Lack
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
+from raybundle.placing.positions import determined_shifts, free_shifts
 
 FIGURES: Mapping[LineKind, type[OnFigure]] = {
     "straight": Lines, "plumb": PlumbLines, "level": Levels, "plane": Planes,
@@ -85,6 +86,7 @@ def merge(block: Block, state: State, scans: Scans | None = None) -> Merged:
     made = _with_points(made, state, places)
     check_far_apart(made, state)
     made, out = _without_thin(made, state)
+    made = made if determined_shifts(base) else free_shifts(made)
     made = _with_tables(made, state, out)
     if state.datum is not None:
         made = _in_axes(made, state.datum)

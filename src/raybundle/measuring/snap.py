@@ -104,7 +104,7 @@ class Reference:
 
 def snap(
     grey: Array, x: float, y: float, kind: Kind = "auto", reference: Reference | None = None, *,
-    reach_px: float = REACH_PX,
+    reach_px: float = REACH_PX, windows: bool = True,
 ) -> Snapped | NotSnapped:  # fmt: skip
     """The point of the picture at a click.
 
@@ -113,6 +113,7 @@ def snap(
     kind       what the point is; auto: what it is in the reference, a patch where that was put by hand; without one
                the round target that the click lies in, else the nearest of round target, corner and cross
     reach_px   farthest that the click is moved; within a round target, to its centre, REACH_PX
+    windows    whether a cross may be that of a window or of masonry
     raises     InputError for a picture that is none, a click outside, and a patch without a reference
     """
     _check(grey, x, y, kind, reach_px)
@@ -122,7 +123,7 @@ def snap(
         taken = reference.kind if kind == "auto" and reference is not None else kind
         assert taken != "auto"
         only = _snap(grey, x, y, taken, reference, reach_px)
-        if taken != "cross" or isinstance(only, Snapped):
+        if taken != "cross" or isinstance(only, Snapped) or not windows:
             return only
         wide = _snap(grey, x, y, "cross", None, reach_px, wide=True)
         return wide if isinstance(wide, Snapped) else only

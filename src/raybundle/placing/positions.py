@@ -24,6 +24,7 @@ GPS_M = (5.0, 5.0, 10.0)
 """Standard deviation of a GPS position that states none."""
 PAUSE_S, PAUSE = 120.0, 20.0
 """Seconds without a photograph after which a new flight begins, and the same in usual intervals; the longer counts."""
+SHIFTS = ("sx", "sy", "sz")
 TURN, STEP = float(np.radians(30)), 3.0
 """Turn at which a flight line ends, and length of a step in usual ones."""
 SCALE = 0.1
@@ -172,15 +173,17 @@ def turn_sigma(positions: Positions) -> float:
 
 
 def observe(state: Placing, positions: Positions, given: Given) -> None:
-    """Observe the positions in a placed block, each flight with the shift that control determines."""
+    """Observe the positions in a placed block, each flight with the shift that control determines.
+
+    An antenna whose shift nothing determines yet stands in the block with none: control that is marked later frees it
+    (`free_shifts`).
+    """
     block = state.block
-    known = block.points.is_control
-    plan, height = bool((known[:, 0] & known[:, 1]).any()), bool(known[:, 2].any())
-    shift = (*(("sx", "sy") if plan else ()), *(("sz",) if height else ())) if given.shift else ()
+    shift = determined_shifts(block) if given.shift else ()
     arm = given.lever_arm
     stations = Stations(image=positions.image, xyz=positions.xyz, sigma=positions.sigma)
     flights = 0
-    if shift or arm is not None:
+    if given.shift or arm is not None:
         count = positions.flights
         taken = {c.id for c in block.parametrised}
         names = [_name("gnss" if count == 1 else f"gnss-{k + 1}", taken) for k in range(count)]
@@ -196,6 +199,33 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
     if positions.assumed.any():
         assumed = int(positions.assumed.sum())
         state.notify("positions_assumed", n=assumed, plan_m=float(GPS_M[0]), height_m=float(GPS_M[2]))
+
+
+def determined_shifts(block: Block) -> tuple[str, ...]:
+    """The shifts of positions that control determines: points that two oriented images and more show."""
+    o = block.observations
+    rays = np.bincount(o.point[block.images.oriented[o.image]], minlength=len(block.points))
+    known = block.points.is_control & (rays > 1)[:, None]
+    plan, height = bool((known[:, 0] & known[:, 1]).any()), bool(known[:, 2].any())
+    return (*(("sx", "sy") if plan else ()), *(("sz",) if height else ()))
+
+
+def free_shifts(block: Block) -> Block:
+    """The block with the shifts of its antennas free that control determines now and nothing did before."""
+    stations = block.table(Stations)
+    shift = determined_shifts(block)
+    if stations.antenna is None or not shift:
+        return block
+    instruments = list(block.instruments)
+    for k in np.unique(stations.antenna[stations.antenna >= 0]).tolist():
+        mine = np.flatnonzero(stations.antenna == k)
+        antenna, apart = instruments[k], stations.xyz[mine] - block.images.centre[stations.image[mine]]
+        held = all(s not in antenna.estimate and antenna.values.get(s, 0.0) == 0.0 for s in SHIFTS)
+        if antenna.model == Antenna.name and held:
+            start: dict[str, float] = dict(zip(SHIFTS, _middle(apart), strict=True))
+            values = {**antenna.values, **{s: start[s] for s in shift}}
+            instruments[k] = replace(antenna, values=values, estimate=(*antenna.estimate, *shift))
+    return replace(block, instruments=tuple(instruments))
 
 
 def without_idle(block: Block) -> Block:
@@ -217,10 +247,14 @@ def _antenna(name: str, apart: Array, shift: tuple[str, ...], given: Given) -> I
     """The antenna of one flight; `apart` (k, 3): its positions minus the projection centres at the start."""
     offset, sigma = given.lever_arm or ((0.0, 0.0, 0.0), 0.0)
     arm = dict(zip(("ax", "ay", "az"), offset, strict=True))
-    middle = np.array([float(np.median(v[np.isfinite(v)])) if np.isfinite(v).any() else 0.0 for v in apart.T])
-    start = {s: float(middle["xyz".index(s[1])]) for s in shift}
+    start = {s: _middle(apart)[SHIFTS.index(s)] for s in shift}
     free = (*(tuple(arm) if sigma > 0 else ()), *shift)
     return Instrument(
         id=name, model=Antenna.name, values={**{p.symbol: 0.0 for p in Antenna.parameters}, **arm, **start},
         estimate=free, sigma=dict.fromkeys(arm, sigma) if sigma > 0 else {},
     )  # fmt: skip
+
+
+def _middle(apart: Array) -> list[float]:
+    """Medians of differences (k, 3); 0 where none is known."""
+    return [float(np.median(v[np.isfinite(v)])) if np.isfinite(v).any() else 0.0 for v in apart.T]

@@ -79,7 +79,7 @@ def write_result(
     if pdf:
         check_typesetter()
     delivery = delivery_of(adjustment, frame=frame, wanted=wanted, record=record, outcomes=outcomes, findings=findings)
-    added = {**(additions or {}), **delivery.as_mapping()}
+    added = {**(additions or {}), **delivery.as_mapping(), "language": language}
     with written_folder(adjustment, path, added, progress, tables) as folder:
         if frame is not None:
             from raybundle.results.map_table import (

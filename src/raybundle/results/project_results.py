@@ -95,6 +95,15 @@ def base_result(project: Path) -> Path | None:
     return None if made.by == MARKS else current
 
 
+def language_of_result(project: Path) -> str:
+    """The language of the report of the current result; empty where it states none."""
+    try:
+        tree = read_json(project / RESULT / "result.json")
+        return tree.get("language").text() if tree.has("language") else ""
+    except InputError:
+        return ""
+
+
 def _whole(result: Path) -> bool:
     """Whether a folder is a result with its block."""
     try:

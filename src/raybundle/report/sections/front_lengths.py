@@ -18,12 +18,12 @@ is given"""
 
 
 def length_parts(view: View) -> list[Part]:
-    """Known lengths that others control: given, adjusted, and what the length would be had it taken no part.
+    """Known lengths: given, adjusted, and what the length would be had it taken no part.
 
     The last is v / r of a single observation, to first order (Cook and Weisberg 1982, section 3.3).
     """
     group = next((g for g in view.adjustment.groups if g.kind == "distance"), None)
-    if group is None or not (np.nan_to_num(group.redundancy) > CONTROLLED).any():
+    if group is None or not len(group.ids):
         return []
     w = np.abs(np.nan_to_num(group.w))
     shown = np.sort(np.argsort(-w, kind="stable")[:MOST])

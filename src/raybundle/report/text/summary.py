@@ -42,9 +42,9 @@ def accuracy(a: Adjustment) -> Message:
     if std is None:
         return note("summary.no_object_points")
     rms = factor * float(np.sqrt((std**2).mean()))
-    median = factor * float(np.median(std))
-    few = few_hold(std) is not None
-    return note("summary.precision", rms=rms, median=median, few=few, unit=unit, free_scale=a.free_scale)
+    few = few_hold(std)
+    median = rms if few is None else factor * few.coordinate  # as page 1 of the report
+    return note("summary.precision", rms=rms, median=median, few=few is not None, unit=unit, free_scale=a.free_scale)
 
 
 def details(a: Adjustment) -> list[Message]:

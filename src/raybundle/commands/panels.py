@@ -1,0 +1,137 @@
+"""Ground panels of a project found and marked by themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.block import Block, Role, Stations
+from raybundle.commands.marks import marks, open_journal
+from raybundle.commands.new_project import standing_folder
+from raybundle.errors import InputError
+from raybundle.io.block.folder import read_block
+from raybundle.io.photos.photo import read_grey, read_photo
+from raybundle.measuring.actions.masks import photograph_files
+from raybundle.measuring.actions.verbs import Put
+from raybundle.measuring.panel_search import FEWEST, LEAST_RAYS, PanelSearch, search_panels
+from raybundle.measuring.session import Session, block_folder
+from raybundle.measuring.state import State
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.progress import Progress, silent
+from raybundle.observations.coordinates import Coordinates
+from raybundle.pipeline.project import photographs_of
+
+WITH_POSITIONS = 6.0
+"""Metres between the coordinates of control and of a block that positions of the photographs alone place"""
+WITH_CONTROL_SIGMAS, LEAST_PX = 4.0, 40.0
+"""The same of a block that control places: standard deviations of the control, and pixels for the block's own errors"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Panels:
+    """What was found, and what was marked of it."""
+
+    search: PanelSearch
+    asked: tuple[str, ...]
+    """points that were looked for"""
+    marked: int
+    """new marks"""
+    length_unit: str
+
+
+def find_panels(
+    folder: str | Path, points: Sequence[str] = (), *, reach: float = 0.0, operator: str = "",
+    progress: Progress = silent,
+) -> Panels:  # fmt: skip
+    """Find the panels of control and check points in the photographs of a project, and mark them.
+
+    folder  project with a result that positions of the photographs, or three control points, place
+    points  names; empty: all with coordinates that fewer than three photographs show
+    reach   largest difference between given coordinates and the block [length unit]; 0: 6 m where positions place the
+            block, else four standard deviations of the control, and 40 px
+    raises  InputError where nothing places the block, or no point has coordinates
+
+    Each mark is an action of the journal. A panel is a cross, a chequered square, an iron cross or a disc. A point is
+    marked if three photographs show it, if its place fits those of the other points, and if nothing else there looks
+    alike; else the reason is stated.
+    """
+    project, state = standing_folder(folder) or Path(folder), marks(folder)
+    block = read_block(block_folder(project))
+    at, sigma = _given(block, state)
+    asked = tuple(points) or tuple(n for n in at if _rays(block, state, n) < LEAST_RAYS)
+    unknown = [n for n in asked if n not in at]
+    if unknown:
+        raise InputError("panels.no_coordinates", point=unknown[0])
+    if not at:
+        raise InputError("panels.no_control")
+    session = Session.of_block(block, None)
+    reach = reach or _reach(block, session, sigma)
+    files = photograph_files(block, photographs_of(project))
+    if not files:
+        raise InputError("image.photograph_missing", image=block.images.ids[0], file=project)
+
+    def picture(image: int) -> Array | None:
+        path = files.get(block.images.file[image])
+        return None if path is None else read_grey(read_photo(path))
+
+    given = {n: at[n] for n in at if n in asked or _rays(block, state, n) >= LEAST_RAYS}
+    search = search_panels(session, given, sigma, reach, picture, progress)
+    marked = 0
+    with open_journal(project) as journal:
+        seen = {(block.images.ids[i], block.points.ids[p]) for i, p in _observed(block)} | set(state.marks)
+        for found in search.found:
+            for image, mark in found.marks.items() if found.point in asked else ():
+                if (image, found.point) in seen:
+                    continue
+                journal.append(Put(
+                    image=image, point=found.point, x_px=mark.x_px, y_px=mark.y_px, covariance=mark.covariance,
+                    how=mark.kind, quality=mark.quality,
+                ), author=operator)  # fmt: skip
+                marked += 1
+    return Panels(search=search, asked=asked, marked=marked, length_unit=block.length_unit)
+
+
+def _given(block: Block, state: State) -> tuple[dict[str, Array], dict[str, float]]:
+    """Coordinates (3,) and the standard deviation of one, of points with plan coordinates; those of marks go first."""
+    at: dict[str, Array] = {}
+    sigma: dict[str, float] = {}
+    p = block.points
+    for k in np.flatnonzero(np.asarray(p.role) != Role.TIE).tolist():
+        known = np.isfinite(p.sigma[k])
+        if known[:2].all():
+            at[p.ids[k]] = np.where(known, p.xyz[k], np.nan)
+            sigma[p.ids[k]] = float(np.nanmean(p.sigma[k]))
+    for name, point in state.points.items():
+        xyz = np.array([np.nan if v is None else v for v in point.xyz])
+        if point.reported and point.role != "tie" and np.isfinite(xyz[:2]).all():
+            at[name] = xyz
+            sigma[name] = float(np.mean([s for s in point.sigma if s is not None] or [0.0]))
+    return at, sigma
+
+
+def _observed(block: Block) -> list[tuple[int, int]]:
+    o = block.observations
+    named = np.asarray(block.points.role)[o.point] != Role.TIE
+    return list(zip(o.image[named].tolist(), o.point[named].tolist(), strict=True))
+
+
+def _rays(block: Block, state: State, name: str) -> int:
+    index = block.points.ids.index(name) if name in block.points.ids else -1
+    seen = {block.images.ids[i] for i, p in _observed(block) if p == index}
+    return len(seen | {image for image, point in state.marks if point == name})
+
+
+def _reach(block: Block, session: Session, sigma: Mapping[str, float]) -> float:
+    """How far panels may lie from their coordinates; raises InputError where nothing places the block."""
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    if int((block.points.is_control.any(axis=1) & (rays > 1)).sum()) >= FEWEST:
+        distances = [sum(session.depths(i)) / 3 for i in np.flatnonzero(block.images.oriented).tolist()]
+        camera = block.cameras[0]
+        pixel = float(np.median(distances)) * camera.pixel_mm[0] / camera.values.get("c", np.nan)
+        return WITH_CONTROL_SIGMAS * max(sigma.values()) + LEAST_PX * (pixel if np.isfinite(pixel) else 0.0)
+    if len(block.table(Stations)) or len(block.table(Coordinates)):
+        return WITH_POSITIONS
+    raise InputError("panels.not_placed", least=FEWEST)

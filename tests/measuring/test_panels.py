@@ -1,0 +1,104 @@
+"""Ground panels: found in pictures, told apart from stones, consistent over photographs and points."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.block import Instrument, Stations
+from raybundle.measuring.actions.verbs import Put
+from raybundle.measuring.merge import merge
+from raybundle.measuring.panel_candidates import measured_panel, panel_places
+from raybundle.measuring.panel_search import search_panels
+from raybundle.measuring.session import Session
+from raybundle.measuring.state import EMPTY, folded
+from raybundle.platforms.antenna import Antenna
+
+from .panel_flight import KINDS, MODEL, draw_panel, flight, ground
+from .scenes import simulation
+
+CENTRES_PX = 0.3
+"""Largest error of a centre: ten of its standard deviations would be 1 px"""
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_panel_is_the_most_distinct_place(kind):
+    rng = np.random.default_rng(KINDS.index(kind))
+    for size in (16.0, 26.0, 40.0):
+        picture, at = ground(rng, 240, 200, stones=150), np.array([118.3, 96.8])
+        draw_panel(picture, kind, at, size, rng.uniform(0, 90))
+        picture = np.clip(picture + rng.normal(0, 2, picture.shape), 0, 255).astype(np.uint8)
+        first = panel_places(picture)[0]
+        assert np.hypot(first.x_px - at[0], first.y_px - at[1]) < 2
+        mark = measured_panel(picture, first)
+        assert mark is not None
+        assert np.hypot(mark.x_px - at[0], mark.y_px - at[1]) < CENTRES_PX
+        assert mark.kind in {MODEL[kind], "patch"}
+
+
+def test_ground_without_panels_is_less_distinct():
+    rng = np.random.default_rng(5)
+    picture = np.clip(ground(rng, 400, 300, stones=600), 0, 255).astype(np.uint8)
+    places = panel_places(picture)
+    drawn = picture.astype(np.float32)
+    draw_panel(drawn, "cross", np.array([200.0, 150.0]), 26.0, 20.0)
+    panel = panel_places(np.clip(drawn, 0, 255).astype(np.uint8))[0]
+    assert all(p.worth < 0.5 * panel.worth for p in places)
+
+
+@pytest.fixture(scope="module")
+def flown():
+    """G4 has no panel, G9 has coordinates that are wrong by a metre."""
+    made = flight(left_out=("G4",), wrong={"G9": np.array([0.8, -0.6, 0.0])})
+    session = Session.of_block(made.block, None)
+    return made, search_panels(session, made.given, dict.fromkeys(made.given, 0.01), 6.0, made.pictures.get)
+
+
+def test_panels_of_a_flight_are_found_and_no_others(flown):
+    made, done = flown
+    assert {f.point for f in done.found} == set(made.given) - {"G4", "G9"}
+    assert done.missed["G9"] == "off"
+    assert abs(done.off["G9"] - 1.0) < 0.2
+    assert done.missed["G4"] in {"off", "nothing", "few_rays", "no_panel"}
+    assert np.linalg.norm(done.shift - [1.4, -0.9, 2.3]) < 0.05
+
+
+def test_their_marks_are_where_the_photographs_show_them(flown):
+    made, done = flown
+    marks = {(image, f.point): m for f in done.found for image, m in f.marks.items()}
+    off = {k: np.hypot(m.x_px - made.seen[k][0], m.y_px - made.seen[k][1]) for k, m in marks.items() if k in made.seen}
+    assert max(off.values()) < CENTRES_PX
+    visible = [k for k in made.seen if k[1] in {f.point for f in done.found}]
+    assert len(off) > 0.9 * len(visible)
+    assert all(m.kind in {MODEL[made.kinds[point]], "patch"} for (_, point), m in marks.items())
+
+
+def test_too_few_points_confirm_no_shift(flown):
+    made, _ = flown
+    two = {name: made.given[name] for name in ("G1", "G2")}
+    done = search_panels(Session.of_block(made.block, None), two, dict.fromkeys(two, 0.01), 6.0, made.pictures.get)
+    assert not done.found
+    assert set(done.missed.values()) == {"few_points"}
+
+
+def test_marked_control_frees_the_shift_of_the_positions():
+    """Positions that nothing confirmed have an antenna without a shift, until control is marked."""
+    made = simulation(control=5).observed
+    o, p = made.observations, made.points
+    control = [name for name, c in zip(p.ids, p.is_control.all(axis=1), strict=True) if c]
+    rows = np.isin(o.point, [p.ids.index(c) for c in control])
+    antenna = Instrument(id="gnss", model=Antenna.name, values={q.symbol: 0.0 for q in Antenna.parameters}, estimate=())
+    n = len(made.images)
+    stations = Stations(
+        image=np.arange(n), xyz=made.images.centre + np.array([0.3, -0.2, 0.5]), sigma=np.full((n, 3), 0.02),
+        antenna=np.zeros(n, np.int32),
+    )  # fmt: skip
+    base = replace(made, instruments=(antenna,), observations=o.rows(~rows)).having(stations)
+    assert merge(base, EMPTY).block.instruments[0].estimate == ()
+    marks = [
+        Put(image=made.images.ids[o.image[r]], point=p.ids[o.point[r]], x_px=o.xy_px[r, 0], y_px=o.xy_px[r, 1])
+        for r in np.flatnonzero(rows)
+    ]
+    merged = merge(base, folded(marks)).block
+    assert merged.instruments[0].estimate == ("sx", "sy", "sz")
+    assert np.allclose([merged.instruments[0].values[s] for s in ("sx", "sy", "sz")], [0.3, -0.2, 0.5], atol=0.02)
