@@ -7,7 +7,7 @@ import pytest
 
 from raybundle.block import Images
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
-from raybundle.io.block.scenes import KEYS, _key, scene_lines
+from raybundle.io.block.scenes import KEYS, key_value, scene_lines
 from raybundle.io.block.toml_section import read_toml
 from raybundle.numerics.places import Local
 from raybundle.scenes.kinds import scene_kinds
@@ -129,7 +129,7 @@ def test_its_keys_make_it_again(kind, sensor, tmp_path):
     (tmp_path / "block.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
     section = read_toml(tmp_path / "block.toml")
     model = next(iter(sensor.state.values()))
-    keys = {k.name: _key(section, k, model, {}, {}) for k in kind.keys}
+    keys = {k.name: key_value(section, k, model, {}, {}) for k in kind.keys}
     again = kind.of_keys(model, sensor.place, sensor.size_px, None, keys)
     assert again.key_values == sensor.key_values
     assert again.symbols == sensor.symbols

@@ -17,7 +17,9 @@ refraction  the ray meets the ground nearer to the nadir than in empty space, by
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from datetime import datetime
 from functools import cached_property
 from typing import Any, Literal
 
@@ -48,8 +50,25 @@ MARGIN = 0.5
 """Lines beyond the image, as a share of its height, up to which a point is followed."""
 SETTLED_PX = 1e-6
 """Step of Newton's method after which its error is far below rounding: it squares, and the scene bends over 1e5 px."""
+EPOCH = datetime(2000, 1, 1)  # noqa: DTZ001  (all times are of one scale, whichever)
+FAR_S = 600.0
+"""Time over which scenes share corrections of a trajectory, unless one takes longer: a stereo pair of one orbit takes two
+minutes"""
 COARSE = 201
 """Lines among which a start is sought for points that Newton's method does not find from the middle."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Carrier:
+    """What carries several line scenes at a time: to which time and axes the corrections of its trajectory refer."""
+
+    middle_s: float
+    """Of the time from the first line of any scene to the last of any, on the clock that they share"""
+    half_s: float
+    axes: Array
+    """(3, 3) as `LineScene.track_axes`"""
+    mounting: Array
+    """(3, 3) axes of the first scene's detector to those of this one"""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -75,6 +94,10 @@ class LineScene:
     position_sigma_m: float | None = None
     """Usual standard deviation of a position in the trajectory's table, where it shows."""
     attitude_sigma_rad: float | None = None
+    epoch_s: float = 0.0
+    """Time 0 of its tables on a clock that all scenes share: seconds since 2000; of an aircraft that of its tables"""
+    carrier: Carrier | None = None
+    """What the scene shares with others on its trajectory; None: nothing"""
 
     def __post_init__(self) -> None:
         """Refuse tables that do not fit each other."""
@@ -117,25 +140,35 @@ class LineScene:
         """Time that the image took."""
         return abs(2 * self.middle_and_half[1])
 
+    @property
+    def correction_span(self) -> tuple[float, float]:
+        """Middle and half [s] of the time to which corrections refer: of the image, or of all on its trajectory."""
+        if self.carrier is None:
+            return self.middle_and_half
+        return self.carrier.middle_s - self.epoch_s, self.carrier.half_s
+
     def fixes_every(self, seconds: float) -> Fixes:
         """Orientation fixes at least as close as this, for the corrections of this scene."""
-        return Fixes(count=max(2, int(np.ceil(abs(2 * self.middle_and_half[1]) / seconds - 1e-9)) + 1))
+        return Fixes(count=max(2, int(np.ceil(abs(2 * self.correction_span[1]) / seconds - 1e-9)) + 1))
 
     def fixes_at(self, times: Array) -> FixesAt:
         """Orientation fixes at times (k,) [s] of the trajectory's clock, for the corrections of this scene."""
-        middle, half = self.middle_and_half
+        middle, half = self.correction_span
         return FixesAt(at=tuple(np.sort((np.asarray(times, float) - middle) / half).tolist()))
 
     def fixes_of_table(self, part: Literal["position", "attitude"]) -> FixesAt:
         """Orientation fixes at the times of the trajectory's own table: those within the image and one on each side."""
         times = self.trajectory.position_times if part == "position" else self.trajectory.attitude_times
         first, last = sorted(self.time(np.array([0.0, float(self.height_px)]))[0].tolist())
+        if self.carrier is not None:
+            middle, half = self.correction_span
+            first, last = middle - half, middle + half
         before, after = np.searchsorted(times, first, side="right") - 1, np.searchsorted(times, last)
         return self.fixes_at(times[max(before, 0) : after + 1])
 
     def time_of_fix(self, tau: float) -> float:
         """Time [s] of a fix at tau, to the nanosecond."""
-        middle, half = self.middle_and_half
+        middle, half = self.correction_span
         return round(middle + tau * half, 9)
 
     def reversals(self) -> Array:
@@ -158,8 +191,17 @@ class LineScene:
 
     @cached_property
     def track_axes(self) -> Array:
-        """(3, 3) rows along track, across track to the right, up at the middle of the scene, in body axes."""
-        P, V, _ = (v[0] for v in self.trajectory.position(np.array([self.middle_and_half[0]])))
+        """(3, 3) rows along track, across track to the right, up at the middle of the scene, in body axes.
+
+        Of scenes on one trajectory they are those of the first.
+        """
+        if self.carrier is not None:
+            return self.carrier.axes
+        return self.track_axes_at(self.middle_and_half[0])
+
+    def track_axes_at(self, t: float) -> Array:
+        """As `track_axes`, at a time [s]."""
+        P, V, _ = (v[0] for v in self.trajectory.position(np.array([t])))
         up = P / np.linalg.norm(P)
         across = np.cross(V, up)
         across /= np.linalg.norm(across)
@@ -328,17 +370,21 @@ class LineScene:
         if not partials:
             return g, G, np.zeros((len(xy), 2, 0)), np.zeros((len(xy), 0), np.int32)
         g_by_turn = -by_w @ cross_matrix(w)
+        g_by_carrier = g_by_turn @ at.mounting
         if model.lever_arm:
-            g_by_turn = g_by_turn - g_by_P @ np.swapaxes(at.R, 1, 2) @ cross_matrix(at.lever_arm)
+            g_by_carrier = g_by_carrier - g_by_P @ np.swapaxes(at.carrier, 1, 2) @ cross_matrix(at.lever_arm)
         columns = [
             to_g @ by_X,
             _each(g_by_P @ self.track_axes.T, at.position.values),
-            _each(g_by_turn @ at.turn_jacobian, at.attitude.values),
+            _each(g_by_carrier @ at.turn_jacobian, at.attitude.values),
         ]
+        later = by_time(at.dP_dt, at.dR_dt)[:, :, None]
         if model.time_offset:
-            columns.append(by_time(at.dP_dt, at.dR_dt)[:, :, None])
+            columns.append(later)
         if model.lever_arm:
-            columns.append(-g_by_P @ np.swapaxes(at.R, 1, 2))
+            columns.append(-g_by_P @ np.swapaxes(at.carrier, 1, 2))
+        if model.mount:
+            columns += [g_by_turn @ at.mount_jacobian, later]
         return g, G, np.concatenate(columns, axis=2), model.touched(at.position, at.attitude)
 
 
@@ -346,6 +392,37 @@ def _each(by_axis: Array, factors: Array) -> Array:
     """(n, 2, 3 m): derivatives by three components (n, 2, 3), times the factors (n, m) of their coefficients."""
     n, m = factors.shape
     return (by_axis[:, :, None, :] * factors[:, None, :, None]).reshape(n, 2, 3 * m)
+
+
+def on_one_carrier(scenes: Sequence[LineScene]) -> list[LineScene]:
+    """Scenes of one trajectory with what they share.
+
+    Attitudes of the tables are compared at the middle of the time of all, or at the entries nearest to it, each against
+    the axes of the track there: so a table for all scenes gives the exact mounting, tables of their own one that is
+    right but for the change of the attitude against the track between them.
+    raises  InputError where the scenes lie too far apart in time to share corrections
+    """
+    ends = [[s.epoch_s + t for t in s.time(np.array([0.0, float(s.height_px)]))[0].tolist()] for s in scenes]
+    first, last = min(map(min, ends)), max(map(max, ends))
+    longest = max(abs(b - a) for a, b in ends)
+    if last - first > max(FAR_S, 2 * longest):
+        raise InputError("trajectory.scenes_apart", seconds=last - first, limit_s=max(FAR_S, 2 * longest))
+    middle, half = (first + last) / 2, (last - first) / 2
+    against: list[Array] = []
+    axes = np.eye(3)
+    for s in scenes:
+        table = s.trajectory
+        low = max(table.attitude_times[0], table.position_times[0])
+        high = min(table.attitude_times[-1], table.position_times[-1])
+        t = float(np.clip(middle - s.epoch_s, low, high))
+        track = s.track_axes_at(t)
+        axes = axes if against else track
+        against.append(table.rotation(np.array([t]))[0][0].T @ track.T)
+    mountings = [a @ against[0].T for a in against]
+    return [
+        replace(s, carrier=Carrier(middle_s=middle, half_s=half, axes=axes, mounting=m))
+        for s, m in zip(scenes, mountings, strict=True)
+    ]
 
 
 def observe_line(scene: LineScene, place: LocalPlace, xyz: Array, model: CorrectionModel, values: Array) -> Observed:
@@ -447,17 +524,26 @@ class _Pose:
     attitude: Shape
     turn_jacobian: Any
     lever_arm: Array
+    carrier: Array
+    """(n, 3, 3) body axes to those of the carrier, about which corrections turn: the detector's, unless it is mounted"""
+    mounting: Array
+    """(3, 3) carrier to detector"""
+    mount_jacobian: Array
+    """(3, 3) of the mount's rotation"""
 
     @staticmethod
     def at(scene: LineScene, y: Array, model: CorrectionModel, values: Array) -> _Pose:
         """The pose at lines y (n,), with corrections (k,)."""
         t, dt_dy = scene.time(y)
-        middle, half = scene.middle_and_half
+        middle, half = scene.correction_span
         given: CorrectionValues = model.split(values)
         position, attitude = model.shapes((t - middle) / half)
         P, V, A = scene.trajectory.position(t + given.dt)
         moved, moving = position(given.position)
         R, dR_dt = (np.swapaxes(m, 1, 2) for m in scene.trajectory.rotation(t + given.dt))
+        mounting = np.eye(3) if scene.carrier is None else scene.carrier.mounting
+        if scene.carrier is not None:
+            R, dR_dt = mounting.T @ R, mounting.T @ dR_dt
         dR, jacobian = dR_dt, np.eye(3)
         if len(given.attitude):
             turned, turning = attitude(given.attitude)
@@ -467,20 +553,26 @@ class _Pose:
             dR = dR_dt + cross_matrix(rate) @ R
         a = given.lever_arm
         factor = 1 / C_LIGHT if scene.aberration else 0.0
+        if model.mount:
+            mounting = rotation_from_vector(given.mount) @ mounting
+        mounted = scene.carrier is not None or model.mount
         return _Pose(
             dt_dy=dt_dy,
             P=P + moved @ scene.track_axes - a @ R,
             dP=V + moving / half @ scene.track_axes - a @ dR,
-            R=R,
-            dR=dR,
+            R=mounting @ R if mounted else R,
+            dR=mounting @ dR if mounted else dR,
             dP_dt=V - a @ dR_dt,
-            dR_dt=dR_dt,
+            dR_dt=mounting @ dR_dt if mounted else dR_dt,
             beta=V * factor,
             dbeta=A * factor,
             position=position,
             attitude=attitude,
             turn_jacobian=jacobian,
             lever_arm=a,
+            carrier=R,
+            mounting=mounting,
+            mount_jacobian=left_jacobian(given.mount),
         )
 
 

@@ -62,6 +62,7 @@ def read(path: Path) -> Scene:
         ellipsoid=ellipsoid,
         aberration=False,
         refraction=False,
+        epoch_s=root.optional("center_ephemeris_time", 0.0),
     )
     remarks = [note("isd.no_aberration"), *remarks]
     if not group.has("unit"):
