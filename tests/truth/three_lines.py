@@ -76,7 +76,7 @@ def flight(heading_deg: float, across_m: float) -> dict[str, np.ndarray]:
                       ABOVE_M + 3 * np.sin(0.35 * t)], axis=1)  # fmt: skip
     wave = np.stack([1.5 * np.sin(0.9 * t), 0.9 * np.sin(0.7 * t + 2), 1.2 * np.sin(0.4 * t + 4)], axis=1)
     wave[:, :2] += 0.3 * np.sin(2.3 * t)[:, None]
-    angles = np.degrees(opk_from_rotation(rotation_from_rpy(np.radians(wave) + [0.0, 0.0, h])))
+    angles = np.degrees(opk_from_rotation(rotation_from_rpy(np.radians(wave) + np.array([0.0, 0.0, h]))))
     places = LocalPlace(origin=PLACE).geographic_from_local(local)
     names = ("time_s", "longitude_deg", "latitude_deg", "height_m", "omega_deg", "phi_deg", "kappa_deg")
     columns = dict(zip(names, np.column_stack([t, places, angles]).T, strict=True))

@@ -103,7 +103,7 @@ class SensorModel:
     moves_along: bool = False
     """Whether a station is none for all of an image, so that `stations` are asked for: a line scanner in the air"""
     links: Mapping[str, str] = {}
-    """Symbol -> id of the instrument of the block that has this parameter, under the same symbol, for several cameras"""
+    """Symbol -> id of the instrument that has this parameter, under the same symbol, for several cameras"""
 
     def __init_subclass__(cls, *, registered: bool = True) -> None:
         """Check the statement against itself and register the model.

@@ -1,4 +1,4 @@
-"""Lines that are alone on their trajectory: nothing but control and priors separates its errors from those of points."""
+"""Lines that are alone on their trajectory: control and priors alone separate its errors from those of points."""
 
 from __future__ import annotations
 

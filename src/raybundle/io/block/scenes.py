@@ -139,7 +139,7 @@ def read_scene_camera(
     if kind.rigorous:
         check_agreement(found)
     if carried is not None:
-        return _carried_camera(section, id_, place, carried, size)
+        return _carried_camera(section, id_, place, carried)
     known: dict[str, float] = {}
     sigmas: dict[str, float] = {}
     keys: dict[str, Any] = {k.name: key_value(section, k, model, known, sigmas) for k in kind.keys}
@@ -158,14 +158,11 @@ def read_scene_camera(
         section.fail("estimate", error.message or str(error))
 
 
-def _carried_camera(
-    section: Section, id_: str, place: Place, carried: GivenTrajectory, size: tuple[Any, ...]
-) -> Camera:
+def _carried_camera(section: Section, id_: str, place: Place, carried: GivenTrajectory) -> Camera:
     """The camera of a scene on a trajectory that it shares: its parameters stand there and with its mount."""
     from raybundle.scenes.kinds.linescan import LineSensor
     from raybundle.scenes.sensor import scene_camera
 
-    del size
     section.allow((*(k for k in KEYS if k not in {"estimate", "sigma"}), "height_m"))
     mount, trajectory = section.text("mount", ""), carried.instrument
     corrections = replace(carried.corrections, mount=bool(mount))
@@ -193,7 +190,8 @@ def sigma_of(section: Section, sensor: SceneSensor, sigmas: Mapping[str, float])
     """Standard deviations that `sigma` states, before those of a file of fixes; None where there are none."""
     stated = section.section("sigma") if "sigma" in section.values else None
     sigma = None if stated is None else _sigma(stated, sensor)
-    return {**sigmas, **(sensor.priors() | sigmas if sigma is None else sigma)} if sigmas else sigma
+    found = sensor.priors() | dict(sigmas) if sigma is None else sigma
+    return {**sigmas, **found} if sigmas else sigma
 
 
 def _sigma(stated: Section, sensor: SceneSensor) -> dict[str, float]:

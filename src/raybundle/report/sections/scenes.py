@@ -161,7 +161,8 @@ def _bias_table(view: View, images: list[int], remark: Text) -> Table:
             ratio = abs(value) / sigma if sigma > 0 else math.nan
             if ratio > 3:
                 marked.append(len(rows))
-            rows.append([*first, f"{_named(owner, camera, s)} [{unit}]", *shown, *([_on_ground(camera, s, value)] if ground else []),
+            name = f"{_named(owner, camera, s)} [{unit}]"
+            rows.append([*first, name, *shown, *([_on_ground(camera, s, value)] if ground else []),
                          significant(sigma * factor, 3), fixed(ratio, 1), *_tested(view, owner, s)])  # fmt: skip
             first = ["", "", ""]
     return table(

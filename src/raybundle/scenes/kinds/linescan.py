@@ -14,7 +14,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.geodesy import geographic_from_geocentric
 from raybundle.numerics.places import Place
 from raybundle.scenes.corrections import Fixes, FixesAt, Pieces, bends
-from raybundle.scenes.linescan import Carrier, LineScene, observe_line_at
+from raybundle.scenes.linescan import Carrier, LineScene, ScanScene, observe_line_at
 from raybundle.scenes.observed import Observed
 from raybundle.scenes.sensor import PIXEL_MM, Key, SceneSensor
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
@@ -63,7 +63,7 @@ class LineSensor(SceneSensor):
     stored = (Trajectory, Carrier, CorrectionModel, Fixes, FixesAt, Pieces)
 
     def __init__(
-        self, scene: LineScene, place: Place, corrections: CorrectionModel, height_m: float = 0.0,
+        self, scene: ScanScene, place: Place, corrections: CorrectionModel, height_m: float = 0.0,
         file: Path | None = None, smooth: Mapping[str, float] | None = None, *, trajectory: str = "", mount: str = "",
     ) -> None:  # fmt: skip
         """Place a line scene with these corrections of its trajectory.
@@ -101,7 +101,7 @@ class LineSensor(SceneSensor):
 
     @classmethod
     def of_keys(
-        cls, model: LineScene, place: Place, size_px: tuple[int, int], file: Path | None, keys: Mapping[str, Any]
+        cls, model: ScanScene, place: Place, size_px: tuple[int, int], file: Path | None, keys: Mapping[str, Any]
     ) -> Self:
         """As `SceneSensor`."""
         del size_px
@@ -176,7 +176,7 @@ class LineSensor(SceneSensor):
         return self.corrections, abs(self.scene.correction_span[1])
 
     @classmethod
-    def assumed(cls, model: LineScene) -> tuple[str, Mapping[str, float]] | None:
+    def assumed(cls, model: ScanScene) -> tuple[str, Mapping[str, float]] | None:
         """As `SceneSensor`."""
         del model
         return "scene_prior.orbit", {"sigma_rad": ATTITUDE_RAD}
@@ -233,8 +233,7 @@ class LineSensor(SceneSensor):
 
     def observe(self, xyz: Array, values: Array, near: Array | None = None) -> Observed:
         """As `SceneSensor`."""
-        del near
-        return observe_line_at(self.scene, self.place, xyz, self.corrections, values)
+        return observe_line_at(self.scene, self.place, xyz, self.corrections, values, near)
 
     def local(self, image: Array, points: Array, values: Array) -> tuple[Array, Array, Index]:
         """G (2, n), its Jacobian (2, 5 + w, n) and the positions (n, w) of the parameters that it is taken by."""
