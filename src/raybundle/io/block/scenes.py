@@ -149,7 +149,8 @@ def read_scene_camera(
         if error.file is not None:
             raise
         section.fail(error.column or "scene", error.message or str(error))
-    section.allow((*KEYS, *(k.name for k in kind.keys), *sensor.symbols))
+    own = [k for k in KEYS if k not in {"trajectory", "mount"}]  # those of scenes that share a trajectory
+    section.allow((*own, *(k.name for k in kind.keys), *sensor.symbols))
     sigma = sigma_of(section, sensor, sigmas)
     values = {s: section.number(s, known.get(s, 0.0)) for s in sensor.symbols}
     try:
