@@ -50,17 +50,15 @@ def test_rasters_are_maps_or_lack_their_orbit(tmp_path):
     def written(name, **georeference):
         with rasterio.open(
             tmp_path / name, "w", driver="GTiff", width=8, height=8, count=1, dtype="uint8",
-            **{k: v for k, v in georeference.items() if k != "gcps"},
+            **georeference,
         ) as raster:  # fmt: skip
             raster.write(np.ones((1, 8, 8), np.uint8))
-            if "gcps" in georeference:
-                raster.gcps = (georeference["gcps"], "EPSG:4326")
         return tmp_path / name
 
     corners = [GroundControlPoint(r, c, 15 + c / 1e3, 48 - r / 1e3, 0) for r in (0, 7) for c in (0, 7)]
     cases = {
         "map.tif": ({"crs": "EPSG:32633", "transform": rasterio.Affine(10, 0, 5e5, 0, -10, 5.3e6)}, "scene.is_map"),
-        "grd.tif": ({"gcps": corners}, "scene.no_orbit"),
+        "grd.tif": ({"crs": "EPSG:4326", "gcps": corners}, "scene.no_orbit"),
     }
     for name, (georeference, code) in cases.items():
         path = written(name, **georeference)
