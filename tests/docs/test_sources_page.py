@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-NAMES = """GeoEye WorldView IKONOS QuickBird SPOT OrbView IRS ASTER Landsat ADS40 DMC UltraCam DAS DIMAC DSS ICI AirSAR ERS
-RADARSAT Sentinel UAV Kites balloons Panoramic Amateur still-video Photogrammetric Camcorders phones GNSS INS"""
+NAMES = """GeoEye WorldView IKONOS QuickBird SPOT OrbView IRS ASTER Landsat ADS40 DMC UltraCam DAS DIMAC DSS ICI AirSAR
+ERS RADARSAT Sentinel UAV Kites balloons Panoramic Amateur still-video Photogrammetric Camcorders phones GNSS INS"""
 
 
 @pytest.fixture(scope="module")
