@@ -7,7 +7,8 @@ import pytest
 
 from raybundle.block import Images
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
-from raybundle.io.block.scenes import KEYS, key_value, scene_lines
+from raybundle.io.block.scene_keys import key_value
+from raybundle.io.block.scenes import KEYS, scene_lines
 from raybundle.io.block.toml_section import read_toml
 from raybundle.numerics.places import Local
 from raybundle.scenes.kinds import scene_kinds

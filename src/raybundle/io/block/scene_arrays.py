@@ -43,7 +43,9 @@ def with_scenes(block: Block, entry: Mapping[str, Any]) -> Block:
     place = _made(entry["place"])
     sensors = {int(k): _sensor(place, s) for k, s in entry["sensors"].items()}
     cameras = tuple(replace(c, scene=sensors.get(k)) for k, c in enumerate(block.cameras))
-    shared = {int(k): SharedTrajectory(_made(t["corrections"]), t["keys"]) for k, t in entry["trajectories"].items()}
+    shared = {
+        int(k): SharedTrajectory(_made(t["corrections"]), t["keys"]) for k, t in entry.get("trajectories", {}).items()
+    }
     instruments = tuple(replace(i, scene=shared.get(k)) for k, i in enumerate(block.instruments))
     return replace(block, place=place, cameras=cameras, instruments=instruments)
 

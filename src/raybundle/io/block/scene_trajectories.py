@@ -15,7 +15,9 @@ from typing import Any, cast
 
 from raybundle.block import Instrument
 from raybundle.errors import InputError
+from raybundle.io.block.scene_keys import free_symbols, key_value, short_names, short_sigma, sigma_of, toml_value
 from raybundle.io.block.toml_section import Section
+from raybundle.io.digits import exact
 from raybundle.io.reading.words import quoted
 from raybundle.io.scenes import read_scene
 from raybundle.io.scenes.base import Scene
@@ -58,8 +60,6 @@ def read_trajectories(top: Section, place: Place | None) -> dict[str, GivenTraje
 
 
 def _read(given: Section, id_: str, cameras: Section, names: list[str], place: Place) -> GivenTrajectory:
-    from raybundle.io.block.scenes import free_symbols, key_value, sigma_of
-
     own = given.section(id_)
     if not names:
         given.fail(id_, "trajectory.no_scene", name=quoted(id_))
@@ -98,9 +98,6 @@ def _read(given: Section, id_: str, cameras: Section, names: list[str], place: P
 
 def trajectory_lines(instrument: Instrument) -> list[str]:
     """The table of a trajectory, without its head."""
-    from raybundle.io.block.scenes import short_names, short_sigma, toml_value
-    from raybundle.io.digits import exact
-
     model = cast("SharedTrajectory", instrument.scene)
     return [
         *(f"{name} = {toml_value(value)}" for name, value in model.keys.items()),
