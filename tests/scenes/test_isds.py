@@ -275,7 +275,7 @@ FRAMES_REFUSED = {
     "lohighcamera_isd": "isd.distortion_unknown", "mvic_mpf_isd": "isd.distortion_unknown",
     "simpleFramerISD": "isd.distortion_no_inverse",
 }  # fmt: skip
-"""Frames whose descriptions leave out or contradict what a ray needs."""
+"""Frames with descriptions that leave out or contradict what a ray needs."""
 
 
 def isds(folder, *, scanners):

@@ -391,11 +391,11 @@ class LineScene(ScanScene):
     """A pushbroom scene with its vendor's orbit, attitude and detector."""
 
     line_y: Array
-    """(k,) y [px] of the lines whose times are known, increasing; linear between and beyond them."""
+    """(k,) y [px] of lines with known times, increasing; linear between and beyond them."""
     line_times: Array
     """(k,) [s], of the same clock as the trajectory."""
     detector_x: Array
-    """(m,) x [px] of the elements whose viewing directions are known, increasing; linear between and beyond them."""
+    """(m,) x [px] of elements with known viewing directions, increasing; linear between and beyond them."""
     detector_look: Array
     """(m, 2) psi_x, psi_y: tangents of the viewing directions in the detector's frame."""
 

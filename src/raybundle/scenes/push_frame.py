@@ -1,4 +1,4 @@
-"""A frame camera whose frames, each only some lines high, are put under each other while it is carried along.
+"""A frame camera that is carried along; its frames, some lines high, are put under each other.
 
 Framelet k of the image is taken at time t_k as a whole; line y lies in framelet k = floor(y / h), at l = y - k h.
 Neighbouring framelets show some ground twice, or leave some out: where a point is seen is a question of the framelet,

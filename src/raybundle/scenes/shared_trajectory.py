@@ -41,7 +41,7 @@ def trajectory_of(
     """The instrument with the corrections that a scene without a mount has.
 
     estimate  symbols of free parameters; None: all
-    sigma     their prior standard deviations; None: those that the table of GNSS and INS states
+    sigma     their prior standard deviations; None: as the table of GNSS and INS states
     """
     model = SharedTrajectory(sensor.corrections, sensor.correction_keys)
     free = model.symbols if estimate is None else estimate

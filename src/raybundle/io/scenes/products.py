@@ -27,7 +27,7 @@ SCALE, TIE_POINTS, MATRIX = 33550, 33922, 34264
 
 
 def product_of(path: Path, head: bytes) -> Message | None:
-    """What is to be stated of a file by its beginning; None where it is none of these products."""
+    """The message about a file by its beginning; None for other files."""
     for mark, code, what in MARKS:
         if mark in head:
             return message(code, what=what)
@@ -40,7 +40,7 @@ def product_of(path: Path, head: bytes) -> Message | None:
 
 
 def raster_without_model(path: Path) -> Message | None:
-    """What is to be stated of a TIFF without RPC: a map, or an image with points on the ground alone."""
+    """The message about a TIFF without RPC: a map, or an image with points on the ground alone."""
     try:
         _, tags = tiff_tags(path, frozenset({SCALE, TIE_POINTS, MATRIX}))
     except InputError:
@@ -52,5 +52,5 @@ def raster_without_model(path: Path) -> Message | None:
 
 
 def orthoimage(head: bytes) -> Message | None:
-    """What is to be stated of a DIMAP file without a model, if it is that of an orthoimage."""
+    """The message about a DIMAP file without a model, if it belongs to an orthoimage."""
     return message("scene.is_map", what="orthoimage") if any(mark in head for mark in ORTHO) else None
