@@ -14,13 +14,16 @@ from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics import native
 from raybundle.numerics.places import Local
 from raybundle.numerics.rotation import vector_from_rotation
+from raybundle.planning.simulate import measured
 from raybundle.scenes.corrections import Fixes
 from raybundle.scenes.kinds.linescan import LineSensor
 from raybundle.scenes.linescan import on_one_carrier
+from raybundle.scenes.sensor import scene_camera, view_of
+from raybundle.scenes.shared_trajectory import trajectory_of
 from raybundle.scenes.simulate import GM, OrbitPlan, orbit_scene
 from raybundle.scenes.trajectory import CorrectionModel
 from tests.truth.bands import assert_true_to_ten_percent
-from tests.truth.mixed_blocks import MonteCarlo
+from tests.truth.mixed_blocks import MonteCarlo, block_of, control_table
 from tests.truth.three_lines import PLACE, SIGMA_PX, Plan, three_line_block
 
 OPTIONS = AdjustmentOptions(jobs=1, datum="control")
@@ -86,8 +89,6 @@ def test_mounts_and_clock_are_found(strips):
         of = {i.id: i.values for i in instruments}
         cameras = tuple(replace(c, values={s: of[n][s] for s, n in c.sensor.links.items()}) for c in strips.cameras)
         return replace(strips, instruments=instruments, cameras=cameras)
-
-    from raybundle.planning.simulate import measured
 
     seen = measured(having(truth), SIGMA_PX)
     block = noisy(replace(strips, observations=seen.observations, points=seen.points))
@@ -224,3 +225,22 @@ def test_what_block_toml_may_not_state(tmp_path, strips, old, new, code):
     assert caught.value.line
     if code:
         assert caught.value.code == code
+
+
+def test_a_stereo_pair_of_one_orbit_has_true_covariances():
+    place = Local(origin=PLACE)
+    model = CorrectionModel(position_degree=0, attitude_degree=1)
+    sensors = [LineSensor(s, place, model, PLACE[2], trajectory="orbit") for s in on_one_carrier(stereo())]
+    cameras = [scene_camera(name, s) for name, s in zip(("ahead", "back"), sensors, strict=True)]
+    sigma = {s: {"m": 2.0, "rad": 1e-5}[model.unit(s)] for s in model.symbols}
+    rng = np.random.default_rng(3)
+    xyz = np.column_stack([rng.uniform(-1500, 1500, (30, 2)), rng.uniform(-100, 100, 30)])
+    views = [view_of(c) for c in cameras]
+    block = block_of(
+        cameras, [0, 1], [v.centre for v in views], [v.rotation for v in views], xyz, *control_table(30, 4, 5, 0.3),
+        held=np.ones(2, bool), place=place,
+    )  # fmt: skip
+    block = measured(replace(block, instruments=(trajectory_of("orbit", sensors[0], sigma=sigma),)), 0.4)
+    errors = MonteCarlo.of(block).errors(250, seed=1)
+    assert set(errors) == {"tie point", "check point", "control point", "parameters of orbit"}
+    assert_true_to_ten_percent(*errors["parameters of orbit"])
