@@ -1,4 +1,4 @@
-"""Write the generated reference pages: command line, sensor models, Python, glossary, messages; --check compares.
+"""Write the generated reference pages: commands, sensor models, Python, glossary, messages, sources; --check compares.
 
 python tools/generate_docs.py [--check]
 """
@@ -14,6 +14,7 @@ from typing import get_overloads
 import click
 import generate_stubs
 import sensor_pages
+import source_table
 
 import raybundle
 from raybundle import errors, words
@@ -131,6 +132,7 @@ def main() -> int:
         "python.md": python(),
         "glossary.md": glossary(),
         "messages.md": messages(),
+        "sources.md": source_table.page(sensor_pages.pages()),
     }
     stale = 0
     for name, text in pages.items():

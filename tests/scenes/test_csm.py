@@ -69,9 +69,9 @@ BAD = {
         r"isd\.position_inside_body",
     ),
     "feet": (lambda d: d["radii"].update(unit="ft"), r"'ft'.*value\.unit_unknown"),
-    "frame camera": (
-        lambda d: d.update(name_model="USGS_ASTRO_FRAME_SENSOR_MODEL"),
-        r"FRAME.*frame camera.*isd\.no_line_scanner",
+    "another model": (
+        lambda d: d.update(name_model="USGS_ASTRO_SCANNING_SENSOR_MODEL"),
+        r"SCANNING.*isd\.model_unknown",
     ),
     "a radar without its keys": (
         lambda d: d.update(name_model="USGS_ASTRO_SAR_SENSOR_MODEL"),

@@ -7,7 +7,8 @@ import pytest
 
 from raybundle.block import Images
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
-from raybundle.io.block.scenes import KEYS, _key, scene_lines
+from raybundle.io.block.scene_keys import key_value
+from raybundle.io.block.scenes import KEYS, scene_lines
 from raybundle.io.block.toml_section import read_toml
 from raybundle.numerics.places import Local
 from raybundle.scenes.kinds import scene_kinds
@@ -61,11 +62,13 @@ def test_partial_derivatives_are_differences(kind, place):
     values = shifted(sensor)
     seen = sensor.observe(xyz, values)
     for k in range(3):
-        up, down = (sensor.observe(xyz + s * np.eye(3)[k], values).xy_px for s in (1.0, -1.0))
+        up, down = (sensor.observe(xyz + s * np.eye(3)[k], values, seen.xy_px).xy_px for s in (1.0, -1.0))
         assert np.abs((up - down) / 2 - seen.by_point[:, :, k]).max() < 1e-6 * np.abs(seen.by_point).max()
     for k, (symbol, value) in enumerate(zip(sensor.symbols, values, strict=True)):
         step = 0.03 * abs(value)
-        up, down = (sensor.observe(xyz, values + s * step * np.eye(len(values))[k]).xy_px for s in (1.0, -1.0))
+        up, down = (
+            sensor.observe(xyz, values + s * step * np.eye(len(values))[k], seen.xy_px).xy_px for s in (1.0, -1.0)
+        )
         error = np.abs((up - down) / 2 - seen.by_parameters[:, :, k] * step).max()
         assert error < 1e-5 * max(np.abs(seen.by_parameters[:, :, k] * step).max(), 1.0), symbol
 
@@ -129,7 +132,7 @@ def test_its_keys_make_it_again(kind, sensor, tmp_path):
     (tmp_path / "block.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
     section = read_toml(tmp_path / "block.toml")
     model = next(iter(sensor.state.values()))
-    keys = {k.name: _key(section, k, model, {}, {}) for k in kind.keys}
+    keys = {k.name: key_value(section, k, model, {}, {}) for k in kind.keys}
     again = kind.of_keys(model, sensor.place, sensor.size_px, None, keys)
     assert again.key_values == sensor.key_values
     assert again.symbols == sensor.symbols

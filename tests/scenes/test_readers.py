@@ -342,6 +342,7 @@ def test_unknown_and_absent_files(tmp_path):
         "gdal-xml",
         "gdal-json",
         "orthority",
+        "optical_bar",
     }
 
 

@@ -90,16 +90,21 @@ class Parametrised(ABC):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Instrument(Parametrised):
-    """A GNSS antenna with its lever arm, shift and drift, or an IMU with its misalignment; values not given are 0."""
+    """A GNSS antenna, an IMU, a mount, or a trajectory that several scenes share; values not given are 0."""
+
+    scene: InstrumentModel | None = None
+    """What corrects a trajectory of scenes; None: the registered model of that name"""
 
     def __post_init__(self) -> None:
         """Complete the values."""
-        object.__setattr__(self, "values", {s: float(self.values.get(s, 0.0)) for s in self.sensor.symbols})
+        if self.scene is not None or self.model in instrument_models:
+            values = {s: float(self.values.get(s, 0.0)) for s in self.sensor.symbols}
+            object.__setattr__(self, "values", values)
 
     @property
     def sensor(self) -> InstrumentModel:
         """The model."""
-        return instrument_models[self.model]
+        return self.scene or instrument_models[self.model]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

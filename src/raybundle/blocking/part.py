@@ -76,7 +76,7 @@ def system_of_part(whole: Skeleton, part: Part, rejected: Mask) -> PartSystem:
     retained = np.where(node >= 0, retained, -1)
     node = np.where(seen, node, -1)
     of_image = sk.interior_of_image[part.images]
-    interior = np.unique(np.concatenate([of_image, sk.parents[of_image][sk.parents[of_image] >= 0]]))
+    interior = np.unique([k for r in np.unique(of_image).tolist() for k, _ in sk.sources(r)]).astype(np.int64)
     image_node = np.where(looking, sk.image_node[part.images], -1)
     shared_node = np.where(looking, sk.shared_node[part.images], -1)
     nodes = np.unique(np.concatenate([image_node, shared_node, node]))
@@ -141,7 +141,11 @@ def _row(row: InteriorRow, interior: Index, nodes: Index, images: Index) -> Inte
         at = int(np.searchsorted(of, value))
         return at if value >= 0 and at < len(of) and of[at] == value else -1
 
-    return replace(row, image=place(images, row.image), node=place(nodes, row.node), parent=place(interior, row.parent))
+    links = tuple((k, place(interior, of), there) for k, of, there in row.links)
+    return replace(
+        row, image=place(images, row.image), node=place(nodes, row.node), parent=place(interior, row.parent),
+        links=links,
+    )  # fmt: skip
 
 
 def _first_images(block: Block, rows: Array) -> Index:

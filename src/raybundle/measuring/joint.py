@@ -60,11 +60,10 @@ class Joint:
         if exterior:
             at.append(image_unknowns(system, image))
         free: list[int] = []
-        row = system.interior[int(system.interior_of_image[image])]
-        for r in (row, system.interior[row.parent] if row.parent >= 0 else None):
-            if r is not None and r.node >= 0:
-                at.append(interior_unknowns(system, r))
-                free += r.free
+        for r, positions in system.sources(int(system.interior_of_image[image])):
+            if system.interior[r].node >= 0:
+                at.append(interior_unknowns(system, system.interior[r]))
+                free += positions
         unknowns = np.concatenate(at).astype(np.int64) if at else np.zeros(0, np.int64)
         return OfImage(unknowns, exterior, tuple(free))
 

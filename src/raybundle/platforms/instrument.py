@@ -27,9 +27,10 @@ class InstrumentModel:
     in_object: ClassVar[tuple[tuple[str, str, str], ...]] = ()
     """Symbols of those that are vectors in the axes of the object, X, Y and Z of each: they turn with it"""
 
-    def __init_subclass__(cls) -> None:
-        """Register it."""
-        InstrumentModel.registry[cls.name] = cls()
+    def __init_subclass__(cls, *, registered: bool = True) -> None:
+        """Register it; models of single trajectories are not."""
+        if registered:
+            InstrumentModel.registry[cls.name] = cls()
 
     @cached_property
     def symbols(self) -> tuple[str, ...]:

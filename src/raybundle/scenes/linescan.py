@@ -17,9 +17,11 @@ refraction  the ray meets the ground nearer to the nadir than in empty space, by
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from datetime import datetime
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any, Literal, Self, TypeVar
 
 import numpy as np
 
@@ -39,6 +41,7 @@ from raybundle.scenes.corrections import Fixes, FixesAt
 from raybundle.scenes.observed import Observed
 from raybundle.scenes.trajectory import CorrectionModel, CorrectionValues, Shape, Trajectory
 
+S = TypeVar("S", bound="ScanScene")
 C_LIGHT = 299792458.0
 SCALE_HEIGHT_M = 8400.0
 REFRACTIVITY = 2.9e-4
@@ -48,24 +51,32 @@ MARGIN = 0.5
 """Lines beyond the image, as a share of its height, up to which a point is followed."""
 SETTLED_PX = 1e-6
 """Step of Newton's method after which its error is far below rounding: it squares, and the scene bends over 1e5 px."""
+EPOCH = datetime(2000, 1, 1)  # noqa: DTZ001  (all times are of one scale, whichever)
+FAR_S = 600.0
+"""Time over which scenes share corrections of a trajectory, unless one takes longer (a stereo pair: 120 s)"""
 COARSE = 201
 """Lines among which a start is sought for points that Newton's method does not find from the middle."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LineScene:
-    """A pushbroom scene with its vendor's orbit, attitude and detector."""
+class Carrier:
+    """What carries several line scenes at a time: to which time and axes the corrections of its trajectory refer."""
+
+    middle_s: float
+    """Of the time from the first line of any scene to the last of any, on the clock that they share"""
+    half_s: float
+    axes: Array
+    """(3, 3) as `LineScene.track_axes`"""
+    mounting: Array
+    """(3, 3) axes of the first scene's detector to those of this one"""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ScanScene:
+    """A scene of a sensor that is carried along: which time and direction an image point has."""
 
     width_px: int
     height_px: int
-    line_y: Array
-    """(k,) y [px] of the lines whose times are known, increasing; linear between and beyond them."""
-    line_times: Array
-    """(k,) [s], of the same clock as the trajectory."""
-    detector_x: Array
-    """(m,) x [px] of the elements whose viewing directions are known, increasing; linear between and beyond them."""
-    detector_look: Array
-    """(m, 2) psi_x, psi_y: tangents of the viewing directions in the detector's frame."""
     trajectory: Trajectory
     ellipsoid: Ellipsoid = WGS84
     aberration: bool = True
@@ -75,93 +86,98 @@ class LineScene:
     position_sigma_m: float | None = None
     """Usual standard deviation of a position in the trajectory's table, where it shows."""
     attitude_sigma_rad: float | None = None
+    epoch_s: float = 0.0
+    """Time 0 of its tables on a clock that all scenes share: seconds since 2000; of an aircraft that of its tables"""
+    carrier: Carrier | None = None
+    """What the scene shares with others on its trajectory; None: nothing"""
 
-    def __post_init__(self) -> None:
-        """Refuse tables that do not fit each other."""
-        for name, table, values in (
-            ("line_times", self.line_y, self.line_times),
-            ("viewing_directions", self.detector_x, self.detector_look),
-        ):
-            if len(table) < 2 or len(table) != len(values) or not (np.diff(table) > 0).all():
-                raise InputError("line_scene.table_order", table=name, n=len(table))
-        step = np.diff(self.line_times)
-        if not ((step > 0).all() or (step < 0).all()):
-            raise InputError("line_scene.times_not_monotonic")
-        ends = self.time(np.array([0.5, self.height_px - 0.5]))[0]
-        self.trajectory.check_cover(float(ends.min()), float(ends.max()))
+    @property
+    def middle_and_half(self) -> tuple[float, float]:
+        """Time at the middle of the image, and half the time that it took [s]; negative where it runs backwards."""
+        raise NotImplementedError
 
-    def without_corrections(self) -> LineScene:
+    def time_at(self, xy: Array, part: Index | None = None) -> tuple[Array, Array]:
+        """Times (n,) [s] of image points (n, 2) [px] and derivatives (n, 2) by x and y.
+
+        part  (n,) as of `parts`; None: those in which the points lie
+        """
+        raise NotImplementedError
+
+    def look_at(self, xy: Array, part: Index | None = None) -> tuple[Array, Array]:
+        """Tangents (n, 2) of the viewing directions of image points (n, 2), and derivatives (n, 2, 2) by x and y."""
+        raise NotImplementedError
+
+    def parts(self, xy: Array) -> Index | None:
+        """Numbers (n,) of the parts of the image, each continuous by itself, in which points lie; None: it is one."""
+        del xy
+        return None
+
+    def start(self, seen: Points, model: CorrectionModel, values: Array) -> Array:
+        """Image points (n, 2) from which those of object points are sought."""
+        del model, values
+        return np.tile([self.width_px / 2, self.height_px / 2], (len(seen.xyz), 1))
+
+    def without_corrections(self) -> Self:
         """The same scene in empty space and with infinitely fast light; for comparison."""
         return replace(self, aberration=False, refraction=False)
 
-    def time(self, y: Array) -> tuple[Array, Array]:
-        """Times (n,) [s] of lines y (n,) [px] and their derivatives."""
-        k = np.clip(np.searchsorted(self.line_y, y, side="right") - 1, 0, len(self.line_y) - 2)
-        slope = (np.diff(self.line_times) / np.diff(self.line_y))[k]
-        return self.line_times[k] + (y - self.line_y[k]) * slope, slope
-
-    def look(self, x: Array) -> tuple[Array, Array]:
-        """Tangents (n, 2) of the viewing directions of elements x (n,) [px] and their derivatives."""
-        k = np.clip(np.searchsorted(self.detector_x, x, side="right") - 1, 0, len(self.detector_x) - 2)
-        slope = (np.diff(self.detector_look, axis=0) / np.diff(self.detector_x)[:, None])[k]
-        return self.detector_look[k] + (x - self.detector_x[k])[:, None] * slope, slope
-
-    @cached_property
-    def middle_and_half(self) -> tuple[float, float]:
-        """Time at the middle of the image, and half the time that it took [s]."""
-        first, last = self.time(np.array([0.0, float(self.height_px)]))[0]
-        return float((first + last) / 2), float((last - first) / 2)
+    @property
+    def ends(self) -> tuple[float, float]:
+        """First and last time of the image [s]."""
+        middle, half = self.middle_and_half
+        return middle - abs(half), middle + abs(half)
 
     @property
     def seconds(self) -> float:
         """Time that the image took."""
         return abs(2 * self.middle_and_half[1])
 
+    @property
+    def correction_span(self) -> tuple[float, float]:
+        """Middle and half [s] of the time to which corrections refer: of the image, or of all on its trajectory."""
+        if self.carrier is None:
+            return self.middle_and_half
+        return self.carrier.middle_s - self.epoch_s, self.carrier.half_s
+
     def fixes_every(self, seconds: float) -> Fixes:
         """Orientation fixes at least as close as this, for the corrections of this scene."""
-        return Fixes(count=max(2, int(np.ceil(abs(2 * self.middle_and_half[1]) / seconds - 1e-9)) + 1))
+        return Fixes(count=max(2, int(np.ceil(abs(2 * self.correction_span[1]) / seconds - 1e-9)) + 1))
 
     def fixes_at(self, times: Array) -> FixesAt:
         """Orientation fixes at times (k,) [s] of the trajectory's clock, for the corrections of this scene."""
-        middle, half = self.middle_and_half
+        middle, half = self.correction_span
         return FixesAt(at=tuple(np.sort((np.asarray(times, float) - middle) / half).tolist()))
 
     def fixes_of_table(self, part: Literal["position", "attitude"]) -> FixesAt:
         """Orientation fixes at the times of the trajectory's own table: those within the image and one on each side."""
         times = self.trajectory.position_times if part == "position" else self.trajectory.attitude_times
-        first, last = sorted(self.time(np.array([0.0, float(self.height_px)]))[0].tolist())
+        first, last = self.ends
+        if self.carrier is not None:
+            middle, half = self.correction_span
+            first, last = middle - half, middle + half
         before, after = np.searchsorted(times, first, side="right") - 1, np.searchsorted(times, last)
         return self.fixes_at(times[max(before, 0) : after + 1])
 
     def time_of_fix(self, tau: float) -> float:
         """Time [s] of a fix at tau, to the nanosecond."""
-        middle, half = self.middle_and_half
+        middle, half = self.correction_span
         return round(middle + tau * half, 9)
-
-    def reversals(self) -> Array:
-        """Lines y (k,) [px] at which the scan turns back over ground that it has seen, along its middle column.
-
-        There the motion of the ground across the line of elements changes its sign.  The ground is taken where the ray
-        comes nearest to the middle of the body, at least its radius away from it, so that lines beside the body count.
-        """
-        y = np.linspace(0.5, self.height_px - 0.5, min(COARSE, max(2, self.height_px)))
-        xy = np.stack([np.full(len(y), self.width_px / 2), y], axis=1)
-        P, d = self.rays(xy)
-        near = -np.einsum("ni,ni->n", P, d)
-        inside = self.ellipsoid.a**2 - (np.sum(P * P, axis=1) - near**2)
-        ground = P + (near - np.sqrt(np.maximum(inside, 0.0)))[:, None] * d
-        zero = np.zeros(0)
-        _, G, _, _ = self._condition(_Points.of(self, ground), xy, NO_CORRECTION, zero, partials=False)
-        across = G[:, 0, 0] * G[:, 1, 1] - G[:, 1, 0] * G[:, 0, 1]
-        turned = np.flatnonzero(across[1:] * across[:-1] < 0)
-        return (y[turned] + y[turned + 1]) / 2
 
     @cached_property
     def track_axes(self) -> Array:
-        """(3, 3) rows along track, across track to the right, up at the middle of the scene, in body axes."""
-        P, V, _ = (v[0] for v in self.trajectory.position(np.array([self.middle_and_half[0]])))
+        """(3, 3) rows along track, across track to the right, up at the middle of the scene, in body axes.
+
+        Of scenes on one trajectory they are those of the first.
+        """
+        if self.carrier is not None:
+            return self.carrier.axes
+        return self.track_axes_at(self.middle_and_half[0])
+
+    def track_axes_at(self, t: float) -> Array:
+        """As `track_axes`, at a time [s]."""
+        P, V, _ = (v[0] for v in self.trajectory.position(np.array([t])))
         up = P / np.linalg.norm(P)
-        across = np.cross(V, up)
+        across = np.cross(V, up) if V.any() else np.array([up[1], -up[0], 0.0])  # of a frame that stands still: south
         across /= np.linalg.norm(across)
         return np.stack([np.cross(up, across), across, up])
 
@@ -172,8 +188,8 @@ class LineScene:
 
         The directions are geometric: aberration is taken off, refraction is left to the ground (`localise`).
         """
-        at = _Pose.at(self, xy_px[:, 1], model, _zeros(model, values))
-        psi = self.look(xy_px[:, 0])[0]
+        at = _Pose.at(self, xy_px, model, _zeros(model, values))
+        psi = self.look_at(xy_px)[0]
         w = self.view * np.concatenate([psi, np.ones((len(psi), 1))], axis=1)
         u = np.einsum("nji,nj->ni", at.R, w / np.linalg.norm(w, axis=1)[:, None])
         d = u - at.beta
@@ -218,19 +234,26 @@ class LineScene:
             raise NotSolvable("line_scene.ray_misses_body", x_px=x, y_px=y, miss_m=miss, height_m=h[k])
         return (-b - np.sqrt(root)) / a
 
-    def project(self, geographic: Array, model: CorrectionModel = NO_CORRECTION, values: Array | None = None) -> Array:
+    def project(
+        self, geographic: Array, model: CorrectionModel = NO_CORRECTION, values: Array | None = None,
+        near: Array | None = None,
+    ) -> Array:  # fmt: skip
         """Image points (n, 2) [px] of longitude, latitude [deg], height [m] (n, 3); raises NoConvergence."""
-        return self.observe_geocentric(geocentric_from_geographic(geographic, self.ellipsoid), model, values).xy_px
+        xyz = geocentric_from_geographic(geographic, self.ellipsoid)
+        return self.observe_geocentric(xyz, model, values, near).xy_px
 
     def observe_geocentric(
-        self, xyz: Array, model: CorrectionModel = NO_CORRECTION, values: Array | None = None
-    ) -> Observed:
+        self, xyz: Array, model: CorrectionModel = NO_CORRECTION, values: Array | None = None,
+        near: Array | None = None,
+    ) -> Observed:  # fmt: skip
         """Image points of points (n, 3) in body axes [m] and all partial derivatives.
 
         values  (k,) parameters of `model`, in the order of its symbols; None: zero
+        near    (n, 2) image points that choose the part of the image, where some ground is seen twice
         raises  NoConvergence where a point was not seen between the first line and the last, margins included
         """
-        xy, by_point, few, touched = self.observe_few(xyz, model, values)
+        near = None if near is None or self.parts(near) is None else near
+        xy, by_point, few, touched = self.observe_few(xyz, model, values, near)
         by_parameters = np.zeros((len(xyz), 2, len(model.symbols)))
         np.put_along_axis(by_parameters, np.broadcast_to(touched[:, None], few.shape), few, axis=2)
         return Observed(xy_px=xy, by_point=by_point, by_parameters=by_parameters)
@@ -246,12 +269,14 @@ class LineScene:
                  of these parameters among `model.symbols`
         """
         values = _zeros(model, values)
-        seen = _Points.of(self, xyz)
-        xy = np.tile([self.width_px / 2, self.height_px / 2], (len(xyz), 1)) if start is None else start
-        xy, lost = self._solved(seen, xy, model, values)
+        seen = Points.of(self, xyz)
+        xy = self.start(seen, model, values) if start is None else start
+        part = self.parts(xy)
+        xy, lost = self._solved(seen, xy, model, values, part)
         if lost.any():
             again = seen.some(lost)
-            xy[lost], still = self._solved(again, self._coarse(again, model, values), model, values)
+            mine = None if part is None else part[lost]
+            xy[lost], still = self._solved(again, self._coarse(again, model, values), model, values, mine)
             if still.any():
                 k = int(np.flatnonzero(lost)[np.argmax(still)])
                 lon, lat, h = seen.geographic[k]
@@ -264,16 +289,18 @@ class LineScene:
                     last_line=xy[k, 1],
                     lines=self.height_px,
                 )
-        _, G, partials, touched = self._condition(seen, xy, model, values)
+        _, G, partials, touched = self._condition(seen, xy, model, values, part)
         solved = -np.linalg.solve(G, partials)
         return xy, solved[..., :3], solved[..., 3:], touched
 
-    def _solved(self, seen: _Points, xy: Array, model: CorrectionModel, values: Array) -> tuple[Array, Mask]:
+    def _solved(
+        self, seen: Points, xy: Array, model: CorrectionModel, values: Array, part: Index | None
+    ) -> tuple[Array, Mask]:
         """Image points (n, 2) by Newton's method from xy, and which of them it did not find (n,)."""
         low, high = -MARGIN * self.height_px, (1 + MARGIN) * self.height_px
         size = np.zeros(len(xy))
         for _ in range(30):
-            g, G, _, _ = self._condition(seen, xy, model, values, partials=False)
+            g, G = self.condition(seen, xy, model, values, part)
             step = np.linalg.solve(G, g[..., None])[..., 0]
             xy = xy - step
             xy[:, 1] = np.clip(xy[:, 1], low, high)
@@ -283,24 +310,37 @@ class LineScene:
                 return xy, np.zeros(len(xy), bool)
         return xy, ~(size < SETTLED_PX)
 
-    def _coarse(self, seen: _Points, model: CorrectionModel, values: Array) -> Array:
+    def _coarse(self, seen: Points, model: CorrectionModel, values: Array) -> Array:
         """For each point that of some lines in whose plane of view it lies best: a start on an unsteady flight."""
         lines = np.linspace(-MARGIN * self.height_px, (1 + MARGIN) * self.height_px, COARSE)
         n = len(seen.xyz)
         off = np.empty((COARSE, n))
         for k, y in enumerate(lines):
-            g, G, _, _ = self._condition(seen, np.tile([self.width_px / 2, y], (n, 1)), model, values, partials=False)
+            g, G = self.condition(seen, np.tile([self.width_px / 2, y], (n, 1)), model, values)
             off[k] = np.abs(g[:, 0] * G[:, 1, 0] - g[:, 1] * G[:, 0, 0])  # across the line of elements
         return np.stack([np.full(n, self.width_px / 2), lines[off.argmin(axis=0)]], axis=1)
 
+    def condition(
+        self, seen: Points, xy: Array, model: CorrectionModel, values: Array, part: Index | None = None
+    ) -> tuple[Array, Array]:
+        """The condition g (n, 2) at image points (n, 2) and its derivatives (n, 2, 2) by x, y."""
+        return self._condition(seen, xy, model, values, part, partials=False)[:2]
+
     def _condition(
-        self, seen: _Points, xy: Array, model: CorrectionModel, values: Array, *, partials: bool = True
+        self,
+        seen: Points,
+        xy: Array,
+        model: CorrectionModel,
+        values: Array,
+        part: Index | None = None,
+        *,
+        partials: bool = True,
     ) -> tuple[Array, Array, Array, Index]:
         """The condition g (n, 2), its derivatives (n, 2, 2) by x, y, and (n, 2, 3 + w) by point and parameters.
 
         Also the positions (n, w) of the parameters that act; without `partials` the last two are empty.
         """
-        at = _Pose.at(self, xy[:, 1], model, values)
+        at = _Pose.at(self, xy, model, values, part)
         X, by_X, by_P = seen.xyz, np.broadcast_to(np.eye(3), (len(xy), 3, 3)), np.zeros((len(xy), 3, 3))
         if self.refraction:
             shift, shift_by_X, by_P = refraction_shift(seen.xyz, at.P, seen.geographic[:, 2], seen.up)
@@ -311,7 +351,7 @@ class LineScene:
         by_r = (np.eye(3) - d[:, :, None] * d[:, None, :]) / length[:, None, None]
         u, u_by_d, u_by_beta = apparent_direction(d, at.beta)
         w = np.einsum("nij,nj->ni", at.R, u)
-        psi, psi_slope = self.look(xy[:, 0])
+        psi, psi_slopes = self.look_at(xy, part)
         g = w[:, :2] / w[:, 2:] - psi
         by_w = np.zeros((len(xy), 2, 3))
         by_w[:, 0, 0] = by_w[:, 1, 1] = 1 / w[:, 2]
@@ -324,22 +364,108 @@ class LineScene:
             dw = np.einsum("nij,nj->ni", dR, u) + turned_beta
             return np.einsum("nij,nj->ni", g_by_P, dP) + np.einsum("nij,nj->ni", by_w, dw)
 
-        G = np.stack([-psi_slope, by_time(at.dP, at.dR) * at.dt_dy[:, None]], axis=2)
+        G = by_time(at.dP, at.dR)[:, :, None] * at.time_slopes[:, None] - psi_slopes
         if not partials:
             return g, G, np.zeros((len(xy), 2, 0)), np.zeros((len(xy), 0), np.int32)
         g_by_turn = -by_w @ cross_matrix(w)
+        g_by_carrier = g_by_turn @ at.mounting
         if model.lever_arm:
-            g_by_turn = g_by_turn - g_by_P @ np.swapaxes(at.R, 1, 2) @ cross_matrix(at.lever_arm)
+            g_by_carrier = g_by_carrier - g_by_P @ np.swapaxes(at.carrier, 1, 2) @ cross_matrix(at.lever_arm)
         columns = [
             to_g @ by_X,
             _each(g_by_P @ self.track_axes.T, at.position.values),
-            _each(g_by_turn @ at.turn_jacobian, at.attitude.values),
+            _each(g_by_carrier @ at.turn_jacobian, at.attitude.values),
         ]
+        later = by_time(at.dP_dt, at.dR_dt)[:, :, None]
         if model.time_offset:
-            columns.append(by_time(at.dP_dt, at.dR_dt)[:, :, None])
+            columns.append(later)
         if model.lever_arm:
-            columns.append(-g_by_P @ np.swapaxes(at.R, 1, 2))
+            columns.append(-g_by_P @ np.swapaxes(at.carrier, 1, 2))
+        if model.mount:
+            columns += [g_by_turn @ at.mount_jacobian, later]
         return g, G, np.concatenate(columns, axis=2), model.touched(at.position, at.attitude)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LineScene(ScanScene):
+    """A pushbroom scene with its vendor's orbit, attitude and detector."""
+
+    line_y: Array
+    """(k,) y [px] of lines with known times, increasing; linear between and beyond them."""
+    line_times: Array
+    """(k,) [s], of the same clock as the trajectory."""
+    detector_x: Array
+    """(m,) x [px] of elements with known viewing directions, increasing; linear between and beyond them."""
+    detector_look: Array
+    """(m, 2) psi_x, psi_y: tangents of the viewing directions in the detector's frame."""
+
+    def __post_init__(self) -> None:
+        """Refuse tables that do not fit each other."""
+        for name, table, values in (
+            ("line_times", self.line_y, self.line_times),
+            ("viewing_directions", self.detector_x, self.detector_look),
+        ):
+            if len(table) < 2 or len(table) != len(values) or not (np.diff(table) > 0).all():
+                raise InputError("line_scene.table_order", table=name, n=len(table))
+        step = np.diff(self.line_times)
+        if not ((step > 0).all() or (step < 0).all()):
+            raise InputError("line_scene.times_not_monotonic")
+        ends = self.time(np.array([0.5, self.height_px - 0.5]))[0]
+        self.trajectory.check_cover(float(ends.min()), float(ends.max()))
+
+    def time(self, y: Array) -> tuple[Array, Array]:
+        """Times (n,) [s] of lines y (n,) [px] and their derivatives."""
+        k = np.clip(np.searchsorted(self.line_y, y, side="right") - 1, 0, len(self.line_y) - 2)
+        slope = (np.diff(self.line_times) / np.diff(self.line_y))[k]
+        return self.line_times[k] + (y - self.line_y[k]) * slope, slope
+
+    def look(self, x: Array) -> tuple[Array, Array]:
+        """Tangents (n, 2) of the viewing directions of elements x (n,) [px] and their derivatives."""
+        k = np.clip(np.searchsorted(self.detector_x, x, side="right") - 1, 0, len(self.detector_x) - 2)
+        slope = (np.diff(self.detector_look, axis=0) / np.diff(self.detector_x)[:, None])[k]
+        return self.detector_look[k] + (x - self.detector_x[k])[:, None] * slope, slope
+
+    def time_at(self, xy: Array, part: Index | None = None) -> tuple[Array, Array]:
+        """As `ScanScene`: of the line."""
+        del part
+        t, slope = self.time(xy[:, 1])
+        return t, np.stack([np.zeros(len(xy)), slope], axis=1)
+
+    def look_at(self, xy: Array, part: Index | None = None) -> tuple[Array, Array]:
+        """As `ScanScene`: of the element."""
+        del part
+        psi, slope = self.look(xy[:, 0])
+        return psi, np.stack([slope, np.zeros_like(slope)], axis=2)
+
+    @cached_property
+    def middle_and_half(self) -> tuple[float, float]:  # pyright: ignore[reportIncompatibleMethodOverride]
+        """Time at the middle of the image, and half the time that it took [s]."""
+        first, last = self.time(np.array([0.0, float(self.height_px)]))[0]
+        return float((first + last) / 2), float((last - first) / 2)
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """As `ScanScene`."""
+        first, last = sorted(self.time(np.array([0.0, float(self.height_px)]))[0].tolist())
+        return first, last
+
+    def reversals(self) -> Array:
+        """Lines y (k,) [px] at which the scan turns back over ground that it has seen, along its middle column.
+
+        There the motion of the ground across the line of elements changes its sign.  The ground is taken where the ray
+        comes nearest to the middle of the body, at least its radius away from it, so that lines beside the body count.
+        """
+        y = np.linspace(0.5, self.height_px - 0.5, min(COARSE, max(2, self.height_px)))
+        xy = np.stack([np.full(len(y), self.width_px / 2), y], axis=1)
+        P, d = self.rays(xy)
+        near = -np.einsum("ni,ni->n", P, d)
+        inside = self.ellipsoid.a**2 - (np.sum(P * P, axis=1) - near**2)
+        ground = P + (near - np.sqrt(np.maximum(inside, 0.0)))[:, None] * d
+        zero = np.zeros(0)
+        _, G = self.condition(Points.of(self, ground), xy, NO_CORRECTION, zero)
+        across = G[:, 0, 0] * G[:, 1, 1] - G[:, 1, 0] * G[:, 0, 1]
+        turned = np.flatnonzero(across[1:] * across[:-1] < 0)
+        return (y[turned] + y[turned + 1]) / 2
 
 
 def _each(by_axis: Array, factors: Array) -> Array:
@@ -348,7 +474,38 @@ def _each(by_axis: Array, factors: Array) -> Array:
     return (by_axis[:, :, None, :] * factors[:, None, :, None]).reshape(n, 2, 3 * m)
 
 
-def observe_line(scene: LineScene, place: LocalPlace, xyz: Array, model: CorrectionModel, values: Array) -> Observed:
+def on_one_carrier(scenes: Sequence[S]) -> list[S]:
+    """Scenes of one trajectory with what they share.
+
+    Attitudes of the tables are compared at the middle of the time of all, or at the entries nearest to it, each against
+    the axes of the track there: so a table for all scenes gives the exact mounting, tables of their own one that is
+    right but for the change of the attitude against the track between them.
+    raises  InputError where the scenes lie too far apart in time to share corrections
+    """
+    ends = [(s.epoch_s + s.ends[0], s.epoch_s + s.ends[1]) for s in scenes]
+    first, last = min(a for a, _ in ends), max(b for _, b in ends)
+    longest = max(b - a for a, b in ends)
+    if last - first > max(FAR_S, 2 * longest):
+        raise InputError("trajectory.scenes_apart", seconds=last - first, limit_s=max(FAR_S, 2 * longest))
+    middle, half = (first + last) / 2, (last - first) / 2
+    against: list[Array] = []
+    axes = np.eye(3)
+    for s in scenes:
+        table = s.trajectory
+        low = max(table.attitude_times[0], table.position_times[0])
+        high = min(table.attitude_times[-1], table.position_times[-1])
+        t = float(np.clip(middle - s.epoch_s, low, high))
+        track = s.track_axes_at(t)
+        axes = axes if against else track
+        against.append(table.rotation(np.array([t]))[0][0].T @ track.T)
+    mountings = [a @ against[0].T for a in against]
+    return [
+        replace(s, carrier=Carrier(middle_s=middle, half_s=half, axes=axes, mounting=m))
+        for s, m in zip(scenes, mountings, strict=True)
+    ]
+
+
+def observe_line(scene: ScanScene, place: LocalPlace, xyz: Array, model: CorrectionModel, values: Array) -> Observed:
     """As `observe_rpc`: image points of local object points (n, 3) [m] and all partial derivatives.
 
     values  (k,) corrections of the trajectory, in the order of `model.symbols`
@@ -356,9 +513,11 @@ def observe_line(scene: LineScene, place: LocalPlace, xyz: Array, model: Correct
     return observe_line_at(scene, Local(origin=place.origin, ellipsoid=place.ellipsoid), xyz, model, values)
 
 
-def observe_line_at(scene: LineScene, place: Place, xyz: Array, model: CorrectionModel, values: Array) -> Observed:
+def observe_line_at(
+    scene: ScanScene, place: Place, xyz: Array, model: CorrectionModel, values: Array, near: Array | None = None
+) -> Observed:
     """As `observe_line`, for object points (n, 3) in any frame whose place on the earth is known."""
-    seen = scene.observe_geocentric(place.geocentric_from_block(xyz), model, values)
+    seen = scene.observe_geocentric(place.geocentric_from_block(xyz), model, values, near)
     by_point = seen.by_point @ place.geocentric_by_block(xyz)
     return Observed(xy_px=seen.xy_px, by_point=by_point, by_parameters=seen.by_parameters)
 
@@ -409,7 +568,7 @@ def apparent_direction(d: Array, beta: Array) -> tuple[Array, Array, Array]:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Points:
+class Points:
     """Object points with what the atmosphere needs of them."""
 
     xyz: Array
@@ -417,21 +576,22 @@ class _Points:
     up: Array
 
     @staticmethod
-    def of(scene: LineScene, xyz: Array) -> _Points:
+    def of(scene: ScanScene, xyz: Array) -> Points:
         """Heights and verticals of points (n, 3)."""
         geographic = geographic_from_geocentric(xyz, scene.ellipsoid)
-        return _Points(xyz=xyz, geographic=geographic, up=enu_from_geocentric(geographic)[:, 2])
+        return Points(xyz=xyz, geographic=geographic, up=enu_from_geocentric(geographic)[:, 2])
 
-    def some(self, mask: Mask) -> _Points:
+    def some(self, mask: Mask) -> Points:
         """Those of a mask (n,)."""
-        return _Points(xyz=self.xyz[mask], geographic=self.geographic[mask], up=self.up[mask])
+        return Points(xyz=self.xyz[mask], geographic=self.geographic[mask], up=self.up[mask])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Pose:
     """The sensor at the time of each line, with derivatives by time."""
 
-    dt_dy: Array
+    time_slopes: Array
+    """(n, 2) of the time by x and y"""
     P: Array
     dP: Array
     R: Array
@@ -447,17 +607,26 @@ class _Pose:
     attitude: Shape
     turn_jacobian: Any
     lever_arm: Array
+    carrier: Array
+    """(n, 3, 3) body axes to those about which corrections turn: the carrier's, without one the detector's"""
+    mounting: Array
+    """(3, 3) carrier to detector"""
+    mount_jacobian: Array
+    """(3, 3) of the mount's rotation"""
 
     @staticmethod
-    def at(scene: LineScene, y: Array, model: CorrectionModel, values: Array) -> _Pose:
-        """The pose at lines y (n,), with corrections (k,)."""
-        t, dt_dy = scene.time(y)
-        middle, half = scene.middle_and_half
+    def at(scene: ScanScene, xy: Array, model: CorrectionModel, values: Array, part: Index | None = None) -> _Pose:
+        """The pose at image points (n, 2), with corrections (k,)."""
+        t, slopes = scene.time_at(xy, part)
+        middle, half = scene.correction_span
         given: CorrectionValues = model.split(values)
         position, attitude = model.shapes((t - middle) / half)
         P, V, A = scene.trajectory.position(t + given.dt)
         moved, moving = position(given.position)
         R, dR_dt = (np.swapaxes(m, 1, 2) for m in scene.trajectory.rotation(t + given.dt))
+        mounting = np.eye(3) if scene.carrier is None else scene.carrier.mounting
+        if scene.carrier is not None:
+            R, dR_dt = mounting.T @ R, mounting.T @ dR_dt
         dR, jacobian = dR_dt, np.eye(3)
         if len(given.attitude):
             turned, turning = attitude(given.attitude)
@@ -467,20 +636,26 @@ class _Pose:
             dR = dR_dt + cross_matrix(rate) @ R
         a = given.lever_arm
         factor = 1 / C_LIGHT if scene.aberration else 0.0
+        if model.mount:
+            mounting = rotation_from_vector(given.mount) @ mounting
+        mounted = scene.carrier is not None or model.mount
         return _Pose(
-            dt_dy=dt_dy,
+            time_slopes=slopes,
             P=P + moved @ scene.track_axes - a @ R,
             dP=V + moving / half @ scene.track_axes - a @ dR,
-            R=R,
-            dR=dR,
+            R=mounting @ R if mounted else R,
+            dR=mounting @ dR if mounted else dR,
             dP_dt=V - a @ dR_dt,
-            dR_dt=dR_dt,
+            dR_dt=mounting @ dR_dt if mounted else dR_dt,
             beta=V * factor,
             dbeta=A * factor,
             position=position,
             attitude=attitude,
             turn_jacobian=jacobian,
             lever_arm=a,
+            carrier=R,
+            mounting=mounting,
+            mount_jacobian=left_jacobian(given.mount),
         )
 
 

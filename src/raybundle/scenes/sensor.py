@@ -319,6 +319,8 @@ def scene_camera(
     estimate  symbols of free parameters; None: all
     sigma     their prior standard deviations; None: those that an RPC's vendor or a table of GNSS and INS states
     """
+    if sensor.links:  # what it shares is free with its instruments
+        estimate, sigma = (), {}
     free = sensor.symbols if estimate is None else estimate
     unknown = [s for s in (*free, *(sigma or {}), *(values or {})) if s not in sensor.symbols]
     if unknown:
@@ -334,7 +336,7 @@ def scene_camera(
         values={**dict.fromkeys(sensor.symbols, 0.0), **(values or {})},
         estimate=free,
         sigma={s: v for s, v in sigma.items() if s in free},
-        relations=sensor.relations,
+        relations=() if sensor.links else sensor.relations,
         scene=sensor,
     )
 

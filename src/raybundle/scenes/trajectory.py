@@ -18,6 +18,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
+from raybundle.platforms.mount import Mount
 from raybundle.scenes.corrections import Curve
 from raybundle.sensors import Parameter
 
@@ -165,6 +166,8 @@ def _matrix(S: Array) -> Array:
 AXES = {"position": ("along", "across", "up"), "attitude": ("rx", "ry", "rz")}
 """Parameters of the corrections, by axis: along track, across track, up [m]; about the detector's axes [rad]."""
 LEVER_ARM = ("ax", "ay", "az")
+MOUNT = {p.symbol: p for p in Mount.parameters}
+"""Between what carries several scenes and the detector of one of them: a rotation [rad] and a time [s]."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -182,6 +185,8 @@ class CorrectionModel:
     """dt [s]: the tables hold for line time + dt."""
     lever_arm: bool = False
     """ax, ay, az [m], in the detector's axes: from the projection centre to the point whose positions the table has."""
+    mount: bool = False
+    """bx, by, bz [rad], bt [s]: misalignment and time of one line of several on the trajectory."""
 
     def __post_init__(self) -> None:
         """Refuse degrees that are none."""
@@ -201,7 +206,7 @@ class CorrectionModel:
     @property
     def symbols(self) -> tuple[str, ...]:
         """Parameters in their order: along0 across0 up0 [m], along1 ..., along_1 across_1 up_1, along_2 ...,
-        rx0 ry0 rz0 [rad], rx1 ..., rx_1 ry_1 rz_1, rx_2 ..., dt [s], ax ay az [m].
+        rx0 ry0 rz0 [rad], rx1 ..., rx_1 ry_1 rz_1, rx_2 ..., dt [s], ax ay az [m], bx by bz [rad], bt [s].
         """  # noqa: D205
         found: list[str] = []
         for part, degree, curve in (
@@ -211,7 +216,8 @@ class CorrectionModel:
             found += [f"{s}{k}" for k in range(degree + 1) for s in AXES[part]]
             if curve is not None:
                 found += [f"{s}_{k + 1}" for k in range(curve.coefficients) for s in AXES[part]]
-        return (*found, *(("dt",) if self.time_offset else ()), *(LEVER_ARM if self.lever_arm else ()))
+        found += ["dt"] if self.time_offset else []
+        return (*found, *(LEVER_ARM if self.lever_arm else ()), *(MOUNT if self.mount else ()))
 
     def members(self, name: str) -> tuple[str, ...]:
         """The parameters that a name stands for: those of an axis of a curve, or the one of that name."""
@@ -219,12 +225,14 @@ class CorrectionModel:
 
     def unit(self, symbol: str) -> str:
         """Of a parameter."""
-        return "s" if symbol == "dt" else "rad" if symbol.startswith("r") else "m"
+        return "s" if symbol in {"dt", "bt"} else "rad" if symbol[0] in "rb" else "m"
 
     def meaning(self, symbol: str) -> tuple[str, tuple[tuple[str, str | int | bool], ...]]:
         """Of a parameter: the code of its text, and the values of this."""
         if symbol == "dt":
             return "parameter.time_offset", ()
+        if symbol in MOUNT:
+            return MOUNT[symbol].meaning, ()
         if symbol in LEVER_ARM:
             return "parameter.detector_lever_arm", (("axis", symbol[1]),)
         name, curve, _ = symbol.partition("_")
@@ -241,11 +249,14 @@ class CorrectionModel:
         k, m, total = self._ends
         if values.shape != (total,):
             raise InputError("trajectory.parameter_count", needed=total, shape=values.shape)
+        arm = m + int(self.time_offset)
+        mount = values[-len(MOUNT) :] if self.mount else np.zeros(len(MOUNT))
         return CorrectionValues(
             position=values[:k].reshape(-1, 3),
             attitude=values[k:m].reshape(-1, 3),
-            dt=float(values[m]) if self.time_offset else 0.0,
-            lever_arm=values[-3:] if self.lever_arm else np.zeros(3),
+            dt=(float(values[m]) if self.time_offset else 0.0) + float(mount[3]),
+            lever_arm=values[arm : arm + 3] if self.lever_arm else np.zeros(3),
+            mount=mount[:3],
         )
 
     @property
@@ -259,7 +270,7 @@ class CorrectionModel:
         """Where the parameters of position, of attitude, and all of them end."""
         k = 3 * _count(self.position_degree, self.position_curve)
         m = k + 3 * _count(self.attitude_degree, self.attitude_curve)
-        return k, m, m + int(self.time_offset) + 3 * int(self.lever_arm)
+        return k, m, m + int(self.time_offset) + 3 * int(self.lever_arm) + len(MOUNT) * int(self.mount)
 
     def shapes(self, tau: Array) -> tuple[Shape, Shape]:
         """How the coefficients of position and attitude act at times tau (n,)."""
@@ -269,7 +280,7 @@ class CorrectionModel:
         )
 
     def touched(self, position: Shape, attitude: Shape) -> Index:
-        """(n, w) positions of the parameters that act at each time, in the order of the shapes, then dt, ax, ay, az."""
+        """(n, w) positions of the parameters that act at each time: those of the shapes, then those of all times."""
         k, m, total = self._ends
         n = len(position.touched)
         by_axis = [
@@ -301,6 +312,8 @@ class CorrectionValues:
     dt: float
     lever_arm: Array
     """(3,)"""
+    mount: Array
+    """(3,) [rad]"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

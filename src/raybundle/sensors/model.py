@@ -100,6 +100,11 @@ class SensorModel:
     local_width: ClassVar[int] = 0
     """Parameters that one image point touches, where they are few of many (see `local`); 0: it may touch all."""
 
+    moves_along: bool = False
+    """Whether a station is none for all of an image, so that `stations` are asked for: a line scanner in the air"""
+    links: Mapping[str, str] = {}
+    """Symbol -> id of the instrument that has this parameter, under the same symbol, for several cameras"""
+
     def __init_subclass__(cls, *, registered: bool = True) -> None:
         """Check the statement against itself and register the model.
 
@@ -191,6 +196,10 @@ class SensorModel:
         """(n,) whether sensor-frame points (3, n) lie on the side that the sensor sees (measured at `image`)."""
         del image, values
         return np.any(points != 0, axis=0) if self.all_round else points[2] < 0
+
+    def stations(self, xy_px: Array, values: Array) -> Array:
+        """Where the sensor was (n, 3) in the object frame for image points (n, 2), of a sensor that `moves_along`."""
+        raise NotImplementedError
 
     def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> Message | None:
         """Why observations do not determine these values, or determine others, and what to do; None for nothing.

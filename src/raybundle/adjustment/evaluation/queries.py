@@ -74,15 +74,13 @@ def joint_orientation(result: Adjustment, images: Sequence[int]) -> JointOrienta
         if system.exterior_free[i]:
             unknowns.extend(image_unknowns(system, i).tolist())
             steps.extend(Step(images=(i,), axis=axis) for axis in range(6))
-        row = int(system.interior_of_image[i])
-        while row >= 0:
+        for row, _ in system.sources(int(system.interior_of_image[i])):
             of_row.setdefault(row, []).append(i)
-            row = system.interior[row].parent
     for r, mine in sorted(of_row.items()):
         row = system.interior[r]
         if row.node >= 0:
             unknowns.extend(interior_unknowns(system, row).tolist())
-            names = row.sensor.symbols
+            names = row.model.symbols
             steps.extend(Step(images=tuple(mine), symbol=names[k]) for k in row.free)
     nodes, _ = cofactors_with(work, state, [("node", u, 0) for u in unknowns])
     Q = nodes[unknowns]
@@ -228,13 +226,10 @@ def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array
     if system.exterior_free[image]:
         unknowns.append(image_unknowns(system, image))
         columns.append(by_station)
-    if interior.node >= 0:
-        unknowns.append(interior_unknowns(system, interior))
-        columns.append(D[3:][list(interior.free)])
-    parent = system.interior[interior.parent] if interior.parent >= 0 else None
-    if parent is not None and parent.node >= 0:
-        unknowns.append(interior_unknowns(system, parent))
-        columns.append(D[3:][list(parent.free)])
+    for r, positions in system.sources(int(system.interior_of_image[image])):
+        if system.interior[r].node >= 0:
+            unknowns.append(interior_unknowns(system, system.interior[r]))
+            columns.append(D[3:][list(positions)])
     at = np.concatenate(unknowns) if unknowns else np.zeros(0, int)
     return at, np.concatenate(columns) if columns else np.zeros(0), point, np.where(system.held[point], 0.0, by_point)
 

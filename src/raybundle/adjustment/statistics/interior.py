@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -95,7 +96,12 @@ def interior_results(
         lengths = row.camera >= 0 and any(p.unit.startswith("length") for p in row.model.parameters)
         distance = _distance(system, state, system.images_of(r)) if lengths else 1.0
         results.append(_one(normals, row, state.interior[r], precision, variance, redundancy, distance))
-    return tuple(results)
+    links = {c.id: c.sensor.links for c in system.block.cameras if c.sensor.links}
+    found = {r.camera: r.parameters for r in results} if links else {}
+    return tuple(
+        replace(r, parameters={s: found[name][s] for s, name in links[r.camera].items()}) if r.camera in links else r
+        for r in results
+    )
 
 
 def _distance(system: System, state: State, images: Index) -> float:

@@ -74,8 +74,9 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
     point = block.observations.point[system.rows]
     p, n = len(block.points), len(block.images)
     rays = np.bincount(point, minlength=p).astype(np.int32)
-    direction, distance = _rays(state, image, point)
-    angle, stations = _angles(state, rays, image, direction, distance)
+    moving = _moving(system, state)
+    direction, distance = _rays(state, image, point, moving)
+    angle, stations = _angles(state, rays, image, direction, distance, moving)
     pairs, common, ratio = _pairs(system, state, image, point)
     order = np.lexsort((distance, image))
     median = np.full(n, np.nan)
@@ -132,11 +133,26 @@ def _without_few(std: Array) -> Array:
     return std[np.argsort(np.nansum(std**2, axis=1), kind="stable")[: int(len(std) * (1 - HANDFUL))]]
 
 
-def _rays(state: State, image: Index, point: Index) -> tuple[Array, Array]:
+def _moving(system: System, state: State) -> Array | None:
+    """(m, 3) where the sensor was for each observation, of lines that are carried along; None where there are none."""
+    observed = system.block.observations
+    image = observed.image[system.rows]
+    found: Array | None = None
+    for i in np.flatnonzero([c.sensor.moves_along for c in system.block.cameras]).tolist():
+        mine = np.flatnonzero(system.block.images.camera[image] == i)
+        if len(mine):
+            found = state.centre[image] if found is None else found
+            sensor = system.block.cameras[i].sensor
+            values = state.interior[system.interior_of_image[image[mine[0]]], : len(sensor.symbols)]
+            found[mine] = sensor.stations(observed.xy_px[system.rows[mine]], values) - system.shift
+    return found
+
+
+def _rays(state: State, image: Index, point: Index, moving: Array | None) -> tuple[Array, Array]:
     """Unit vectors (m, 3) from the projection centres to the object points, and the distances (m,)."""
     direction, distance = large.zeros((len(image), 3)), large.zeros(len(image))
     for some in large.pieces(len(image)):
-        along = state.xyz[point[some]] - state.centre[image[some]]
+        along = state.xyz[point[some]] - (state.centre[image[some]] if moving is None else moving[some])
         distance[some] = np.linalg.norm(along, axis=1)
         direction[some] = along / np.maximum(distance[some], 1e-300)[:, None]
     return direction, distance
@@ -158,7 +174,9 @@ def _extent(xyz: Array) -> float:
     return float(np.linalg.norm(span))
 
 
-def _angles(state: State, rays: Index, image: Index, direction: Array, distance: Array) -> tuple[Array, Index]:
+def _angles(
+    state: State, rays: Index, image: Index, direction: Array, distance: Array, moving: Array | None
+) -> tuple[Array, Index]:
     """Largest angle between two rays of each point, and its number of distinct stations."""
     p = len(rays)
     angle = np.full(p, np.nan)
@@ -172,7 +190,7 @@ def _angles(state: State, rays: Index, image: Index, direction: Array, distance:
             rows = first[part][:, None] + np.arange(k)
             u = direction[rows]
             angle[part] = np.arccos(np.clip(np.einsum("pie,pje->pij", u, u).min(axis=(1, 2)), -1, 1))
-            C = state.centre[image[rows]]
+            C = state.centre[image[rows]] if moving is None else moving[rows]
             gap = np.linalg.norm(C[:, :, None] - C[:, None], axis=-1)
             near = gap < 0.01 * distance[rows].mean(axis=1)[:, None, None]
             stations[part] = (~np.tril(near, -1).any(axis=2)).sum(axis=1)

@@ -110,7 +110,7 @@ def precision(normals: Normals, state: State, found: Cofactors, variance: float)
     for r, row in enumerate(system.interior):
         key = row.key(block)
         parameters[key] = tuple(row.model.symbols[k] for k in row.free) if row.node >= 0 else ()
-        if row.node < 0:
+        if row.node < 0 or not row.free:
             interior[key] = np.zeros((0, 0))
             cross[key] = np.zeros((0, 0, 6))
             continue
@@ -136,7 +136,7 @@ def interior_precision(normals: Normals, state: State, found: Cofactors, varianc
     interior: dict[str, Array] = {}
     parameters: dict[str, tuple[str, ...]] = {}
     for row in system.interior:
-        key, free = row.key(block), row.node >= 0
+        key, free = row.key(block), row.node >= 0 and bool(row.free)
         parameters[key] = tuple(row.model.symbols[k] for k in row.free) if free else ()
         Q = node_cofactor(normals, found, interior_unknowns(system, row)) if free else np.zeros((0, 0))
         interior[key] = variance * Q

@@ -26,6 +26,8 @@ def adjusted_block(system: System, state: State) -> Block:
             per_image[row.image] = values
         else:
             values_of[row.owner(block).id] |= values
+    for c in block.cameras:
+        values_of[c.id] |= {symbol: values_of[name][symbol] for symbol, name in c.sensor.links.items()}
     return replace(
         block,
         cameras=tuple(replace(c, values=values_of[c.id]) for c in block.cameras),
@@ -41,8 +43,12 @@ def as_start(given: Block, adjusted: Block) -> Block:
     """Adjusted values as approximate values: what is observed (control, parameters with a sigma) stays as given."""
     xyz = np.where(given.points.is_control, given.points.xyz, adjusted.points.xyz)
     observed = {g.id: {symbol: g.values[symbol] for symbol in g.sigma} for g in given.parametrised}
-    cameras = tuple(replace(c, values={**c.values, **observed[c.id]}) for c in adjusted.cameras)
     instruments = tuple(replace(i, values={**i.values, **observed[i.id]}) for i in adjusted.instruments)
+    of = {i.id: i.values for i in instruments}
+    cameras = tuple(
+        replace(c, values={**c.values, **observed[c.id], **{s: of[name][s] for s, name in c.sensor.links.items()}})
+        for c in adjusted.cameras
+    )
     interior = {i: {**values, **_observed_own(given, i, values)} for i, values in adjusted.images.interior.items()}
     images = replace(adjusted.images, interior=interior)
     points = replace(adjusted.points, xyz=xyz)

@@ -119,6 +119,7 @@ class System:
                 carried = {row.model.symbols[k] for k in row.carries}
                 values |= {s: v for s, v in own.items() if s in carried}
             interior[i, : len(row.model.symbols)] = [values.get(s, 0.0) for s in row.model.symbols]
+        self._share_links(interior)
         xyz = np.where(self.points_used[:, None], block.points.xyz - self.shift, 0.0)
         centre = np.where(self.images_used[:, None], block.images.centre - self.shift, 0.0)
         rotation = np.where(self.images_used[:, None, None], block.images.rotation, np.eye(3))
@@ -170,6 +171,24 @@ class System:
             if row.parent >= 0:
                 carried = list(self.interior[row.parent].carries)
                 state.interior[i, carried] = state.interior[row.parent, carried]
+        self._share_links(state.interior)
+
+    def _share_links(self, interior: Array) -> None:
+        for i, row in enumerate(self.interior):
+            for position, of, there in row.links:
+                interior[i, position] = interior[of, there]
+
+    def sources(self, r: int) -> list[tuple[int, tuple[int, ...]]]:
+        """Interior rows that have parameters of this one, and what their free parameters are called in its model.
+
+        Itself, the row that its images share, and those of instruments.
+        """
+        row = self.interior[r]
+        found = [(r, row.free)] + ([(row.parent, self.interior[row.parent].free)] if row.parent >= 0 else [])
+        for of in row.owners:
+            here = {there: position for position, owner, there in row.links if owner == of}
+            found.append((of, tuple(here[k] for k in self.interior[of].free)))
+        return found
 
     def own_columns(self, kind: ObservationKind) -> Array:
         """(count, w) unknowns of a kind's own things."""
@@ -193,7 +212,20 @@ class System:
     def images_of(self, r: int) -> Index:
         """The images that use an interior row, themselves or as the one that they share."""
         of_image = self.interior_of_image
-        return np.flatnonzero(self.images_used & ((of_image == r) | (self.parents[of_image] == r)))
+        mine = (of_image == r) | (self.parents[of_image] == r)
+        if self.interior[r].instrument >= 0:
+            mine |= np.isin(of_image, [k for k, row in enumerate(self.interior) if r in row.owners])
+        return np.flatnonzero(self.images_used & mine)
+
+    def node_columns(self, r: int) -> Index:
+        """(k,) column of each parameter of an interior row within the node that carries it; -1: held."""
+        row = self.interior[r]
+        found = np.full(len(row.model.symbols), -1, np.int32)
+        found[list(row.free)] = row.start + np.arange(len(row.free))
+        for position, of, there in row.links:
+            owner = self.interior[of]
+            found[position] = owner.start + owner.free.index(there) if there in owner.free else -1
+        return found
 
     def before(self, state: State, behind: Mask) -> State:
         """The state with the points before their cameras of which all observations (rows,) are behind."""

@@ -37,9 +37,7 @@ def external_rows(system: System, state: State, mask: Mask) -> tuple[Array, Inde
         mine, row, k = np.flatnonzero(of_row == r), system.interior[r], models[r].local_width
         P = sensor_from_object(state.rotation[image[mine]], state.centre[image[mine]], state.xyz[point[mine]])
         v, D, touched, flags = local_residuals_and_partials(row.sensor, xy[mine], P, state.interior[r])
-        place = np.full(len(row.model.symbols), -1, np.int32)
-        place[list(row.free)] = np.arange(len(row.free))
-        at = place[touched]
+        at = system.node_columns(r)[touched]
         D[:, :, 3:] *= (at >= 0)[:, None]
         out[mine, :2], out[mine, 2:8], out[mine, -1] = v, D[:, :, :3].reshape(-1, 6), flags
         out[mine, 8 : 8 + k], out[mine, 8 + w : 8 + w + k] = D[:, 0, 3:], D[:, 1, 3:]

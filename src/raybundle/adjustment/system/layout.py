@@ -45,6 +45,13 @@ class InteriorRow:
     """Row of the parameters that the camera's images share, where this one carries only an image's own."""
     instrument: int = -1
     """-1: of a camera"""
+    links: tuple[tuple[int, int, int], ...] = ()
+    """Positions of parameters that instruments have for several cameras, rows of these, and positions there"""
+
+    @property
+    def owners(self) -> tuple[int, ...]:
+        """Rows of the instruments of `links`, each once."""
+        return tuple(dict.fromkeys(of for _, of, _ in self.links))
 
     @property
     def sensor(self) -> SensorModel:
@@ -141,6 +148,9 @@ class Layout:
         for r, row in enumerate(self.interior):
             if row.node >= 0:
                 found[r, list(row.free)] = offsets[row.node] + row.start + np.arange(len(row.free))
+        for r, row in enumerate(self.interior):
+            for position, of, there in row.links:
+                found[r, position] = found[of, there]
         return found
 
 
@@ -231,8 +241,12 @@ def _place_interior(
     named  instruments that observations name
     """
     placed: list[InteriorRow] = []
+    together = _linked(layout, used, interior)
     for r, row in enumerate(interior):
         node, start = -1, 0
+        if r in together:
+            placed.append(replace(row, node=together[r][0], start=together[r][1]))
+            continue
         users = used.images & ((layout.interior_of_image == r) | (layout.parents == r))
         if row.free and r in alone:
             node, start = int(layout.image_node[alone[r]]), 6 * int(used.exterior_free[alone[r]])
@@ -242,6 +256,26 @@ def _place_interior(
             layout.shared_node[users] = node
         placed.append(replace(row, node=node, start=start))
     layout.interior = tuple(placed)
+
+
+def _linked(layout: Layout, used: Used, interior: list[InteriorRow]) -> dict[int, tuple[int, int]]:
+    """Node and first column of rows that share parameters, directly or through others: one node has all of theirs."""
+    users = used.images & np.array([bool(row.links) for row in interior])[layout.interior_of_image]
+    groups: list[set[int]] = []
+    for r in np.unique(layout.interior_of_image[users]).tolist():
+        mine = {r, *interior[r].owners}
+        groups = [g for g in groups if not (g & mine)] + [mine.union(*(g for g in groups if g & mine))]
+    found: dict[int, tuple[int, int]] = {}
+    for group in groups:
+        free = [(r, len(interior[r].free)) for r in sorted(group)]
+        width = sum(n for _, n in free)
+        node, start = (len(layout.sizes), 0) if width else (-1, 0)
+        for r, n in free:
+            found[r], start = (node, start), start + n
+        if width:
+            layout.sizes.append(width)
+            layout.shared_node[users & np.isin(layout.interior_of_image, [r for r, _ in free])] = node
+    return found
 
 
 def _leaders(block: Block, images_used: Mask, exterior_free: Mask) -> Index | None:
@@ -288,6 +322,10 @@ def _interior_rows(
         stride = max(stride, len(model.symbols))
         positions = tuple(model.symbols.index(s) for s in model.symbols if s in free.get(camera.id, ()))
         mine = np.flatnonzero((block.images.camera == c) & images_used)
+        if model.links:
+            of_image[block.images.camera == c] = len(rows)
+            rows.append(InteriorRow(camera=c, image=-1, model=model, free=(), node=-1, start=0))
+            continue
         if model.local_width and (camera.interior == "per_image" or camera.per_image):
             raise InputError("camera.parameters_of_image", camera=camera.id, model=camera.model)
         if camera.interior == "per_image":
@@ -327,7 +365,22 @@ def _interior_rows(
                 carries=tuple(range(len(symbols))),
             )
         )  # fmt: skip
+    at = {row.owner(block).id: r for r, row in enumerate(rows) if row.instrument >= 0}
+    for r, row in enumerate(rows):
+        if row.camera >= 0 and row.sensor.links:
+            rows[r] = replace(row, links=_links(block, row, rows, at))
     return rows, of_image, stride
+
+
+def _links(
+    block: Block, row: InteriorRow, rows: list[InteriorRow], at: Mapping[str, int]
+) -> tuple[tuple[int, int, int], ...]:
+    """Those of a camera's row; raises InputError where the block lacks an instrument that it names."""
+    lost = sorted({name for name in row.sensor.links.values() if name not in at})
+    if lost:
+        raise InputError("camera.instrument_missing", camera=row.owner(block).id, name=lost[0])
+    found = [(s, at[name]) for s, name in row.sensor.links.items()]
+    return tuple((row.model.symbols.index(s), of, rows[of].model.symbols.index(s)) for s, of in found)
 
 
 def interior_of(block: Block, row: InteriorRow, free: tuple[int, ...]) -> Interior:

@@ -486,6 +486,10 @@ def _fill(solver: Any, system: System, compiled: frozenset[str]) -> Mask:
             shared = interior
         if row.parent >= 0 and system.interior[row.parent].node >= 0:
             shared = tuple(6 + k for k in system.interior[row.parent].free)
+        if row.links:
+            shared = tuple(
+                6 + k for k in np.flatnonzero(system.node_columns(int(system.interior_of_image[i])) >= 0).tolist()
+            )
         key = (own, shared)
         if key not in known:
             known[key] = len(patterns)

@@ -133,6 +133,11 @@ class Solver:
             self.local[mine, :b] = own + shared
             self.columns[mine, :a] = self.offsets[self.own[self.image[mine]], None] + np.arange(a)
             self.columns[mine, a:b] = self.offsets[self.shared[self.image[mine]], None] + np.arange(b - a)
+        for r in (r for r, row in enumerate(self.system.interior) if row.links):
+            mine = np.flatnonzero(self.system.interior_of_image[self.image] == r)
+            free = np.flatnonzero(self.system.interior_columns[r] >= 0)
+            self.local[mine, : len(free)] = 6 + free
+            self.columns[mine, : len(free)] = self.system.interior_columns[r, free]
         if len(kept):
             self.local[kept, -3:] = 6 + self.stride + np.arange(3)
             self.columns[kept, -3:] = self._retained(self.point[kept])

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raybundle.errors import InputError, Text
+from raybundle.errors import InputError, Text, message
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
@@ -110,16 +110,15 @@ def _model(path: Path) -> Path:
     """The file that shows the geometry of a picture: one beside it, else the picture itself, as GDAL goes about it."""
     from raybundle.io.reading.tiff import is_tiff
     from raybundle.io.scenes import is_scene
+    from raybundle.io.scenes.products import raster_without_model
     from raybundle.workflows.scenes.images import model_of
 
     model = model_of(path)
     if model is None and not is_tiff(path) and is_scene(path):  # as a VRT
         return path
     if model is None:
-        raise InputError(
-            "scene.rpc_not_in_picture",
-            file=path,
-        )
+        product = raster_without_model(path) if is_tiff(path) else None
+        raise InputError(product or message("scene.rpc_not_in_picture"), file=path)
     return model
 
 

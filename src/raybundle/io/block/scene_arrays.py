@@ -14,6 +14,7 @@ from raybundle.io.block.scenes import projected
 from raybundle.numerics.geodesy import Ellipsoid
 from raybundle.numerics.places import Geocentric, Local, Projected
 from raybundle.scenes.kinds import SceneSensor, scene_kinds
+from raybundle.scenes.shared_trajectory import SharedTrajectory
 
 KINDS: Mapping[str, type] = {
     kind.__name__: kind
@@ -32,7 +33,9 @@ def text_of_scenes(block: Block) -> str:
     """The frame and the sensors of a block's scenes, by the numbers of their cameras."""
     scenes = {k: cast("SceneSensor", c.scene) for k, c in enumerate(block.cameras) if c.scene}
     sensors = {k: {"model": s.name, **{n: _as_json(v) for n, v in s.state.items()}} for k, s in scenes.items()}
-    return json.dumps({"place": _as_json(block.place), "sensors": sensors})
+    shared = {k: cast("SharedTrajectory", i.scene) for k, i in enumerate(block.instruments) if i.scene}
+    trajectories = {k: {"corrections": _as_json(t.corrections), "keys": t.keys} for k, t in shared.items()}
+    return json.dumps({"place": _as_json(block.place), "sensors": sensors, "trajectories": trajectories})
 
 
 def with_scenes(block: Block, entry: Mapping[str, Any]) -> Block:
@@ -40,7 +43,11 @@ def with_scenes(block: Block, entry: Mapping[str, Any]) -> Block:
     place = _made(entry["place"])
     sensors = {int(k): _sensor(place, s) for k, s in entry["sensors"].items()}
     cameras = tuple(replace(c, scene=sensors.get(k)) for k, c in enumerate(block.cameras))
-    return replace(block, place=place, cameras=cameras)
+    shared = {
+        int(k): SharedTrajectory(_made(t["corrections"]), t["keys"]) for k, t in entry.get("trajectories", {}).items()
+    }
+    instruments = tuple(replace(i, scene=shared.get(k)) for k, i in enumerate(block.instruments))
+    return replace(block, place=place, cameras=cameras, instruments=instruments)
 
 
 def _sensor(place: Any, entry: Mapping[str, Any]) -> SceneSensor:

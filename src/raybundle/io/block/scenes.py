@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -16,19 +17,19 @@ import numpy as np
 
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
+from raybundle.io.block.scene_keys import free_symbols, key_value, short_names, short_sigma, sigma_of, toml_value
 from raybundle.io.digits import exact
-from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import geocentric_from_geographic, geographic_from_geocentric
 from raybundle.numerics.places import Geocentric, Local, Place, Projected
 
 if TYPE_CHECKING:
+    from raybundle.io.block.scene_trajectories import GivenTrajectory
     from raybundle.io.block.toml_section import Section
-    from raybundle.scenes.corrections import Pieces
-    from raybundle.scenes.sensor import Key, SceneSensor
+    from raybundle.scenes.sensor import SceneSensor
 
 FOLDER = "scenes"
-KEYS = ("model", "scene", "width_px", "height_px", "estimate", "sigma")
+KEYS = ("model", "scene", "width_px", "height_px", "estimate", "sigma", "trajectory", "mount")
 
 
 def read_frame(section: Section) -> Place | None:
@@ -112,7 +113,9 @@ def _list(values: tuple[float, ...]) -> str:
     return "[" + ", ".join(exact(v) for v in values) + "]"
 
 
-def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera:
+def read_scene_camera(
+    section: Section, id_: str, place: Place | None, trajectories: Mapping[str, GivenTrajectory] | None = None
+) -> Camera:
     """The camera of a scene; raises InputError with file and line."""
     from raybundle.io.scenes import check_agreement, read_scene
     from raybundle.scenes.kinds import scene_kinds
@@ -124,7 +127,8 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
     if "scene" not in section.values:
         section.fail("scene", "value.key_missing", name="scene")
     kind = scene_kinds[section.text("model", "")]
-    found = read_scene(file)
+    carried = (trajectories or {}).get(section.text("trajectory", ""))
+    found = read_scene(file) if carried is None else carried.scenes[id_]
     model = found.of_kind(kind)
     size = tuple(section.whole(k) if k in section.values else getattr(found, k) for k in ("width_px", "height_px"))
     if size[0] is None or size[1] is None:
@@ -133,138 +137,60 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
         section.fail("model", "scene.no_rigorous_model" if kind.rigorous else "scene.no_rpc", scene=file.name)
     if kind.rigorous:
         check_agreement(found)
+    if carried is not None:
+        return _carried_camera(section, id_, place, carried)
     known: dict[str, float] = {}
     sigmas: dict[str, float] = {}
-    keys: dict[str, Any] = {k.name: _key(section, k, model, known, sigmas) for k in kind.keys}
+    keys: dict[str, Any] = {k.name: key_value(section, k, model, known, sigmas) for k in kind.keys}
     try:
         sensor = kind.of_keys(model, place, (size[0], size[1]), found.file, keys)
     except InputError as error:
         if error.file is not None:
             raise
         section.fail(error.column or "scene", error.message or str(error))
-    section.allow((*KEYS, *(k.name for k in kind.keys), *sensor.symbols))
-    estimate = section.values.get("estimate")
-    if estimate is not None and not isinstance(estimate, list):
-        section.fail("estimate", "estimate.no_list", known=sensor.symbols)
-    stated = section.section("sigma") if "sigma" in section.values else None
-    sigma = None if stated is None else _sigma(stated, sensor)
-    if sigmas:  # what block.toml states stands before what the file of the fixes does
-        sigma = sigmas | (sensor.priors() | sigmas if sigma is None else sigma)
+    own = [k for k in KEYS if k not in {"trajectory", "mount"}]  # those of scenes that share a trajectory
+    section.allow((*own, *(k.name for k in kind.keys), *sensor.symbols))
+    sigma = sigma_of(section, sensor, sigmas)
     values = {s: section.number(s, known.get(s, 0.0)) for s in sensor.symbols}
-    named = None
-    if estimate is not None:
-        order = {s: k for k, s in enumerate(sensor.symbols)}
-        members = [m for s in cast("list[Any]", estimate) for m in sensor.groups.get(str(s), (str(s),))]
-        named = tuple(sorted(dict.fromkeys(members), key=lambda s: order.get(s, -1)))
     try:
-        return scene_camera(id_, sensor, estimate=named, sigma=sigma, values=values)
+        return scene_camera(id_, sensor, estimate=free_symbols(section, sensor), sigma=sigma, values=values)
     except InputError as error:
         section.fail("estimate", error.message or str(error))
 
 
-def _sigma(stated: Section, sensor: SceneSensor) -> dict[str, float]:
-    """Standard deviations by parameter; that of a single one stands before that of its curve."""
-    given = _positive(stated)
-    wide = {m: v for s, v in given.items() for m in sensor.groups.get(s, (s,))}
-    return wide | {s: v for s, v in given.items() if s in wide}
+def _carried_camera(section: Section, id_: str, place: Place, carried: GivenTrajectory) -> Camera:
+    """The camera of a scene on a trajectory that it shares: its parameters stand there and with its mount."""
+    from raybundle.scenes.kinds.linescan import LineSensor
+    from raybundle.scenes.sensor import scene_camera
 
-
-def _positive(section: Section) -> dict[str, float]:
-    return {s: section.checked(s, v, above=0) for s, v in section.values.items()}
-
-
-def _key(section: Section, key: Key, model: Any, known: dict[str, float], sigmas: dict[str, float]) -> Any:
-    """The value of a key of a kind of scene; what a file of fixes states of the corrections goes to the last two."""
-    from raybundle.io.block.scene_fixes import read_fixes
-
-    name, default = key.name, key.default
-    if name not in section.values:
-        return default
-    if key.holds == "fixes":
-        fixes = read_fixes(section, name, model)
-        known |= fixes.values
-        sigmas |= fixes.sigma
-        return fixes.curve
-    if key.holds == "pieces":
-        return _pieces(section, name)
-    if isinstance(default, dict):
-        return _positive(section.section(name))
-    if isinstance(default, str):
-        return section.choice(name, key.options, default)
-    if isinstance(default, bool):
-        value = section.values[name]
-        if not isinstance(value, bool):
-            section.fail(name, "value.no_truth_value", value=quoted(value))
-        return value
-    value = section.number(name)
-    if not key.options:
-        return value
-    if value not in key.options:
-        section.fail(name, "value.not_supported", value=f"{value:g}", known=list(key.options))
-    return int(value)
-
-
-def _pieces(section: Section, key: str) -> Pieces:
-    from raybundle.scenes.corrections import Pieces
-
-    own = section.section(key)
-    own.allow(("count", "degree", "continuity"))
-    try:
-        degree = own.whole("degree") if "degree" in own.values else 3
-        continuity = own.number("continuity", degree - 1)
-        if continuity != int(continuity):
-            own.fail("continuity", "value.no_whole_number", value=f"{continuity:g}")
-        return Pieces(count=own.whole("count"), degree=degree, continuity=int(continuity))
-    except InputError as error:
-        if error.file is not None:
-            raise
-        section.fail(key, error.message or str(error))
+    section.allow((*(k for k in KEYS if k not in {"estimate", "sigma"}), "height_m"))
+    mount, trajectory = section.text("mount", ""), carried.instrument
+    corrections = replace(carried.corrections, mount=bool(mount))
+    scene = carried.scenes[id_]
+    sensor = LineSensor(
+        scene.of_kind(LineSensor), place, corrections, section.number("height_m", 0.0), scene.file,
+        trajectory=trajectory.id, mount=mount,
+    )  # fmt: skip
+    return scene_camera(id_, sensor, values=dict(trajectory.values))
 
 
 def scene_lines(camera: Camera, number: int) -> list[str]:
     """The table of a scene's camera, without its head; `number` counts the block's cameras."""
     sensor = cast("SceneSensor", camera.scene)
     groups = sensor.groups
+    own = [] if sensor.links else [
+        *(f"{s} = {exact(camera.values.get(s, 0.0))}" for s in sensor.symbols),
+        f"estimate = [{', '.join(json.dumps(s) for s in short_names(camera.estimate, groups))}]",
+        f"sigma = {toml_value(short_sigma(camera.sigma, groups))}",
+    ]  # fmt: skip
     return [
         f"model = {json.dumps(camera.model)}",
         f"scene = {json.dumps(f'{FOLDER}/{_file_name(sensor, number)}', ensure_ascii=False)}",
         f"width_px = {camera.width_px}",
         f"height_px = {camera.height_px}",
-        *(f"{name} = {_toml(value)}" for name, value in sensor.key_values.items()),
-        *(f"{s} = {exact(camera.values.get(s, 0.0))}" for s in sensor.symbols),
-        f"estimate = [{', '.join(json.dumps(s) for s in _short_names(camera.estimate, groups))}]",
-        f"sigma = {_toml(_short_sigma(camera.sigma, groups))}",
+        *(f"{name} = {toml_value(value)}" for name, value in sensor.key_values.items()),
+        *own,
     ]
-
-
-def _toml(value: Any) -> str:
-    """A value as TOML has it, numbers exact."""
-    match value:
-        case bool() | str():
-            return json.dumps(value)
-        case int():
-            return str(value)
-        case dict():
-            return "{" + ", ".join(f"{k} = {_toml(v)}" for k, v in cast("dict[str, Any]", value).items()) + "}"
-        case list():
-            return "[" + ", ".join(_toml(v) for v in cast("list[Any]", value)) + "]"
-        case _:
-            return exact(value)
-
-
-def _short_names(names: Sequence[str], groups: Mapping[str, tuple[str, ...]]) -> list[str]:
-    """The names, those of a whole curve's axis as one."""
-    whole = {axis: members for axis, members in groups.items() if set(members) <= set(names)}
-    inside = {m: axis for axis, members in whole.items() for m in members}
-    return list(dict.fromkeys(inside.get(n, n) for n in names))
-
-
-def _short_sigma(sigma: Mapping[str, float], groups: Mapping[str, tuple[str, ...]]) -> dict[str, float]:
-    """The standard deviations, one that holds for a whole curve's axis once."""
-    even = {a: members for a, members in groups.items() if len({sigma.get(m, 0.0) for m in members} - {0.0}) == 1}
-    even = {axis: members for axis, members in even.items() if set(members) <= set(sigma)}
-    inside = {m: axis for axis, members in even.items() for m in members}
-    return {inside.get(s, s): v for s, v in sigma.items()}
 
 
 def _file_name(sensor: SceneSensor, number: int) -> str:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal, NoReturn, cast
+from typing import TYPE_CHECKING, Any, Literal, NoReturn, cast
 
 import numpy as np
 
@@ -23,6 +23,9 @@ from raybundle.numerics.places import Place
 from raybundle.observations.parameter import Calibrated
 from raybundle.platforms import InstrumentModel, instrument_models
 from raybundle.sensors import SensorModel, sensor_models
+
+if TYPE_CHECKING:
+    from raybundle.io.block.scene_trajectories import GivenTrajectory
 
 SCALES = ("fixed", "free", "nominal")
 RELATION = {"name", "terms", "observed", "sigma", "logarithm", "origin"}
@@ -70,12 +73,17 @@ def read_head(path: Path) -> Head:
             "cameras",
             "antennas",
             "imus",
+            "trajectories",
+            "mounts",
         ),
     )
     place = read_frame(top.section("frame"))
     cameras = top.section("cameras")
     if not cameras.values:
         top.fail("cameras", "block.no_camera")
+    trajectories = _trajectories(top, place)
+    shared = tuple(t.instrument for t in trajectories.values())
+    instruments = (*_instruments(top, shared), *shared)
     return Head(
         name=top.text("name", path.parent.name or "block"),
         about=top.text("about", ""),
@@ -89,9 +97,26 @@ def read_head(path: Path) -> Head:
         noise=cast("Any", top.choice("noise", ("", "white", "fields"), "")),
         datum_over=cast("Any", top.choice("datum_over", ("", "all", "good"), "")),
         place=place,
-        cameras=tuple(_camera(cameras, id_, place) for id_ in cameras.values),
-        instruments=tuple(_instruments(top)),
+        cameras=tuple(_linked(_camera(cameras, id_, place, trajectories), instruments) for id_ in cameras.values),
+        instruments=instruments,
     )
+
+
+def _trajectories(top: Section, place: Place | None) -> Mapping[str, GivenTrajectory]:
+    """Trajectories that scenes share; refuses names of them where there are none."""
+    cameras = top.section("cameras")
+    named = any({"trajectory", "mount"} & set(cameras.section(c).values) for c in cameras.values)
+    if not named and not top.section("trajectories").values:
+        return {}
+    from raybundle.io.block.scene_trajectories import read_trajectories
+
+    return read_trajectories(top, place)
+
+
+def _linked(camera: Camera, instruments: tuple[Instrument, ...]) -> Camera:
+    """A camera with the values of the instruments that have its parameters."""
+    of = {i.id: i.values for i in instruments}
+    return replace(camera, values={**camera.values, **{s: of[n][s] for s, n in camera.sensor.links.items()}})
 
 
 def read_cameras(path: Path) -> tuple[Camera, ...]:
@@ -102,7 +127,9 @@ def read_cameras(path: Path) -> tuple[Camera, ...]:
     return tuple(_camera(cameras, id_) for id_ in cameras.values)
 
 
-def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
+def _camera(
+    cameras: Section, id_: str, place: Place | None = None, trajectories: Mapping[str, GivenTrajectory] | None = None
+) -> Camera:
     section = cameras.section(id_)
     if not id_ or id_ != id_.strip() or not id_.isprintable():
         cameras.fail(id_, "cell.no_id", value=quoted(id_))
@@ -114,7 +141,7 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
         from raybundle.scenes.kinds import scene_kinds
 
         if model_name in scene_kinds:
-            return read_scene_camera(section, id_, place)
+            return read_scene_camera(section, id_, place, trajectories)
         line = section.lines.get((*section.at, "model"), 0)
         raise UnknownSensorModel(model_name, known=(*sensor_models, *scene_kinds), file=section.file, line=line)
     keys = [p.key for p in model.parameters]
@@ -151,9 +178,9 @@ def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
     return camera if camera.calibrated is not None else without_relations_of_calibration(camera)
 
 
-def _instruments(top: Section) -> Iterator[Instrument]:
-    """The tables [antennas.*] and [imus.*]."""
-    taken = dict.fromkeys(top.section("cameras").values, "camera")
+def _instruments(top: Section, shared: tuple[Instrument, ...]) -> Iterator[Instrument]:
+    """The tables [antennas.*], [imus.*] and [mounts.*]; `shared` the trajectories, which have names of their own."""
+    taken = dict.fromkeys(top.section("cameras").values, "camera") | {i.id: i.sensor.noun for i in shared}
     for model in instrument_models.values():
         what, section = model.noun, top.section(model.section)
         for id_ in section.values:
@@ -337,6 +364,10 @@ def head_text(block: Block) -> str:
 
 
 def _instrument_lines(instrument: Instrument) -> list[str]:
+    if instrument.scene is not None:
+        from raybundle.io.block.scene_trajectories import trajectory_lines
+
+        return trajectory_lines(instrument)
     lines = [f"{s} = {exact(instrument.values.get(s, 0.0))}" for s in instrument.sensor.symbols]
     lines.append(f"estimate = [{', '.join(_quoted(s) for s in instrument.estimate)}]")
     if instrument.sigma:

@@ -12,6 +12,7 @@ import numpy as np
 from raybundle.errors import InputError, Message, note
 from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.xml import Element
+from raybundle.io.scenes.products import product_of
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.rpc import Rpc
 from raybundle.scenes.rpc_image import rpc_of_image
@@ -78,6 +79,8 @@ def read_scene(path: str | Path) -> Scene:
     head = _head(path)
     if not head.strip():
         raise InputError("file.empty", file=path)
+    if (product := product_of(path, head)) is not None:
+        raise InputError(product, file=path)
     for format_ in scene_formats.values():
         if format_.recognises(path, head):
             return _placed(path, format_)

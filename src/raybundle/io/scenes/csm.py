@@ -1,4 +1,4 @@
-"""Line-scan ISD JSON of the Community Sensor Model, as ALE writes and USGSCSM reads it.
+"""ISD JSON of the Community Sensor Model, as ALE writes and USGSCSM reads it: line scan, push-frame, frame, radar.
 
 Line and sample 0.5 are the centre of the first pixel, as with us.  Positions and attitudes stand in an inertial
 frame; the body's rotation brings them to the frame that turns with it.  Quaternions have the scalar first and
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -19,11 +20,13 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.scenes import rpc_json, rpc_keys
 from raybundle.io.scenes.base import Scene, SceneFormat, register
 from raybundle.io.scenes.csm_distortion import undistorted
+from raybundle.io.scenes.csm_frames import frame_keys
 from raybundle.io.scenes.csm_radar import radar_scene
 from raybundle.io.scenes.csm_tables import body_trajectory
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import Ellipsoid
 from raybundle.scenes.linescan import LineScene
+from raybundle.scenes.push_frame import PushFrame
 
 METRES = {"m": 1.0, "km": 1000.0}
 LOOK_NODES = 257
@@ -31,7 +34,7 @@ LOOK_NODES = 257
 PAUSE_LINES = 1.0
 """Time between two rows of the table of line times, beyond what their lines take, that counts as a contradiction: to
 a line the writers round."""
-SENSORS = {"FRAME": "frame", "PUSH_FRAME": "push_frame"}
+FRAMES = ("USGS_ASTRO_PUSH_FRAME_SENSOR_MODEL", "USGS_ASTRO_FRAME_SENSOR_MODEL")
 RADAR = "_SAR_"
 """Of other models, by the middle of their names"""
 KEYS_SHOWN = 6
@@ -39,30 +42,24 @@ KEYS_SHOWN = 6
 
 
 def read(path: Path) -> Scene:
-    """The scene of a line-scan or radar ISD; other sensors are refused."""
+    """The scene of an ISD; sensors of other models are refused."""
     root = read_json(path)
     _check_model(root)
     if RADAR in root.get("name_model").text():
         return radar_scene(root, path, _ellipsoid(root.get("radii")), _unit(root.get("instrument_position")))
     rows, columns = root.get("image_lines").whole(), root.get("image_samples").whole()
     ellipsoid = _ellipsoid(root.get("radii"))
-    line_y, line_times = _line_times(root, rows)
-    x, look = _detector(root, columns)
+    framed = root.get("name_model").text() in FRAMES
+    own: dict[str, Any] = frame_keys(root, rows, columns, focal_plane) if framed else _lines(root, rows, columns)
+    look = own["look"][0] if framed else own["detector_look"]
     across = float(np.linalg.norm(look[-1] - look[0])) / columns
     group = root.get("instrument_position")
-    trajectory, remarks = body_trajectory(root, ellipsoid, _unit(group), across)
-    line = LineScene(
-        width_px=columns,
-        height_px=rows,
-        line_y=line_y,
-        line_times=line_times,
-        detector_x=x,
-        detector_look=look,
-        trajectory=trajectory,
-        ellipsoid=ellipsoid,
-        aberration=False,
-        refraction=False,
-    )
+    trajectory, remarks = body_trajectory(root, ellipsoid, _unit(group), across, rigid=framed)
+    kind: type[PushFrame | LineScene] = PushFrame if framed else LineScene
+    line = kind(
+        width_px=columns, trajectory=trajectory, ellipsoid=ellipsoid, aberration=False, refraction=False,
+        epoch_s=root.optional("center_ephemeris_time", 0.0), **own,
+    )  # fmt: skip
     remarks = [note("isd.no_aberration"), *remarks]
     if not group.has("unit"):
         far = float(np.linalg.norm(trajectory.positions, axis=1).min())
@@ -71,13 +68,13 @@ def read(path: Path) -> Scene:
     if P[0] @ d[0] > 0:
         line = _turned(line)
         remarks.append(note("isd.detector_turned"))
-    remarks += _reversals(line)
+    remarks += _reversals(line) if isinstance(line, LineScene) else []
     return Scene(
         file=path,
         format="csm",
         rigorous=line,
         width_px=columns,
-        height_px=rows,
+        height_px=line.height_px,
         sensor=root.get("name_sensor").text() if root.has("name_sensor") else "",
         remarks=tuple(remarks),
     )
@@ -89,9 +86,8 @@ def _check_model(root: Json) -> None:
         keys = list(root.mapping()) if isinstance(root.value, dict) else []
         root.fail("isd.no_model", n=len(keys), names=keys[:KEYS_SHOWN])
     model = root.get("name_model").text()
-    if "LINE_SCANNER" not in model and RADAR not in model:
-        kind = model.removeprefix("USGS_ASTRO_").removesuffix("_SENSOR_MODEL")
-        root.get("name_model").fail("isd.no_line_scanner", model=quoted(model), sensor=SENSORS.get(kind, "other"))
+    if "LINE_SCANNER" not in model and RADAR not in model and model not in FRAMES:
+        root.get("name_model").fail("isd.model_unknown", model=quoted(model))
     if root.has("projection"):
         root.get("projection").fail("isd.map_projected")
 
@@ -102,11 +98,13 @@ def _reversals(line: LineScene) -> list[Message]:
     return [note("isd.scan_reverses", lines=[round(float(y)) for y in at])] if at.size else []
 
 
-def _turned(line: LineScene) -> LineScene:
+def _turned(line: LineScene | PushFrame) -> LineScene | PushFrame:
     """The same lines of sight, followed in the opposite direction: the detector turned by half a turn about x."""
     path = line.trajectory
     x, y, z, w = (path.quaternions / np.linalg.norm(path.quaternions, axis=1)[:, None]).T
     turned = replace(path, quaternions=np.stack([w, z, -y, -x], axis=1))
+    if isinstance(line, PushFrame):
+        return replace(line, trajectory=turned, look=line.look * [-1, 1])
     return replace(line, trajectory=turned, detector_look=line.detector_look * [-1, 1])
 
 
@@ -154,8 +152,16 @@ def _line_times(root: Json, rows: int) -> tuple[Array, Array]:
     return np.append(y, end), np.append(table[:, 1], table[-1, 1] + steps[-1] * (end - y[-1]))
 
 
-def _detector(root: Json, columns: int) -> tuple[Array, Array]:
-    """Elements [px] and their viewing directions: focal plane coordinates [mm] over the camera constant [mm]."""
+def _lines(root: Json, rows: int, columns: int) -> dict[str, Any]:
+    """What a line scanner has beside others: the times of its lines and the viewing directions of its elements."""
+    y, times = _line_times(root, rows)
+    x = np.linspace(0, columns, LOOK_NODES if root.has("optical_distortion") else 2)
+    look = focal_plane(root, x, np.zeros(len(x)))
+    return {"height_px": rows, "line_y": y, "line_times": times, "detector_x": x, "detector_look": look}
+
+
+def focal_plane(root: Json, x: Array, lines: Array) -> Array:
+    """Viewing directions (n, 2) at samples x and lines (n,) [px]: undistorted coordinates over the camera constant."""
     summing = [root.optional(f"detector_{k}_summing", 1.0) for k in ("line", "sample")]
     if any(s <= 0 for s in summing):
         root.fail("isd.summing", summing=summing)
@@ -167,12 +173,11 @@ def _detector(root: Json, columns: int) -> tuple[Array, Array]:
     f = root.get("focal_length_model").get("focal_length").number()
     if f == 0:
         root.get("focal_length_model").fail("value.zero")
-    x = np.linspace(0, columns, LOOK_NODES if root.has("optical_distortion") else 2)
-    pixels = np.stack([np.full(len(x), start[0]), x * summing[1] + start[1]]) - np.array(centre)[:, None]
+    pixels = np.stack([lines * summing[0] + start[0], x * summing[1] + start[1]]) - np.array(centre)[:, None]
     plane = np.linalg.solve(to_pixel[:, 1:], pixels - to_pixel[:, :1])
     if root.has("optical_distortion"):
         plane = undistorted(root.get("optical_distortion"), plane, f)
-    return x, (plane / f).T
+    return (plane / f).T
 
 
 def _recognises(path: Path, head: bytes) -> bool:
@@ -184,8 +189,4 @@ def _recognises(path: Path, head: bytes) -> bool:
     )
 
 
-register(
-    SceneFormat(
-        name="csm", title="Community Sensor Model ISD, line scan or radar (JSON)", recognises=_recognises, read=read
-    )
-)
+register(SceneFormat(name="csm", title="Community Sensor Model ISD (JSON)", recognises=_recognises, read=read))

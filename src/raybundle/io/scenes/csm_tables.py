@@ -21,17 +21,20 @@ NODES = 25
 """Positions to which USGSCSM interpolates shorter tables."""
 WINDOWS = 300
 """Stretches of a table, spread over it, on which the unrest of the attitude is measured."""
+STEADY_S = 3.0
+"""From a frame's time to further entries of its tables."""
 UNKNOWN_PX = 1.0
 """Pointing across a gap that is not known to a pixel is no rigorous model any more."""
 
 
 def body_trajectory(
-    root: Json, ellipsoid: Ellipsoid, metres: float, pixel_rad: float
+    root: Json, ellipsoid: Ellipsoid, metres: float, pixel_rad: float, *, rigid: bool = False
 ) -> tuple[Trajectory, list[Message]]:
     """The sensor's path and attitude in the axes of the body, and what is to be stated of them.
 
     metres     of a unit of the positions
     pixel_rad  angle of a pixel across the flight
+    rigid      of frames, which an attitude that is not known between entries does not bend: it is noted, not refused
     raises     InputError where tables do not fit each other, the body or the lines
     """
     group = root.get("instrument_position")
@@ -45,14 +48,24 @@ def body_trajectory(
     pointing_times, pointing = rotations(root, "instrument_pointing")
     at_positions, at_pointing = (slerp(body_times, body, t) for t in (position_times, pointing_times))
     attitude_times, attitude, remarks = _bridged(
-        root.get("instrument_pointing"), pointing_times, at_pointing @ np.swapaxes(pointing, 1, 2), pixel_rad
+        root.get("instrument_pointing"),
+        pointing_times,
+        at_pointing @ np.swapaxes(pointing, 1, 2),
+        pixel_rad,
+        rigid=rigid,
     )
+    position_times, placed = _steady(position_times, np.einsum("nij,nj->ni", at_positions, positions))
+    attitude_times, turned = _steady(attitude_times, _rotation(attitude).as_quat())
     return Trajectory(
-        position_times=position_times,
-        positions=np.einsum("nij,nj->ni", at_positions, positions),
-        attitude_times=attitude_times,
-        quaternions=_rotation(attitude).as_quat(),
+        position_times=position_times, positions=placed, attitude_times=attitude_times, quaternions=turned
     ), remarks
+
+
+def _steady(times: Array, values: Array) -> tuple[Array, Array]:
+    """A table of one entry, as frames have it, as one that holds for some seconds; others as they are."""
+    if len(times) != 1:
+        return times, values
+    return times + STEADY_S * np.array([-1.0, 0.0, 1.0]), np.repeat(values, 3, axis=0)
 
 
 def times_of(root: Json, group: Json, name: str, count: int) -> Array:
@@ -119,7 +132,9 @@ def slerp(times: Array, R: Array, at: Array) -> Array:
     return R[k] @ Rotation.from_rotvec(share[:, None] * turns[k]).as_matrix()
 
 
-def _bridged(group: Json, times: Array, R: Array, pixel_rad: float) -> tuple[Array, Array, list[Message]]:
+def _bridged(
+    group: Json, times: Array, R: Array, pixel_rad: float, *, rigid: bool
+) -> tuple[Array, Array, list[Message]]:
     """Times and rotations at equal steps, where those of a table are unequal by half or more; as given otherwise.
 
     raises  InputError where the pointing inside the widest gap is not known to a pixel
@@ -140,7 +155,7 @@ def _bridged(group: Json, times: Array, R: Array, pixel_rad: float) -> tuple[Arr
             "n": gaps, "steps": float(step[widest] / usual), "from_s": float(times[widest]),
             "to_s": float(times[widest + 1]), "error_px": float(error / pixel_rad) if measured else None,
         }  # fmt: skip
-        if not measured or error > UNKNOWN_PX * pixel_rad:
+        if not rigid and (not measured or error > UNKNOWN_PX * pixel_rad):
             group.fail("isd.attitude_gap", **values, measured=measured, limit_px=UNKNOWN_PX)
         remarks.append(Message(code="isd.attitude_gap_bridged", values=values, severity=Severity.NOTE))
     at = np.linspace(times[0], times[-1], len(times))

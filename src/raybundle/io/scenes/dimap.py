@@ -10,11 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import note
+from raybundle.errors import InputError, note
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import HEAD_BYTES, Scene, SceneFormat, check_denominators, element_text, register
 from raybundle.io.scenes.dimap_orbit import line_scene
+from raybundle.io.scenes.products import orthoimage
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.rpc import Rpc, rpc_of
 
@@ -32,6 +33,8 @@ def read(path: Path) -> Scene:
         return _product(path, root)
     model = root.find("Rational_Function_Model", "Global_RFM")
     if model is None:
+        if (product := orthoimage(read_bytes(path))) is not None:
+            raise InputError(product, file=path)
         root.fail("dimap.no_model")
     validity = model.get("RFM_Validity")
     first, size = _image(root, validity)

@@ -22,7 +22,7 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element
 from raybundle.io.scenes.base import element_text, numbers_of
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.linescan import LineScene
+from raybundle.scenes.linescan import EPOCH, LineScene
 from raybundle.scenes.trajectory import Trajectory
 
 ORBIT_M = (6.5e6, 5.0e7)
@@ -56,6 +56,7 @@ def line_scene(root: Element) -> tuple[LineScene, tuple[Message, ...]]:
     refraction, aberration = (_setting(root, k) for k in ("ATMOSPHERIC_REFRACTION_SETTING", "LIGHT_SPEED_SETTING"))
     corrections = note("dimap.corrections", refraction=refraction, aberration=aberration)
     return LineScene(
+        epoch_s=(start - EPOCH).total_seconds(),
         width_px=columns,
         height_px=rows,
         line_y=np.array([0.5, rows + 0.5]),

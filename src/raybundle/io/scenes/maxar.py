@@ -18,7 +18,7 @@ from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, ele
 from raybundle.io.scenes.maxar_detector import chosen_angle, read_mounting
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import WGS84
-from raybundle.scenes.linescan import LineScene
+from raybundle.scenes.linescan import EPOCH, LineScene
 from raybundle.scenes.rpc import Rpc, rpc_of
 from raybundle.scenes.trajectory import Trajectory
 
@@ -124,6 +124,7 @@ def _line(root: Element, rows: int, columns: int, rpc: Rpc | None) -> tuple[Line
 
     def scene(angle: float) -> LineScene:
         return LineScene(
+            epoch_s=(start - EPOCH).total_seconds(),
             width_px=columns,
             height_px=rows,
             line_y=line_y,

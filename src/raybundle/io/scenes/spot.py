@@ -17,7 +17,7 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, element_text, register
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.linescan import LineScene
+from raybundle.scenes.linescan import EPOCH, LineScene
 from raybundle.scenes.trajectory import Trajectory, lagrange
 
 ORBIT_M = (6.5e6, 5.0e7)
@@ -34,6 +34,7 @@ def read(path: Path) -> Scene:
     centre = _time(stamp.get("SCENE_CENTER_TIME"))
     psi, remarks = _look(strip.get("Sensor_Configuration", "Instrument_Look_Angles_List"), columns)
     line = LineScene(
+        epoch_s=(centre - EPOCH).total_seconds(),
         width_px=columns,
         height_px=rows,
         line_y=np.array([0.5, rows - 0.5]),

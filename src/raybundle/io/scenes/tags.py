@@ -10,11 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError, note
+from raybundle.errors import InputError, message, note
 from raybundle.io.reading.tiff import tiff_tags
 from raybundle.io.reading.words import no_number, number_of, numbers_of, quoted, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.io.scenes.maxar import RPC00A_IN_B
+from raybundle.io.scenes.products import raster_without_model
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.rpc import Rpc, rpc_of
 
@@ -29,7 +30,7 @@ def read_tiff(path: Path) -> Scene:
     """The RPC in the tag of a GeoTIFF or BigTIFF, first image of the file."""
     _, tags = tiff_tags(path, frozenset({RPC_TAG, WIDTH_TAG, HEIGHT_TAG}))
     if RPC_TAG not in tags:
-        raise InputError("rpc.no_tag", file=path)
+        raise InputError(raster_without_model(path) or message("rpc.no_tag"), file=path)
     values = np.array(tags[RPC_TAG], float)
     if len(values) != 92:
         raise InputError("rpc.tag_count", n=len(values), file=path)

@@ -53,11 +53,13 @@ def _covariance(view: View, camera: Camera) -> Array:
     """(k, k) of all parameters of a camera; zero where one is held, NaN without statistics."""
     symbols, precision = camera.sensor.symbols, view.adjustment.precision
     full = np.zeros((len(symbols), len(symbols)))
-    own = None if precision is None else precision.interior.get(camera.id)
-    if precision is None or own is None:
-        return full * np.nan if precision is None else full
-    at = [symbols.index(s) for s in precision.parameters[camera.id]]
-    full[np.ix_(at, at)] = own
+    if precision is None:
+        return full * np.nan
+    for name in dict.fromkeys((camera.id, *camera.sensor.links.values())):
+        own = precision.interior.get(name)
+        if own is not None:
+            at = [symbols.index(s) for s in precision.parameters[name]]
+            full[np.ix_(at, at)] = own
     return full
 
 

@@ -135,6 +135,8 @@ def _bias_table(view: View, images: list[int], remark: Text) -> Table:
     )  # fmt: skip
     rows: list[list[str]] = []
     marked: list[int] = []
+    given = {c.id: c.sigma for c in view.given.parametrised}
+    listed = set[tuple[str, str]]()
     for i in images:
         camera = _camera(view, i)
         result = _result(view, camera)
@@ -144,8 +146,11 @@ def _bias_table(view: View, images: list[int], remark: Text) -> Table:
             rows.append([*first, *[NONE] * (len(columns) - 3)])
             continue
         for s in symbols:
-            p = result.parameters.get(s)
-            sigma = next(c.sigma.get(s, math.nan) for c in view.given.cameras if c.id == camera.id)
+            owner = camera.sensor.links.get(s, camera.id)
+            if (owner, s) in listed:  # of a trajectory once, with its first scene
+                continue
+            listed.add((owner, s))
+            p, sigma = result.parameters.get(s), given[owner].get(s, math.nan)
             value, std = (camera.values[s], None) if p is None else (p.value, p.std)
             factor, unit = printed(view, camera.sensor.parameters[symbols.index(s)].unit)
             shown = (
@@ -156,8 +161,9 @@ def _bias_table(view: View, images: list[int], remark: Text) -> Table:
             ratio = abs(value) / sigma if sigma > 0 else math.nan
             if ratio > 3:
                 marked.append(len(rows))
-            rows.append([*first, f"{s} [{unit}]", *shown, *([_on_ground(camera, s, value)] if ground else []),
-                         significant(sigma * factor, 3), fixed(ratio, 1), *_tested(view, camera, s)])  # fmt: skip
+            name = f"{_named(owner, camera, s)} [{unit}]"
+            rows.append([*first, name, *shown, *([_on_ground(camera, s, value)] if ground else []),
+                         significant(sigma * factor, 3), fixed(ratio, 1), *_tested(view, owner, s)])  # fmt: skip
             first = ["", "", ""]
     return table(
         columns,
@@ -172,12 +178,16 @@ def _sensor(camera: Camera) -> SceneSensor:
     return cast("SceneSensor", camera.scene)
 
 
-def _tested(view: View, camera: Camera, symbol: str) -> tuple[str, str]:
+def _named(owner: str, camera: Camera, symbol: str) -> str:
+    return symbol if owner == camera.id else f"{owner}: {symbol}"
+
+
+def _tested(view: View, owner: str, symbol: str) -> tuple[str, str]:
     """Redundancy number and test value of an observed parameter."""
     for g in view.adjustment.groups:
         if g.kind == "parameter":
             for k, pair in enumerate(zip(g.ids, g.component, strict=True)):
-                if pair == (camera.id, symbol):
+                if pair == (owner, symbol):
                     return fixed(float(g.redundancy[k]), 3), fixed(float(g.w[k]), 2)
     return NONE, NONE
 

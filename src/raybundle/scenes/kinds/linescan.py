@@ -14,11 +14,11 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.geodesy import geographic_from_geocentric
 from raybundle.numerics.places import Place
 from raybundle.scenes.corrections import Fixes, FixesAt, Pieces, bends
-from raybundle.scenes.linescan import LineScene, observe_line_at
+from raybundle.scenes.linescan import Carrier, LineScene, ScanScene, observe_line_at
 from raybundle.scenes.observed import Observed
 from raybundle.scenes.sensor import PIXEL_MM, Key, SceneSensor
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
-from raybundle.scenes.trajectory import AXES, CorrectionModel, Trajectory
+from raybundle.scenes.trajectory import AXES, MOUNT, CorrectionModel, Trajectory
 
 LOW_M = 60e3
 """Height above the ground of a sensor in the air; its viewpoint is where it was in the middle of the scene."""
@@ -40,15 +40,18 @@ class LineSensor(SceneSensor):
     formula = (
         "w = R(t) u(X - P(t))      w_x / w_z = psi_x(x)      w_y / w_z = psi_y(x)\n\n"
         "t = t(y), the time of the line\n"
-        "R(t) = exp([r(tau)]x) R_table(t + dt)\n"
+        "R(t) = exp([r(tau)]x) R_table(t + dt)      on a trajectory of several: exp([b]x) M exp([r(tau)]x) M' R_table\n"
         "P(t) = P_table(t + dt) + E' p(tau) - R(t)' a      E: along track, across track, up\n\n"
         "u              direction, with velocity aberration and refraction\n"
         "psi_x, psi_y   directions of the detector of column x\n"
         "p, r           corrections of position and attitude: c0 + c1 tau + c2 tau^2, and curves: sum of B_k(tau) c_k\n"
         "               of pieces, of fixes (Lagrange) or of splines; tau = -1 at the first line, +1 at the last\n"
-        "dt, a          offset between the clocks, lever arm"
+        "dt, a          offset between the clocks, lever arm\n"
+        "b, bt          mount of one of several lines: misalignment; its time offset, added to dt"
     )
-    possible = CorrectionModel(position_degree=2, attitude_degree=2, time_offset=True, lever_arm=True).parameters
+    possible = CorrectionModel(
+        position_degree=2, attitude_degree=2, time_offset=True, lever_arm=True, mount=True
+    ).parameters
     keys = (
         Key(name="position_degree", options=DEGREES), Key(name="attitude_degree", options=DEGREES),
         Key(name="position_fixes", holds="fixes"), Key(name="attitude_fixes", holds="fixes"),
@@ -57,15 +60,16 @@ class LineSensor(SceneSensor):
         Key(name="height_m", default=0.0),
     )  # fmt: skip
     begin: ClassVar[Mapping[str, Any]] = {"position_degree": -1, "attitude_degree": 0}
-    stored = (Trajectory, CorrectionModel, Fixes, FixesAt, Pieces)
+    stored = (Trajectory, Carrier, CorrectionModel, Fixes, FixesAt, Pieces)
 
     def __init__(
-        self, scene: LineScene, place: Place, corrections: CorrectionModel, height_m: float = 0.0,
-        file: Path | None = None, smooth: Mapping[str, float] | None = None,
+        self, scene: ScanScene, place: Place, corrections: CorrectionModel, height_m: float = 0.0,
+        file: Path | None = None, smooth: Mapping[str, float] | None = None, *, trajectory: str = "", mount: str = "",
     ) -> None:  # fmt: skip
         """Place a line scene with these corrections of its trajectory.
 
-        smooth  axis of a curve ("rx") -> standard deviation of its bends, which are observed as zero
+        smooth             axis of a curve ("rx") -> standard deviation of its bends, which are observed as zero
+        trajectory, mount  ids of the block's instruments that have its parameters, where it shares them with others
         """
         self.scene, self.place, self.corrections, self.file = scene, place, corrections, file
         self.size_px = (scene.width_px, scene.height_px)
@@ -80,13 +84,16 @@ class LineSensor(SceneSensor):
                 column="smooth",
             )
         self.parameters = corrections.parameters
-        self._width = corrections.width if corrections.groups else 0
+        self.trajectory, self.mount = trajectory, mount
+        if trajectory:
+            self.links = {s: mount if s in MOUNT else trajectory for s in corrections.symbols}
+        self._width = corrections.width if corrections.groups or trajectory else 0
         sensor = scene.rays(np.array([self.size_px], float) / 2)[0]
         above = float(geographic_from_geocentric(sensor, scene.ellipsoid)[0, 2]) - self.height_m
         if above <= 0:
             raise InputError("line_scene.below_ground", height_m=self.height_m, above_m=-above)
         self._finish(min(500.0, above / 2))
-        self.airborne = above < LOW_M
+        self.airborne = self.moves_along = above < LOW_M
         if self.airborne:
             self.centre = place.block_from_geographic(geographic_from_geocentric(sensor, scene.ellipsoid))[0]
             middle = self.localise(np.array([self.size_px], float) / 2, self.height_m, self.defaults)[0]
@@ -94,10 +101,15 @@ class LineSensor(SceneSensor):
 
     @classmethod
     def of_keys(
-        cls, model: LineScene, place: Place, size_px: tuple[int, int], file: Path | None, keys: Mapping[str, Any]
+        cls, model: ScanScene, place: Place, size_px: tuple[int, int], file: Path | None, keys: Mapping[str, Any]
     ) -> Self:
-        """As `SceneSensor`; a curve takes the place of the polynomial unless that has a degree of its own."""
+        """As `SceneSensor`."""
         del size_px
+        return cls(model, place, cls.corrections_of(keys), keys["height_m"], file, keys["smooth"])
+
+    @staticmethod
+    def corrections_of(keys: Mapping[str, Any]) -> CorrectionModel:
+        """What its keys ask for; a curve takes the place of the polynomial unless that has a degree of its own."""
         found: dict[str, Any] = {n: keys[n] for n in ("time_offset", "lever_arm")}
         for part in AXES:
             fixes, pieces = f"{part}_fixes", f"{part}_pieces"
@@ -106,7 +118,7 @@ class LineSensor(SceneSensor):
             curve, degree = keys[fixes] or keys[pieces], keys[f"{part}_degree"]
             found[f"{part}_curve"] = curve
             found[f"{part}_degree"] = (0 if curve is None else -1) if degree is None else degree
-        return cls(model, place, CorrectionModel(**found), keys["height_m"], file, keys["smooth"])
+        return CorrectionModel(**found)
 
     @classmethod
     def example(cls, place: Place, target: tuple[float, float, float]) -> Self:
@@ -117,7 +129,15 @@ class LineSensor(SceneSensor):
 
     @property
     def key_values(self) -> dict[str, Any]:
-        """As `SceneSensor`."""
+        """As `SceneSensor`; on a trajectory that others share, its keys are those of the trajectory."""
+        if self.trajectory:
+            mount = {"mount": self.mount} if self.mount else {}
+            return {"trajectory": self.trajectory, **mount, "height_m": self.height_m}
+        return {**self.correction_keys, "height_m": self.height_m}
+
+    @property
+    def correction_keys(self) -> dict[str, Any]:
+        """The keys of what corrects its trajectory, with their values."""
         c, found = self.corrections, dict[str, Any]()
         for part in AXES:
             curve = getattr(c, f"{part}_curve")
@@ -130,13 +150,14 @@ class LineSensor(SceneSensor):
             elif curve is not None:
                 found[f"{part}_fixes"] = curve.coefficients
         found |= {key: True for key in ("time_offset", "lever_arm") if getattr(c, key)}
-        return {**found, **({"smooth": self.smooth} if self.smooth else {}), "height_m": self.height_m}
+        return {**found, **({"smooth": self.smooth} if self.smooth else {})}
 
     @property
     def state(self) -> dict[str, Any]:
         """As `SceneSensor`."""
         return {
             "scene": self.scene, "corrections": self.corrections, "height_m": self.height_m, "smooth": self.smooth,
+            "trajectory": self.trajectory, "mount": self.mount,
         }  # fmt: skip
 
     @property
@@ -152,10 +173,10 @@ class LineSensor(SceneSensor):
     @property
     def curves(self) -> tuple[CorrectionModel, float] | None:
         """As `SceneSensor`."""
-        return self.corrections, abs(self.scene.middle_and_half[1])
+        return self.corrections, abs(self.scene.correction_span[1])
 
     @classmethod
-    def assumed(cls, model: LineScene) -> tuple[str, Mapping[str, float]] | None:
+    def assumed(cls, model: ScanScene) -> tuple[str, Mapping[str, float]] | None:
         """As `SceneSensor`."""
         del model
         return "scene_prior.orbit", {"sigma_rad": ATTITUDE_RAD}
@@ -205,10 +226,14 @@ class LineSensor(SceneSensor):
                 found.append(Relation(name=f"bend of {axis} at {members[k + 1]}", terms=terms, sigma=sigma))
         return tuple(found)
 
+    def stations(self, xy_px: Array, values: Array) -> Array:
+        """As `SensorModel`."""
+        P, _ = self.scene.rays(xy_px, self.corrections, values)
+        return self.place.block_from_geographic(geographic_from_geocentric(P, self.scene.ellipsoid))
+
     def observe(self, xyz: Array, values: Array, near: Array | None = None) -> Observed:
         """As `SceneSensor`."""
-        del near
-        return observe_line_at(self.scene, self.place, xyz, self.corrections, values)
+        return observe_line_at(self.scene, self.place, xyz, self.corrections, values, near)
 
     def local(self, image: Array, points: Array, values: Array) -> tuple[Array, Array, Index]:
         """G (2, n), its Jacobian (2, 5 + w, n) and the positions (n, w) of the parameters that it is taken by."""

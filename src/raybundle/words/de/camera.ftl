@@ -132,3 +132,15 @@ camera-not_by_targets = Das Sensormodell { $model } lässt sich nicht aus Aufnah
 
 camera-model_not_fitted = Kamera { $camera }: Das Modell { $model } lässt sich nicht an die Näherungswerte anpassen.
     .do = Ein anderes Modell angeben.
+
+camera-trajectory_unknown = Der Block hat keine Trajektorie { $name }.
+    .do = Eine Tabelle [trajectories.ID] ergänzen, oder eine von { LIST($known, most: 20) } nennen.
+
+camera-mount_unknown = Der Block hat keine Halterung { $name }.
+    .do = Eine Tabelle [mounts.ID] ergänzen, oder eine von { LIST($known, most: 20) } nennen.
+
+camera-trajectory_of_lines = Nur Zeilenkameras (model = "linescan") teilen eine Trajektorie; { $name } wurde von einer anderen Szene genannt.
+    .do = Den Schlüssel löschen, oder eine Datei mit Bahn oder Flug einer Zeilenkamera angeben.
+
+camera-instrument_missing = Kamera { $camera } hat Parameter von { $name }, das nicht im Block steht.
+    .do = { $name } zu den Instrumenten des Blocks hinzufügen.

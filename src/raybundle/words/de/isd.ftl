@@ -55,16 +55,9 @@ isd-no_model = Dieses JSON ist keine Beschreibung des Community Sensor Model: na
     }
     .do = Die Beschreibung angeben, die ALE für das Bild schreibt (isd_generate).
 
-isd-no_line_scanner = { $model } ist kein Zeilenscanner; nur Zeilenscanner werden hier unterstützt.
-    .why = { $sensor ->
-     [frame] Es ist eine Flächenkamera.
-     [push_frame] Es ist eine Push-Frame-Kamera, die schmale Flächen und keine Zeilen aufnimmt.
-     *[other] Zeilenscanner sind Modelle ..._LINE_SCANNER_SENSOR_MODEL.
-    }
-    .do = { $sensor ->
-     [frame] Seine Aufnahmen mit raybundle orient orientieren, Kamerakonstante und Verzeichnung in einer Kalibrierung
-     *[other] Die Szene eines Zeilenscanners oder ein RPC dieser Szene angeben
-    }.
+isd-model_unknown = { $model } ist kein Sensormodell, das gelesen wird.
+    .why = Gelesen werden Zeilenscanner, Push-Frame-Kameras, Flächenkameras und Radare (..._LINE_SCANNER_, _PUSH_FRAME_, _FRAME_ und _SAR_SENSOR_MODEL).
+    .do = Eine Szene eines davon oder ein RPC dieser Szene angeben.
 
 isd-no_aberration = Weder Aberration noch Refraktion werden angebracht, wie in USGSCSM.
 
@@ -98,3 +91,6 @@ isd-attitude_gap_bridged = { $n } { $n ->
      *[other] Lücken
     } der Lagewinkel interpoliert, die größte von { NUM($steps, decimals: 1) } Schritten von { NUM($from_s, decimals: 3) } bis { NUM($to_s, decimals: 3) } s.
     .why = In einer solchen Zeit weichen die Lagewinkel um { NUM($error_px, decimals: 3) } px (quadratisches Mittel) von der Interpolation ab.
+
+isd-framelets = Teilbilder von { NUM($height, digits: 4) } Zeilen alle { NUM($delay_s, digits: 4) } s, davon { NUM($overlap, digits: 3) } überlappend, füllen kein Bild von { $lines } Zeilen.
+    .do = framelet_height, interframe_delay oder num_lines_overlap (eine gerade Zahl) korrigieren.

@@ -277,3 +277,28 @@ scene-times_curved = Die Zeiten der Spalten weichen um { $seconds } s von einer 
 
 scene-no_sicd = Keine Datenerweiterung dieses NITF enthält die Metadaten eines SICD.
     .do = Die Datei erneut beschaffen.
+
+scene-is_map = { $what ->
+     [landsat] Ein Landsat-Produkt
+     [sentinel2] Ein Sentinel-2-Produkt
+     [orthoimage] Ein Orthobild (DIMAP)
+    *[raster] Ein georeferenziertes Raster
+    } ist schon eine Karte; es hat keine Sensorgeometrie, die ausgeglichen werden kann.
+    .do = Als Karte verwenden: als Referenz für Passpunkte, als Hintergrund. Zum Orientieren einer Szene ihr Produkt der Stufe 1 mit RPC oder Bahn angeben.
+
+scene-no_orbit = Das Bild hat { $n } Punkte am Boden, aber weder Bahn noch RPC.
+    .why = So liegen GRD-Raster von Radaren ohne ihre Annotation vor.
+    .do = Die Annotation (XML) oder den Produktordner (SAFE) angeben.
+
+scene-product_not_read = { $what ->
+     [aster] ASTER Stufe 1A (HDF)
+     [sentinel2] Sentinel-2 Stufe 1B
+     [envisat] Produkte von Envisat oder ERS (.N1, .E1)
+     [ceos] CEOS-Datenträger (ERS, RADARSAT-1, JERS)
+    *[hdf] HDF-Dateien
+    } werden nicht gelesen.
+    .do = { $what ->
+     [aster] Ein RPC dazu angeben, wie es aster2asp der Ames Stereo Pipeline schreibt
+     [sentinel2] Das Produkt der Stufe 1C verwenden, das eine Karte ist
+    *[envisat] Ein RPC der Szene angeben, oder sie nach SICD umwandeln
+    }.

@@ -66,3 +66,9 @@ trajectory-velocity_contradicts = Tabelle { $table }, Eintrag { $entry }: Geschw
 
 trajectory-undecided = Die Datei legt die Konvention dieser Spalten nicht fest: Möglich sind { $readings }.
     .do = Die Spalten mit ihrer Einheit benennen (omega_gon) oder { OPTION("attitudes", $first) } angeben. Vier oder mehr Aufnahmen entscheiden.
+
+trajectory-scenes_apart = Szenen einer Trajektorie liegen { NUM($seconds, digits: 4) } s auseinander; möglich sind { NUM($limit_s, digits: 3) } s.
+    .do = Szenen eines anderen Umlaufs oder Streifens eine eigene Trajektorie geben.
+
+trajectory-no_scene = Keine Kamera nennt die Trajektorie { $name }.
+    .do = trajectory = { $name } in die Tabellen ihrer Kameras schreiben, oder sie löschen.

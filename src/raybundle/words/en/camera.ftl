@@ -234,3 +234,22 @@ camera-not_by_targets = Sensor model { $model } cannot be calibrated from photog
 # $model = "fisheye"
 camera-model_not_fitted = Camera { $camera }: model { $model } cannot be fitted to the approximate values.
     .do = Give another model.
+
+# $name = "'est'"
+# $known = ["east", "west"]
+camera-trajectory_unknown = The block has no trajectory { $name }.
+    .do = Add a table [trajectories.ID], or name one of { LIST($known, most: 20) }.
+
+# $name = "'nadr'"
+# $known = ["nadir"]
+camera-mount_unknown = The block has no mount { $name }.
+    .do = Add a table [mounts.ID], or name one of { LIST($known, most: 20) }.
+
+# $name = "'east'"
+camera-trajectory_of_lines = Only line scanners (model = "linescan") share a trajectory; { $name } was named by another scene.
+    .do = Delete the key, or give a file with the orbit or flight of a line scanner.
+
+# $camera = "nadir"
+# $name = "east"
+camera-instrument_missing = Camera { $camera } takes parameters from { $name }, which is not in the block.
+    .do = Add { $name } to the instruments of the block.

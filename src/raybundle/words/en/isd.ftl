@@ -83,18 +83,10 @@ isd-no_model = This JSON is no description of the Community Sensor Model: name_m
     }
     .do = Give the description that ALE writes for the image (isd_generate).
 
-# $model = "'USGS_ASTRO_FRAME_SENSOR_MODEL'"
-# $sensor = "frame"
-isd-no_line_scanner = { $model } is not a line scanner; only line scanners and radars are supported.
-    .why = { $sensor ->
-     [frame] It is a frame camera.
-     [push_frame] It is a push-frame camera, which takes small frames and not lines.
-     *[other] Line scanners are models ..._LINE_SCANNER_SENSOR_MODEL.
-    }
-    .do = { $sensor ->
-     [frame] Orient its photographs with raybundle orient, with camera constant and distortion in a calibration
-     *[other] Give the scene of a line scanner, or an RPC of this one
-    }.
+# $model = "'USGS_ASTRO_PROJECTED_SENSOR_MODEL'"
+isd-model_unknown = { $model } is no sensor model that is read.
+    .why = Line scanners, push-frame cameras, frames and radars are read (..._LINE_SCANNER_, _PUSH_FRAME_, _FRAME_ and _SAR_SENSOR_MODEL).
+    .do = Give a scene of one of these, or an RPC of this one.
 
 isd-no_aberration = Neither aberration nor refraction is applied, as in USGSCSM.
 
@@ -146,3 +138,10 @@ isd-attitude_gap_bridged = { $n } { $n ->
      *[other] gaps
     } of the attitudes interpolated, the widest of { NUM($steps, decimals: 1) } steps from { NUM($from_s, decimals: 3) } to { NUM($to_s, decimals: 3) } s.
     .why = Within such a time, the attitude deviates by { NUM($error_px, decimals: 3) } px rms from interpolation.
+
+# $height = 0.0
+# $lines = 360
+# $delay_s = 0.1
+# $overlap = 1.0
+isd-framelets = Framelets of { NUM($height, digits: 4) } lines every { NUM($delay_s, digits: 4) } s, { NUM($overlap, digits: 3) } lines of them overlapping, do not fill an image of { $lines } lines.
+    .do = Correct framelet_height, interframe_delay or num_lines_overlap (an even number).

@@ -406,3 +406,31 @@ scene-times_curved = The times of the columns deviate from a straight line by { 
 
 scene-no_sicd = No data extension of this NITF holds the metadata of a SICD.
     .do = Get the file again.
+
+# $what = "landsat"
+scene-is_map = { $what ->
+     [landsat] A Landsat product
+     [sentinel2] A Sentinel-2 product
+     [orthoimage] An orthoimage (DIMAP)
+    *[raster] A georeferenced raster
+    } is a map already; it has no geometry of a sensor to adjust.
+    .do = Use it as a map: as a reference for control, as an underlay. To orient a scene, give its level 1 product with RPC or orbit.
+
+# $n = 210
+scene-no_orbit = The picture has { $n } points on the ground, but neither orbit nor RPC.
+    .why = So come GRD rasters of radars apart from their annotation.
+    .do = Give the annotation XML or the product folder (SAFE).
+
+# $what = "aster"
+scene-product_not_read = { $what ->
+     [aster] ASTER level 1A (HDF)
+     [sentinel2] Sentinel-2 level 1B
+     [envisat] Envisat or ERS products (.N1, .E1)
+     [ceos] CEOS volumes (ERS, RADARSAT-1, JERS)
+    *[hdf] HDF files
+    } are not read.
+    .do = { $what ->
+     [aster] Give an RPC of it, as aster2asp of the Ames Stereo Pipeline writes
+     [sentinel2] Use the level 1C product, which is a map
+    *[envisat] Give an RPC of the scene, or convert it to SICD
+    }.

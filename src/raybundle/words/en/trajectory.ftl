@@ -104,3 +104,12 @@ trajectory-velocity_contradicts = Table { $table }, entry { $entry }: velocity {
 # $first = "opk-deg"
 trajectory-undecided = The file does not determine the convention of these columns: possible are { $readings }.
     .do = Name the columns with their unit (omega_gon), or give { OPTION("attitudes", $first) }. Four photographs or more decide.
+
+# $seconds = 5400.0
+# $limit_s = 600.0
+trajectory-scenes_apart = Scenes of one trajectory are { NUM($seconds, digits: 4) } s apart; { NUM($limit_s, digits: 3) } s are possible.
+    .do = Give scenes of another orbit or strip a trajectory of their own.
+
+# $name = "'east'"
+trajectory-no_scene = No camera names the trajectory { $name }.
+    .do = Write trajectory = { $name } into the tables of its cameras, or delete it.

@@ -78,3 +78,11 @@ camera-calibration_model_unknown = Le modèle de capteur { $model } est inconnu.
 camera-not_by_targets = Le modèle de capteur { $model } ne peut pas être étalonné par des photographies de cibles.
 
 camera-model_not_fitted = Caméra { $camera } : le modèle { $model } ne s'ajuste pas aux valeurs approchées.
+
+camera-trajectory_unknown = Le bloc n'a pas de trajectoire { $name }.
+
+camera-mount_unknown = Le bloc n'a pas de monture { $name }.
+
+camera-trajectory_of_lines = Seuls les scanners à lignes (model = "linescan") partagent une trajectoire ; { $name } a été nommée par une autre scène.
+
+camera-instrument_missing = La caméra { $camera } prend des paramètres de { $name }, absent du bloc.

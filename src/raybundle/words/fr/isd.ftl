@@ -34,7 +34,7 @@ isd-velocity_count = La table a { $n } vitesses pour { $positions } positions.
 
 isd-no_model = Ce JSON n'est pas une description du Community Sensor Model : name_model manque.
 
-isd-no_line_scanner = { $model } n'est pas un scanner linéaire ; seuls les scanners linéaires sont pris en charge ici.
+isd-model_unknown = { $model } n'est pas un modèle de capteur qui est lu.
 
 isd-no_aberration = Ni l'aberration ni la réfraction ne sont appliquées, comme dans USGSCSM.
 
@@ -49,3 +49,5 @@ isd-distortion_unknown = La distorsion optique { $name } n'est pas prise en char
 isd-attitude_gap = Les attitudes ont { $n } lacune(s), la plus large de { NUM($steps, decimals: 1) } pas, de { NUM($from_s, decimals: 3) } à { NUM($to_s, decimals: 3) } s.
 
 isd-attitude_gap_bridged = { $n } lacune(s) des attitudes interpolée(s), la plus large de { NUM($steps, decimals: 1) } pas, de { NUM($from_s, decimals: 3) } à { NUM($to_s, decimals: 3) } s.
+
+isd-framelets = Des sous-images de { NUM($height, digits: 4) } lignes toutes les { NUM($delay_s, digits: 4) } s, dont { NUM($overlap, digits: 3) } en recouvrement, ne remplissent pas une image de { $lines } lignes.

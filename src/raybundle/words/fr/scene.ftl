@@ -187,3 +187,20 @@ scene-times_curved = Les temps des colonnes s'écartent d'une droite de { $secon
 
 scene-no_sicd = Aucune extension de données de ce NITF ne contient les métadonnées d'un SICD.
     .do = Obtenir le fichier de nouveau.
+
+scene-is_map = { $what ->
+     [landsat] Un produit Landsat
+     [sentinel2] Un produit Sentinel-2
+     [orthoimage] Une orthoimage (DIMAP)
+    *[raster] Un raster géoréférencé
+    } est déjà une carte, sans géométrie de capteur à compenser.
+
+scene-no_orbit = L'image a { $n } points au sol, mais ni orbite ni RPC.
+
+scene-product_not_read = { $what ->
+     [aster] Les produits ASTER niveau 1A (HDF)
+     [sentinel2] Les produits Sentinel-2 niveau 1B
+     [envisat] Les produits Envisat ou ERS (.N1, .E1)
+     [ceos] Les volumes CEOS (ERS, RADARSAT-1, JERS)
+    *[hdf] Les fichiers HDF
+    } ne sont pas lus.

@@ -43,3 +43,7 @@ trajectory-parameter_count = Les paramètres de correction sont de forme ({ $sha
 trajectory-velocity_contradicts = Table { $table }, entrée { $entry } : vitesse { NUM($stated, digits: 4) } m/s ; les positions changent de { NUM($moved, digits: 4) } m/s.
 
 trajectory-undecided = Le fichier ne détermine pas la convention de ces colonnes : { $readings } sont possibles.
+
+trajectory-scenes_apart = Les scènes d'une trajectoire sont séparées de { NUM($seconds, digits: 4) } s ; { NUM($limit_s, digits: 3) } s sont possibles.
+
+trajectory-no_scene = Aucune caméra ne nomme la trajectoire { $name }.

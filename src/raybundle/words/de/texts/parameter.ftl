@@ -138,6 +138,8 @@ parameter-thin_prism_y = dünnes Prisma in y
 
 parameter-threefold = dreizählige Verzeichnung
 
+parameter-time_of_line = Zeit der Trajektorie minus Zeit der Zeile
+
 parameter-time_of_positions = Zeit der Positionen minus Zeit der Belichtungen
 
 parameter-time_offset = Zeit der Tabellen minus Zeit der Zeilen

@@ -123,3 +123,7 @@ report_scenes-correction = Korrektur, { $quantity ->
             [yes] ; Band: 1 σ.
             *[no] .
         }
+
+report_scenes-push_frame = Push-Frame
+
+report_scenes-optical_bar = Optical Bar

@@ -147,6 +147,8 @@ parameter-thin_prism_y = thin prism in y
 
 parameter-threefold = threefold distortion
 
+parameter-time_of_line = time of the trajectory minus that of the line
+
 parameter-time_of_positions = time of the positions minus that of the exposures
 
 parameter-time_offset = time of the tables minus that of the lines

@@ -148,3 +148,7 @@ report_scenes-correction = Correction of the { $quantity ->
             [yes] ; band: 1 sigma.
             *[no] .
         }
+
+report_scenes-push_frame = push-frame
+
+report_scenes-optical_bar = optical bar

@@ -1,0 +1,56 @@
+"""Products that hold no geometry of a scene, by the marks of their files: maps, and scenes with an orbit elsewhere."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from raybundle.errors import InputError, Message, message
+from raybundle.io.reading.tiff import tiff_tags
+
+MARKS: tuple[tuple[bytes, str, str], ...] = (
+    (b"LANDSAT_METADATA_FILE", "scene.is_map", "landsat"),
+    (b"L1_METADATA_FILE", "scene.is_map", "landsat"),
+    (b"Level-1C_", "scene.is_map", "sentinel2"),
+    (b"Level-2A_", "scene.is_map", "sentinel2"),
+    (b"Level-1B_User_Product", "scene.product_not_read", "sentinel2"),
+    (b'PRODUCT="ASA_', "scene.product_not_read", "envisat"),
+    (b'PRODUCT="SAR_', "scene.product_not_read", "envisat"),
+)
+"""In the beginning of a file, code of the message, and the product that it names"""
+HDF4, HDF5 = b"\x0e\x03\x13\x01", b"\x89HDF\r\n\x1a\n"
+CEOS = b"\x12\x12\x00\x00\x01\x68"
+"""Of the first record of a volume directory, from byte 6: codes 18 and 18, length 360"""
+ORTHO = (b"RASTER_ORTHO", b">ORTHO<", b">ORT<")
+"""In a DIMAP file of an orthoimage"""
+SCALE, TIE_POINTS, MATRIX = 33550, 33922, 34264
+"""Tags of GeoTIFF: pixel size, tie points of six numbers, affine transformation"""
+
+
+def product_of(path: Path, head: bytes) -> Message | None:
+    """The message about a file by its beginning; None for other files."""
+    for mark, code, what in MARKS:
+        if mark in head:
+            return message(code, what=what)
+    if head.startswith((HDF4, HDF5)):
+        aster = path.name.upper().startswith("AST_L1A") or b"ASTER" in head
+        return message("scene.product_not_read", what="aster" if aster else "hdf")
+    if head[6:12] == CEOS:
+        return message("scene.product_not_read", what="ceos")
+    return None
+
+
+def raster_without_model(path: Path) -> Message | None:
+    """The message about a TIFF without RPC: a map, or an image with points on the ground alone."""
+    try:
+        _, tags = tiff_tags(path, frozenset({SCALE, TIE_POINTS, MATRIX}))
+    except InputError:
+        return None
+    if SCALE in tags or MATRIX in tags:
+        return message("scene.is_map", what="raster")
+    points = len(tags.get(TIE_POINTS, ())) // 6
+    return message("scene.no_orbit", n=points) if points > 1 else None
+
+
+def orthoimage(head: bytes) -> Message | None:
+    """The message about a DIMAP file without a model, if it belongs to an orthoimage."""
+    return message("scene.is_map", what="orthoimage") if any(mark in head for mark in ORTHO) else None
