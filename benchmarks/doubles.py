@@ -4,7 +4,8 @@
 
 Two panels on a wall, the four sides of a tower, the wings of a house, rows of windows, shelves of books, floor tiles;
 each along a chain of photographs (dense, and in wide steps) and in two groups with nothing between, with a rich and a
-poor background.  A poor background is a plain wall with some ten patches of 0.2 m in a photograph.  The controls are the same
+poor background.  A poor background is a plain wall with some ten patches of
+0.2 m in a photograph.  The controls are the same
 arrangements with parts that all differ.
 
 right   every oriented photograph stands within 0.1 of the distance of neighbours and 2 degrees of the truth, each part
@@ -26,10 +27,11 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from raybundle.block import Block
 from repeated_structure import wall, window
 from runs import similarity
 from scipy.ndimage import gaussian_filter
+
+from raybundle.block import Block
 
 RESULTS = Path(__file__).resolve().parent / "results"
 W, H, C = 640, 480, 560.0
@@ -61,7 +63,7 @@ class Photograph:
     rotation: np.ndarray
 
 
-def background(width: float, height: float, seed: int, rich: bool, scale: float = SCALE) -> np.ndarray:
+def background(width: float, height: float, seed: int, *, rich: bool, scale: float = SCALE) -> np.ndarray:
     """Grey values of a surface of so many metres: texture, or a plain one with few small patches."""
     h, w = round(height * scale), round(width * scale)
     rng = np.random.default_rng(seed)
@@ -83,7 +85,9 @@ def put(grey: np.ndarray, x: float, y: float, width: float, height: float, seed:
     grey[b : b + h, a : a + w] = window(h, w, seed)
 
 
-def upright(x: float, y: float, z: float, along: tuple[float, float], width: float, height: float, grey: np.ndarray) -> Quad:
+def upright(
+    x: float, y: float, z: float, along: tuple[float, float], width: float, height: float, grey: np.ndarray
+) -> Quad:
     """A wall with its upper left corner there, seen from the right-hand side of its direction."""
     d = np.array([*along, 0.0])
     return Quad(np.array([x, y, z]), width * d / np.linalg.norm(d), np.array([0, 0, -height]), grey)
@@ -114,7 +118,10 @@ def rendered(quads: list[Quad], centre: np.ndarray, target: np.ndarray, seed: in
         with np.errstate(all="ignore"):
             t = (float((q.corner - centre) @ normal) / (d @ normal.astype(np.float32))).astype(np.float32)
             P = d * t[..., None] + (centre - q.corner).astype(np.float32)
-            u, v = P @ (q.right / (q.right @ q.right)).astype(np.float32), P @ (q.down / (q.down @ q.down)).astype(np.float32)
+            u, v = (
+                P @ (q.right / (q.right @ q.right)).astype(np.float32),
+                P @ (q.down / (q.down @ q.down)).astype(np.float32),
+            )
             hit = (t > 0) & (t < nearest) & (u >= 0) & (u <= 1) & (v >= 0) & (v <= 1)
         h, w = q.grey.shape
         shown = cv2.remap(q.grey, (u * w - 0.5).astype(np.float32), (v * h - 0.5).astype(np.float32), cv2.INTER_LINEAR,
@@ -142,7 +149,9 @@ def along(xs: np.ndarray, distance: float, height: float = 2.0) -> list[Station]
     )
 
 
-def paths(begin: float, end: float, distance: float, around: tuple[float, float], spread: float) -> dict[str, list[Station]]:
+def paths(
+    begin: float, end: float, distance: float, around: tuple[float, float], spread: float
+) -> dict[str, list[Station]]:
     """Chains along a wall, dense and in wide steps, and two groups about two places."""
     groups = np.concatenate([a + np.linspace(-spread, spread, 5) for a in around])
     return {
@@ -152,21 +161,21 @@ def paths(begin: float, end: float, distance: float, around: tuple[float, float]
     }
 
 
-def panels(rich: bool, equal: bool) -> Scene:
+def panels(*, rich: bool, equal: bool) -> Scene:
     """Two panels ten metres apart on a wall."""
-    grey = background(14, 4, 1, rich)
+    grey = background(14, 4, 1, rich=rich)
     for k, x in enumerate((2.0, 10.0)):
         put(grey, x, 1.1, 2, 1.6, 7 if equal else 7 + k)
-    floor = ground(0, 0, 0, 14, 4, background(14, 4, 2, rich, 70))
+    floor = ground(0, 0, 0, 14, 4, background(14, 4, 2, rich=rich, scale=70))
     return [upright(0, 0, 4, (1, 0), 14, 4, grey), floor], paths(2, 12, 4, (3, 11), 0.9)
 
 
-def tower(rich: bool, equal: bool) -> Scene:
+def tower(*, rich: bool, equal: bool) -> Scene:
     """A tower of four equal sides on a floor."""
-    quads = [ground(-9, 9, 0, 18, 18, background(18, 18, 3, rich, 60))]
+    quads = [ground(-9, 9, 0, 18, 18, background(18, 18, 3, rich=rich, scale=60))]
     corners = [(-2, -2), (2, -2), (2, 2), (-2, 2)]
     for k, (x, y) in enumerate(corners):
-        grey = background(4, 5, 10 + k, rich)
+        grey = background(4, 5, 10 + k, rich=rich)
         for n, (a, b) in enumerate([(0.5, 0.8), (2.4, 0.8), (0.5, 2.9), (2.4, 2.9)]):
             put(grey, a, b, 1.1, 1.5, 20 + n if equal else 20 + n + 4 * k)
         to = corners[(k + 1) % 4]
@@ -176,7 +185,7 @@ def tower(rich: bool, equal: bool) -> Scene:
         a = np.radians(angles)
         r = [7.5 + 0.6 * (k % 2) for k in range(len(a))]
         places = [(r[k] * np.cos(a[k]), r[k] * np.sin(a[k]), 2.2 + 0.5 * (k % 2)) for k in range(len(a))]
-        return stations(places, lambda k, c: np.array([0, 0, 2.3]))
+        return stations(places, lambda _k, _c: np.array([0, 0, 2.3]))
 
     faces = np.concatenate([a + np.linspace(-16, 16, 5) for a in (-90, 0)])
     return quads, {
@@ -186,54 +195,54 @@ def tower(rich: bool, equal: bool) -> Scene:
     }
 
 
-def wings(rich: bool, equal: bool) -> Scene:
+def wings(*, rich: bool, equal: bool) -> Scene:
     """A house with equal wings left and right of its middle, which stands back."""
-    quads = [ground(-1, 1.5, 0, 16, 6, background(16, 6, 4, rich, 70))]
+    quads = [ground(-1, 1.5, 0, 16, 6, background(16, 6, 4, rich=rich, scale=70))]
     for k, x in enumerate((0.0, 10.0)):
-        grey = background(4, 4, 30 + k, rich)
+        grey = background(4, 4, 30 + k, rich=rich)
         for n, (a, b) in enumerate([(0.4, 0.5), (2.4, 0.5), (0.4, 2.2), (2.4, 2.2)]):
             put(grey, a, b, 1.2, 1.3, 40 + n if equal else 40 + n + 4 * k)
         quads.append(upright(x, 0, 4, (1, 0), 4, 4, grey))
-    middle = background(6, 4, 35, rich)
+    middle = background(6, 4, 35, rich=rich)
     put(middle, 2, 1, 2, 2.6, 50)
     quads += [upright(4, 1.5, 4, (1, 0), 6, 4, middle)]
-    quads += [upright(4, 0, 4, (0, 1), 1.5, 4, background(1.5, 4, 36, rich))]
-    quads += [upright(10, 1.5, 4, (0, -1), 1.5, 4, background(1.5, 4, 37, rich))]
+    quads += [upright(4, 0, 4, (0, 1), 1.5, 4, background(1.5, 4, 36, rich=rich))]
+    quads += [upright(10, 1.5, 4, (0, -1), 1.5, 4, background(1.5, 4, 37, rich=rich))]
     return quads, paths(1.5, 12.5, 4.5, (2, 12), 0.8)
 
 
-def windows(rich: bool, equal: bool) -> Scene:
+def windows(*, rich: bool, equal: bool) -> Scene:
     """Two rows of equal windows."""
-    grey = background(16, 5, 5, rich)
+    grey = background(16, 5, 5, rich=rich)
     for k in range(8):
         for row in range(2):
             put(grey, 0.5 + 2 * k, 0.5 + 2.3 * row, 1.0, 1.5, 60 if equal else 60 + 2 * k + row)
-    floor = ground(0, 0, 0, 16, 4, background(16, 4, 6, rich, 70))
+    floor = ground(0, 0, 0, 16, 4, background(16, 4, 6, rich=rich, scale=70))
     return [upright(0, 0, 5, (1, 0), 16, 5, grey), floor], paths(2.2, 13.8, 4.5, (3, 11), 0.8)
 
 
-def shelves(rich: bool, equal: bool) -> Scene:
+def shelves(*, rich: bool, equal: bool) -> Scene:
     """Three shelves of books before a wall: the same twelve volumes again and again."""
-    quads = [upright(0, 0.6, 4.2, (1, 0), 12, 4.2, background(12, 4.2, 8, rich))]
+    quads = [upright(0, 0.6, 4.2, (1, 0), 12, 4.2, background(12, 4.2, 8, rich=rich))]
     for row in range(3):
         grey = np.full((round(1.0 * SCALE), round(10 * SCALE)), 90, np.float32)
         for k in range(40):
             volume = k % 8 if equal else 100 * row + k
             put(grey, 0.25 * k, 0.1 + 0.02 * (volume % 4), 0.24, 0.8, 200 + volume)
         quads.append(upright(1, 0, 3.6 - 1.15 * row, (1, 0), 10, 1.0, grey))
-        quads.append(ground(1, 0.6, 2.58 - 1.15 * row, 10, 0.6, background(10, 0.6, 80 + row, rich)))
+        quads.append(ground(1, 0.6, 2.58 - 1.15 * row, 10, 0.6, background(10, 0.6, 80 + row, rich=rich)))
     return quads, paths(2, 10, 3.2, (3, 9), 0.7)
 
 
-def tiles(rich: bool, equal: bool) -> Scene:
+def tiles(*, rich: bool, equal: bool) -> Scene:
     """A floor of equal tiles, worn here and there, photographed from a height."""
     size = 10
-    grey = background(size, size, 9, rich)
+    grey = background(size, size, 9, rich=rich)
     for k in range(size):
         for n in range(size):
             put(grey, k + 0.15, n + 0.15, 0.7, 0.7, 300 if equal else 300 + size * k + n)
     # wear: what is left of the wall's texture on the tiles
-    grey += 0.3 * (background(size, size, 19, rich) - PLAIN)
+    grey += 0.3 * (background(size, size, 19, rich=rich) - PLAIN)
     floor = ground(0, size, 0, size, size, grey)
 
     def above(xy: list[tuple[float, float]]) -> list[Station]:
@@ -244,7 +253,11 @@ def tiles(rich: bool, equal: bool) -> Scene:
 
     chain = [(x if n % 2 == 0 else 10 - x, y) for n, y in enumerate((2.2, 4.4, 6.6)) for x in (2.2, 4.0, 5.8, 7.6)]
     wide = [(x if n % 2 == 0 else 10 - x, y) for n, y in enumerate((2.4, 5.4)) for x in (2.0, 4.2, 6.4, 8.0)]
-    spots = [(x + dx, y + dy) for x, y in ((2.5, 2.5), (7.0, 6.5)) for dx, dy in ((0, 0), (0.5, 0.1), (0, 0.6), (0.6, 0.7), (-0.5, 0.3))]
+    spots = [
+        (x + dx, y + dy)
+        for x, y in ((2.5, 2.5), (7.0, 6.5))
+        for dx, dy in ((0, 0), (0.5, 0.1), (0, 0.6), (0.6, 0.7), (-0.5, 0.3))
+    ]
     return [floor], {"chain": above(chain), "wide": above(wide), "groups": above(spots)}
 
 
@@ -256,9 +269,9 @@ SETS = [
 ]
 
 
-def photographs(kind: str, rich: bool, path: str, equal: bool) -> list[Photograph]:
+def photographs(kind: str, path: str, *, rich: bool, equal: bool) -> list[Photograph]:
     """Those of a set."""
-    quads, ways = KINDS[kind](rich, equal)
+    quads, ways = KINDS[kind](rich=rich, equal=equal)
     return [rendered(quads, c, target, k) for k, (c, target) in enumerate(ways[path])]
 
 
@@ -350,7 +363,7 @@ def main() -> int:
                 name = f"{label}, {'equal' if equal else 'different'}"
                 if not re.search(a.only, name):
                     continue
-                truth = {f"p{k:02d}.jpg": p for k, p in enumerate(photographs(kind, rich, path, equal))}
+                truth = {f"p{k:02d}.jpg": p for k, p in enumerate(photographs(kind, path, rich=rich, equal=equal))}
                 folder = work / re.sub(r"\W+", "-", name)
                 written({n: p.grey for n, p in truth.items()}, folder)
                 rows[name] = {"photographs": len(truth), **outcome(truth, folder)}

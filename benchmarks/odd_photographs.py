@@ -78,6 +78,8 @@ def thumbnail(grey: np.ndarray) -> np.ndarray:
 CHANGED = {f.__name__: f for f in (mirrored, cropped, enlarged, stretched, turned, reprinted, screenshot)}
 NO_STATION = ("mirrored", "reprinted")
 OTHERS = ("two cameras", "zoom", "panorama", "burst", "thumbnail")
+NAMING = ("image_contradicts", "identical_images", "weak_photographs", "odd_photograph", "camera_kept_apart")
+"""Warnings that name a photograph as one not to rely on"""
 ORDINARY = "ordinary"
 SETS = {"wings": "chain", "tower": "chain"}
 
@@ -97,7 +99,9 @@ def panorama(quads: list, station: tuple[np.ndarray, np.ndarray]) -> Photograph:
     for k, v in zip((1, 0, -1), views, strict=True):
         a = angle[None] + k * step
         x, y = C * np.tan(a) + W / 2, C * height[:, None] / np.cos(a) + H / 2
-        shown = cv2.remap(v.grey, np.broadcast_to(x, grey.shape).astype(np.float32) - 0.5, y.astype(np.float32) - 0.5, 1)
+        shown = cv2.remap(
+            v.grey, np.broadcast_to(x, grey.shape).astype(np.float32) - 0.5, y.astype(np.float32) - 0.5, 1
+        )
         mine = np.broadcast_to(abs(a) <= step / 2 + 0.02, grey.shape)
         grey[mine] = shown[mine]
     return replace(views[1], grey=grey)
@@ -105,16 +109,15 @@ def panorama(quads: list, station: tuple[np.ndarray, np.ndarray]) -> Photograph:
 
 def photographs(kind: str, scene: str) -> tuple[dict[str, Photograph], list[str]]:
     """Photographs of a set with the truth, and the names of the odd ones."""
-    quads, ways = KINDS[scene](True, False)
+    quads, ways = KINDS[scene](rich=True, equal=False)
     path = ways[SETS[scene]]
     lengths = np.full(len(path), C)
     if kind == "two cameras":
         lengths[1::2] = 1.35 * C
     if kind == "zoom":
         lengths = C * np.linspace(0.85, 1.5, len(path))[np.random.default_rng(1).permutation(len(path))]
-    result = {
-        f"p{k:02d}.jpg": rendered(quads, c, target, k, f) for k, ((c, target), f) in enumerate(zip(path, lengths, strict=True))
-    }  # fmt: skip
+    each = enumerate(zip(path, lengths, strict=True))
+    result = {f"p{k:02d}.jpg": rendered(quads, c, target, k, f) for k, ((c, target), f) in each}
     name = f"p{ODD:02d}.jpg"
     if kind in CHANGED:
         whole = result[name]
@@ -129,7 +132,7 @@ def photographs(kind: str, scene: str) -> tuple[dict[str, Photograph], list[str]
         return result, ["odd.jpg"]
     if kind == "burst":
         for k in range(4):
-            result[f"burst{k}.jpg"] = rendered(quads, c, target + [0.05 * k, 0, 0.04 * k], 50 + k)
+            result[f"burst{k}.jpg"] = rendered(quads, c, target + np.array([0.05 * k, 0, 0.04 * k]), 50 + k)
         return result, [f"burst{k}.jpg" for k in range(4)]
     if kind == "thumbnail":
         result["odd.jpg"] = replace(result[name], grey=thumbnail(result[name].grey))
@@ -157,14 +160,17 @@ def outcome(truth: dict[str, Photograph], odd: list[str], folder: Path) -> dict:
         found = off(block, truth, step, fitted=usual)
         oriented += list(found)
         wrong |= {n: round(a, 3) for n, (a, b) in found.items() if a > RIGHT or b > RIGHT_DEG}
-    grave = [n for part in parts for n in part.notices if n.severity.value in ("fault", "caution", "warning")]
+    notices = [n for part in parts for n in part.notices]
+    grave = [n for n in notices if n.severity.value == "fault" or n.code in NAMING]
     cameras = {g.id: [done.photos[k].name for k in g.photos] for g in done.groups}
     named = {i: n.code for n in grave for i in (*n.ids, *n.also)}
     named |= {p: named[c] for c, photos in cameras.items() if c in named for p in photos}
     silent = sorted(n for n in wrong if n not in named)
     return {
-        "outcome": "right" if not wrong else "silent" if silent else "named", "oriented": len(oriented), "photographs": len(truth),
-        "odd": {n: named.get(n, "") if n in oriented else "not oriented" for n in odd}, "wrong": wrong, "silent": silent,
+        "outcome": "right" if not wrong else "silent" if silent else "named",
+        "oriented": len(oriented), "photographs": len(truth),
+        "odd": {n: named.get(n, "") if n in oriented else "not oriented" for n in odd}, "wrong": wrong,
+        "silent": silent,
         "faults": sorted({n.code for n in grave if n.severity.value == "fault"}),
         "cpu_s": round(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, 1),
     }  # fmt: skip

@@ -18,8 +18,10 @@ def wall(equal, places_x, seed=1):
     xyz = np.column_stack([rng.uniform(0, 14, 4000), rng.uniform(-0.4, 0.4, 4000), rng.uniform(0, 4, 4000)])
     xyz = xyz[(abs(abs(xyz[:, 0] - 7) - 4) > 1) | (abs(xyz[:, 2] - 2) > 1)]
     panel = np.column_stack([rng.uniform(-1, 1, PANEL), rng.uniform(-0.2, 0.2, PANEL), rng.uniform(1, 3, PANEL)])
-    looks = np.concatenate([np.arange(len(xyz)), *(len(xyz) + np.arange(PANEL) + PANEL * (k and not equal) for k in (0, 1))])
-    xyz = np.vstack([xyz, panel + [3, 0, 0], panel + [11, 0, 0]])
+    looks = np.concatenate(
+        [np.arange(len(xyz)), *(len(xyz) + np.arange(PANEL) + PANEL * (k and not equal) for k in (0, 1))]
+    )
+    xyz = np.vstack([xyz, *(panel + np.array([x, 0, 0]) for x in (3, 11))])
     places, shown = [], []
     for k, x in enumerate(places_x):
         centre = np.array([x, -5.0 - 0.6 * (k % 2), 2 + 0.3 * (k % 3)])

@@ -140,7 +140,10 @@ def best_arrangement(
     if first.groups:
         notices = (*notices, _notice(first, best, names))
     if not any(n.severity == Severity.FAULT for n in notices):
-        notices = (*notices, *_unsettled(best, verified, features_xy, names, diagonals, contradictory=bool(sound.notices)))
+        notices = (
+            *notices,
+            *_unsettled(best, verified, features_xy, names, diagonals, contradictory=bool(sound.notices)),
+        )
     return replace(best.sound, notices=notices), best.ties
 
 
@@ -180,8 +183,9 @@ def _doubted(found: Arrangement, features_xy: Sequence[Array]) -> set[tuple[int,
     cells = {(i, j): np.array(c) for i, j, *c in found.rows.tolist()}
     result = set[tuple[int, int]]()
     for i, j in cells:
-        with_it = {(i, j), *((i, b) for b in near[j].tolist()), *((a, j) for a in near[i].tolist())}
-        alone, common = sum(cells.get((min(p), max(p)), np.zeros(2)) for p in with_it)
+        with_it = {(i, j), *((min(i, b), max(i, b)) for b in near[j].tolist())}
+        with_it |= {(min(a, j), max(a, j)) for a in near[i].tolist()}
+        alone, common = np.sum([cells[p] for p in with_it if p in cells], axis=0)
         if alone >= PAIR_CELLS and alone > PAIR * (alone + common):
             result.add((i, j))
     return result
@@ -217,7 +221,7 @@ def similarity(pairs: Sequence[VerifiedPair], features_xy: Sequence[Array]) -> A
 def _notice(first: Arrangement, best: Arrangement, names: Sequence[str]) -> Notice:
     """Which photographs show parts that look alike, and whether another arrangement resolves it."""
     shown = best if best.groups else first
-    groups = [[names[k] for k in g.tolist()] for g in shown.groups]
+    groups = [[names[int(k)] for k in g] for g in shown.groups]
     values: dict[str, Value] = {
         "before": first.share, "after": best.share, "limit": MISSING, "first": groups[0][:SHOWN],
         "second": groups[1][:SHOWN],

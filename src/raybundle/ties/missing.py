@@ -123,7 +123,7 @@ def one_sided(block: Block, seen: Seen, i: int, j: int) -> tuple[int, int]:
 def _around(cells: Array) -> Array:
     """(cells,) sums over each cell and its neighbours."""
     padded = np.pad(cells.reshape(GRID, GRID), 1)
-    return sum(padded[r : r + GRID, c : c + GRID] for r in range(3) for c in range(3)).ravel()
+    return np.sum([padded[r : r + GRID, c : c + GRID] for r in range(3) for c in range(3)], axis=0).ravel()
 
 
 def _shown(block: Block, seen: Seen, i: int, j: int) -> tuple[Index, Array, list[Array], Mask]:
