@@ -21,7 +21,7 @@ from raybundle.matching.pairs import parts_of
 from raybundle.matching.verify import STRONG, VerifiedPair
 from raybundle.numerics.arrays import Array, Index
 from raybundle.ties.block import TieBlock
-from raybundle.ties.missing import SHOWN, candidate_pairs, one_sided, seen_of
+from raybundle.ties.missing import SHOWN, Seen, candidate_pairs, one_sided, seen_of
 from raybundle.ties.repeated import (
     AGREEING,
     CONTRADICTED,
@@ -37,6 +37,8 @@ ROUNDS = 4
 """Arrangements that are tried after the first."""
 LOOKED_AT = 400
 """Pairs of photographs that are compared, evenly among those with common points."""
+MOST = 2000
+"""Points of a photograph that are compared, on the average: 30 a cell."""
 MISSING = 0.06
 """Share of cells between two groups of photographs in which one photograph alone shows points, from which on other
 arrangements are tried.
@@ -82,11 +84,18 @@ def arrangement(sound: SoundPairs, ties: tuple[TieBlock, ...], features_xy: Sequ
     """An arrangement with what is missing in it."""
     rows = np.zeros((0, 4), int)
     for t in ties:
-        seen, pairs = seen_of(t.block), list(candidate_pairs(t.block))
+        seen, pairs = _fewer(seen_of(t.block)), list(candidate_pairs(t.block))
         some = pairs[:: 1 + len(pairs) // LOOKED_AT]
         rows = np.vstack([rows, *(np.array([[i, j, *one_sided(t.block, seen, i, j)]]) for i, j in some)])
     share, groups = _worst_cut(rows, sound.pairs, features_xy)
     return Arrangement(sound=sound, ties=ties, rows=rows, share=share, groups=groups)
+
+
+def _fewer(seen: Seen) -> Seen:
+    """Every second, third ... point of photographs with many."""
+    counts = [len(p) for p in seen.points if len(p)]
+    step = 1 + int(np.median(counts) if counts else 0) // MOST
+    return Seen(points=tuple(p[p % step == 0] for p in seen.points))
 
 
 def _worst_cut(
