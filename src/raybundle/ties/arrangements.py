@@ -75,6 +75,11 @@ class Arrangement:
     """these two; none where nothing is in doubt"""
 
     @property
+    def oriented(self) -> int:
+        """Photographs with an orientation."""
+        return sum(int(t.block.images.oriented.sum()) for t in self.ties)
+
+    @property
     def missing(self) -> int:
         """Cells in which one photograph alone shows points."""
         return int(self.rows[:, 2].sum())
@@ -141,6 +146,7 @@ def best_arrangement(
         except NoOrientation:
             break
         better = last.missing <= DECISIVE * first.missing or (last.missing < first.missing and not last.groups)
+        better = better and last.oriented >= first.oriented  # a fault names what would lose photographs
         if better and (best is first or last.missing < best.missing):
             best = last
     notices = sound.notices
@@ -235,6 +241,7 @@ def _notice(first: Arrangement, best: Arrangement, names: Sequence[str]) -> Noti
         "before": first.share, "after": best.share, "limit": MISSING, "first": groups[0][:SHOWN],
         "second": groups[1][:SHOWN],
     }  # fmt: skip
-    code, grave = ("missing", Severity.FAULT) if best.groups else ("rearranged", Severity.WARNING)
     ids = tuple(n for g in groups for n in g)
-    return Notice(code=f"repeated_structure.{code}", ids=ids, values=values, measured=grave)
+    if best.groups:
+        return Notice(code="repeated_structure.missing", ids=ids, values=values, measured=Severity.FAULT)
+    return Notice(code="repeated_structure.rearranged", ids=ids, values=values, measured=Severity.WARNING)

@@ -23,7 +23,7 @@ _CODES = {
         "calibration_outweighed "
         "camera_constant camera_kept_apart camera_projection check_points_apart check_unseen control_file "
         "control_leaves_open control_not_observed control_sigma errors_independent "
-        "control_without_photograph coordinate_system correlation cropped "
+        "control_without_photograph coordinate_system correlation cropped_photographs "
         "datum_lost distance_lost global_test gps_too_near "
         "held_not_determinable identical_images image_left_out lengths_contradict levelled little_redundancy "
         "mark_rejected marked_lost marked_once marks_left_out marks_not_adjusted "

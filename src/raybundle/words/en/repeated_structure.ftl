@@ -49,7 +49,7 @@ repeated_structure-group = Group of { $n } { $n ->
 # $first = ["IMG_1", "IMG_2"]
 # $second = ["IMG_8", "IMG_9"]
 # $ids = ["IMG_1", "IMG_2", "IMG_8", "IMG_9"]
-repeated_structure-missing = Repeated structure: two groups of photographs stand together and may show different parts that look alike.
+repeated_structure-missing = Repeated structure: two groups of photographs may show different parts that look alike.
     .why = On { PERCENT($after) } % of the surface that they share, one photograph shows points and the other none (limit { PERCENT($limit) } %): { LIST($first, most: 4) }; { LIST($second, most: 4) }.
     .do = Compare their positions with where they were taken; take photographs that show both parts together, or put up coded targets.
 
@@ -59,7 +59,7 @@ repeated_structure-missing = Repeated structure: two groups of photographs stand
 # $first = ["IMG_1", "IMG_2"]
 # $second = ["IMG_8", "IMG_9"]
 # $ids = ["IMG_1", "IMG_2", "IMG_8", "IMG_9"]
-repeated_structure-rearranged = Repeated structure: two groups of photographs show different parts that look alike; they were placed anew.
+repeated_structure-rearranged = Repeated structure: two groups of photographs of similar parts were placed anew.
     .why = Placed together, one photograph shows points and the other none on { PERCENT($before) } % of the shared surface (limit { PERCENT($limit) } %), placed anew on { PERCENT($after) } %: { LIST($first, most: 4) }; { LIST($second, most: 4) }.
     .do = If they stand in separate parts, take photographs that show both parts together.
 

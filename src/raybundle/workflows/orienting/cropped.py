@@ -31,5 +31,7 @@ def cropped_notices(result: Adjustment) -> list[Notice]:
                 off = max(off, abs(p.value) / side)
         names = tuple(images.ids[i] for i in np.flatnonzero((images.camera == k) & images.oriented))
         if names and off > OFF:
-            notices.append(Notice(code="cropped", ids=names, values={"camera": camera.id, "off": off, "limit": OFF}))
+            notices.append(
+                Notice(code="cropped_photographs", ids=names, values={"camera": camera.id, "off": off, "limit": OFF})
+            )
     return notices
