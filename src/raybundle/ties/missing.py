@@ -28,6 +28,9 @@ GRID = 8
 """Cells of the format each way in which two photographs are compared."""
 IN_CELL = 3
 """Points that each of two photographs must have of its own in a cell, so that one in common is to be expected."""
+EXPECTED = 3.0
+"""Points of one image in a cell that the other is expected to show as well, by the rate in the cells around it: none is
+then there in 5 % of the cells by chance."""
 STEEPEST = np.cos(np.radians(30.0))
 """Cosine of the angle between the rays to a point up to which features are expected to be found again."""
 LARGEST = 1.6
@@ -75,6 +78,56 @@ def cells(block: Block, seen: Seen, i: int, j: int) -> tuple[int, int]:
 
     i, j  oriented images
     """
+    of, xyz, log_depth, alike = _shown(block, seen, i, j)
+    barren = mixed = 0
+    for k, image in enumerate((i, j)):
+        number, inside = _cell(block, image, xyz)
+        rows = np.flatnonzero(inside & alike)
+        a, b = _counted(of[rows], number[rows], log_depth[k][rows])
+        barren, mixed = barren + a, mixed + b
+    return barren, mixed
+
+
+def one_sided(block: Block, seen: Seen, i: int, j: int) -> tuple[int, int]:
+    """Cells beside common points, on their surface, in which one of two images alone shows points; and mixed ones.
+
+    i, j  oriented images; a cell has 3 points of its own and 3 common ones in the cells around it
+
+    Where two photographs show plain wall around equal parts, few marks on it distinguish them: there is no cell in
+    which both show points.
+    """
+    of, xyz, log_depth, alike = _shown(block, seen, i, j)
+    number, inside = zip(*(_cell(block, image, xyz) for image in (i, j)), strict=True)
+    rows = np.flatnonzero(inside[0] & inside[1] & alike)
+    alone = mixed = 0
+    for k in (0, 1):
+        cell, depth = number[k][rows], log_depth[k][rows]
+        count, total, squares = (
+            np.stack([np.bincount(cell[m], w[m], GRID * GRID) for m in (of[rows] == side for side in range(3))])
+            for w in (np.ones(len(rows)), depth, depth**2)
+        )
+        around = _around(count[2])
+        mean = _around(total[2]) / np.maximum(around, 1)
+        spread = np.sqrt(np.maximum(_around(squares[2]) / np.maximum(around, 1) - mean**2, 0))
+        beside = around - count[2] >= IN_CELL
+        for side in (0, 1):
+            own, common = count[side], count[2]
+            rate = around / np.maximum(around + _around(own) - own, 1)
+            expected = beside & (own + common >= IN_CELL) & (rate * (own + common) >= EXPECTED)
+            deep = total[side] / np.maximum(own, 1)
+            mixed += int((expected & (common > 0)).sum())
+            alone += int((expected & (common == 0) & (abs(deep - mean) < 2 * spread + 0.05)).sum())
+    return alone, mixed
+
+
+def _around(cells: Array) -> Array:
+    """(cells,) sums over each cell and its neighbours."""
+    padded = np.pad(cells.reshape(GRID, GRID), 1)
+    return np.sum([padded[r : r + GRID, c : c + GRID] for r in range(3) for c in range(3)], axis=0).ravel()
+
+
+def _shown(block: Block, seen: Seen, i: int, j: int) -> tuple[Index, Array, list[Array], Mask]:
+    """Points of two images: 0 of the one, 1 of the other, 2 of both; places, logarithms of depths, comparable ones."""
     common, in_i, in_j = np.intersect1d(seen.points[i], seen.points[j], assume_unique=True, return_indices=True)
     points = np.concatenate([np.delete(seen.points[i], in_i), np.delete(seen.points[j], in_j), common])
     of = np.repeat([0, 1, 2], [len(seen.points[i]) - len(common), len(seen.points[j]) - len(common), len(common)])
@@ -85,13 +138,7 @@ def cells(block: Block, seen: Seen, i: int, j: int) -> tuple[int, int]:
     with np.errstate(all="ignore"):
         alike = (to[0] * to[1]).sum(axis=1) > STEEPEST * far[0] * far[1]
         alike &= (far[0] < LARGEST * far[1]) & (far[1] < LARGEST * far[0]) & (depth[0] > 0) & (depth[1] > 0)
-    barren = mixed = 0
-    for k, image in enumerate((i, j)):
-        number, inside = _cell(block, image, xyz)
-        rows = np.flatnonzero(inside & alike)
-        a, b = _counted(of[rows], number[rows], np.log(depth[k][rows]))
-        barren, mixed = barren + a, mixed + b
-    return barren, mixed
+        return of, xyz, [np.log(d) for d in depth], alike
 
 
 def _cell(block: Block, image: int, xyz: Array) -> tuple[Index, Mask]:

@@ -107,9 +107,12 @@ def contradicted(pairs: Sequence[VerifiedPair], tracks: Tracks, diagonals: Array
     return float(far.sum()) / max(sum(len(p.matches) for p in pairs), 1)
 
 
-def spanning(pairs: Sequence[VerifiedPair], count: int, trees: int = TREES) -> list[VerifiedPair]:
-    """The pairs of spanning trees with the most matches, no pair in two of them (Kruskal 1956)."""
-    left = sorted((p for p in pairs if len(p.matches)), key=lambda p: (-len(p.matches), p.first, p.second))
+def spanning(
+    pairs: Sequence[VerifiedPair], count: int, trees: int = TREES, weight: Array | None = None
+) -> list[VerifiedPair]:
+    """The pairs of spanning trees with the most matches, or weight (pairs,), no pair in two of them (Kruskal 1956)."""
+    of = {(p.first, p.second): len(p.matches) if weight is None else weight[k] for k, p in enumerate(pairs)}
+    left = sorted((p for p in pairs if len(p.matches)), key=lambda p: (-of[p.first, p.second], p.first, p.second))
     chosen: list[VerifiedPair] = []
     for _ in range(trees):
         root = list(range(count))

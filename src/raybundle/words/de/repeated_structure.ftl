@@ -25,3 +25,15 @@ repeated_structure-group = Gruppe von { $n } { $n ->
      [one] Aufnahme
      *[other] Aufnahmen
     }: { LIST($names, most: 4) }
+
+repeated_structure-missing = Wiederholte Strukturen: Zwei Gruppen von Aufnahmen liegen aufeinander und zeigen vielleicht verschiedene, ähnliche Teile.
+    .why = Auf { PERCENT($after) } % ihrer gemeinsamen Fläche zeigt eine Aufnahme Punkte, die andere keine (Grenze { PERCENT($limit) } %): { LIST($first, most: 4) }; { LIST($second, most: 4) }.
+    .do = Ihre Positionen mit den wirklichen Standpunkten vergleichen; Aufnahmen machen, die beide Teile zusammen zeigen, oder codierte Zielmarken anbringen.
+
+repeated_structure-rearranged = Wiederholte Strukturen: Zwei Gruppen von Aufnahmen zeigen verschiedene, ähnliche Teile; sie sind neu angeordnet.
+    .why = Aufeinander zeigt auf { PERCENT($before) } % der gemeinsamen Fläche eine Aufnahme Punkte, die andere keine (Grenze { PERCENT($limit) } %), neu angeordnet auf { PERCENT($after) } %: { LIST($first, most: 4) }; { LIST($second, most: 4) }.
+    .do = Stehen sie in getrennten Teilen, Aufnahmen machen, die beide Teile zusammen zeigen.
+
+repeated_structure-unsettled = Wiederholte Strukturen: { $pairs } Paare von Aufnahmen passen gut zusammen und widersprechen der Orientierung.
+    .why = Anzahl der Teile: { $parts }; Aufnahmen ohne Orientierung: { $lost }. Aufnahmen können am falschen Teil des Objekts orientiert sein: { LIST($names, most: 4) }.
+    .do = Ihre Positionen mit den wirklichen Standpunkten vergleichen; mit mehr Überdeckung aufnehmen oder codierte Zielmarken anbringen.

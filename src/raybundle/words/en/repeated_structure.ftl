@@ -43,3 +43,31 @@ repeated_structure-group = Group of { $n } { $n ->
      [one] photograph
      *[other] photographs
     }: { LIST($names, most: 4) }
+
+# $after = 0.3
+# $limit = 0.06
+# $first = ["IMG_1", "IMG_2"]
+# $second = ["IMG_8", "IMG_9"]
+# $ids = ["IMG_1", "IMG_2", "IMG_8", "IMG_9"]
+repeated_structure-missing = Repeated structure: two groups of photographs may show different parts that look alike.
+    .why = On { PERCENT($after) } % of the surface that they share, one photograph shows points and the other none (limit { PERCENT($limit) } %): { LIST($first, most: 4) }; { LIST($second, most: 4) }.
+    .do = Compare their positions with where they were taken; take photographs that show both parts together, or put up coded targets.
+
+# $before = 0.4
+# $after = 0.01
+# $limit = 0.06
+# $first = ["IMG_1", "IMG_2"]
+# $second = ["IMG_8", "IMG_9"]
+# $ids = ["IMG_1", "IMG_2", "IMG_8", "IMG_9"]
+repeated_structure-rearranged = Repeated structure: two groups of photographs of similar parts were placed anew.
+    .why = Placed together, one photograph shows points and the other none on { PERCENT($before) } % of the shared surface (limit { PERCENT($limit) } %), placed anew on { PERCENT($after) } %: { LIST($first, most: 4) }; { LIST($second, most: 4) }.
+    .do = If they stand in separate parts, take photographs that show both parts together.
+
+# $parts = 2
+# $lost = 1
+# $pairs = 4
+# $names = ["IMG_1 - IMG_9", "IMG_2 - IMG_8"]
+# $ids = ["IMG_1", "IMG_9", "IMG_2", "IMG_8"]
+repeated_structure-unsettled = Repeated structure: { $pairs } pairs of photographs match well and contradict the orientation.
+    .why = Number of parts: { $parts }; photographs without orientation: { $lost }. Photographs may be oriented at the wrong part of the object: { LIST($names, most: 4) }.
+    .do = Compare their positions with where they were taken; take photographs with more overlap, or put up coded targets.

@@ -31,6 +31,7 @@ from raybundle.workflows.orienting.connected_components import (
     joined_notice,
     place_components,
 )
+from raybundle.workflows.orienting.cropped import cropped_notices
 from raybundle.workflows.orienting.excluded_features import Dropped
 from raybundle.workflows.orienting.options import OrientOptions
 from raybundle.workflows.orienting.previous_names import Earlier, named_as_before
@@ -95,8 +96,15 @@ def adjust(i: Inputs, means: Means) -> Adjusted:
     placed = _relative(placed, i.photos, i.options.relative)
     with room_of(means, max(len(p.block.observations) for p in (placed, *apart))) as room:
         done = _adjusted(i, placed, apart, means)
-    rows = sum(len(a.given.observations) for a in (done.adjustment, *(p.adjustment for p in done.other_components)))
-    reported = (*i.notices, *incomplete_notice(i, done), *([] if i.dropped is None else [i.dropped.notice(rows)]))
+    every = (done.adjustment, *(p.adjustment for p in done.other_components))
+    rows = sum(len(a.given.observations) for a in every)
+    cropped = [n for a in every for n in cropped_notices(a)]
+    reported = (
+        *i.notices,
+        *cropped,
+        *incomplete_notice(i, done),
+        *([] if i.dropped is None else [i.dropped.notice(rows)]),
+    )
     adjustment = replace(done.adjustment, notices=(*reported, *done.adjustment.notices, *room.notices()))
     return replace(done, adjustment=adjustment, lost=lost)
 

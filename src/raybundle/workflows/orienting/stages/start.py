@@ -17,6 +17,7 @@ from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.stage import Codec, Means, Stage
+from raybundle.ties.arrangements import best_arrangement
 from raybundle.ties.block import TieBlock, block_of_tracks
 from raybundle.ties.missing import missing_notices
 from raybundle.ties.parts import KINDS, MANY, by_parts
@@ -95,8 +96,10 @@ def begin(i: Inputs, means: Means) -> Started:
     diagonals = np.array([float(np.hypot(p.width_px, p.height_px)) for p in i.photos])
     join = partial(tracks_by_leaves, means, i.features)
     with room_of(means):
-        sound = sound_pairs(trusted(i.pairs, n), i.features.xy_px(), names, diagonals, oriented_by, join)
-        ties = oriented_by(sound.tracks)
+        xy = i.features.xy_px()
+        verified = trusted(i.pairs, n)
+        sound = sound_pairs(verified, xy, names, diagonals, oriented_by, join)
+        sound, ties = best_arrangement(sound, verified, xy, names, diagonals, oriented_by, join)
     return Started(
         ties=ties, features=sum(i.features.count(k) for k in range(n)),
         matched=len(sound.tracks.image), notices=sound.notices,
@@ -145,7 +148,7 @@ def _product(a: Mapping[str, Array]) -> Started:
 STAGE = ORIENT.register(
     Stage(
         name="start",
-        version=19,
+        version=20,
         kinds=(*KINDS_OF_TRACKS, *KINDS),
         after=("scene_matching",),
         inputs=_inputs,
