@@ -100,7 +100,7 @@ def _fewer(seen: Seen) -> Seen:
     """Every second, third ... point of photographs with many."""
     counts = [len(p) for p in seen.points if len(p)]
     step = 1 + int(np.median(counts) if counts else 0) // MOST
-    return Seen(points=tuple(p[p % step == 0] for p in seen.points))
+    return Seen(points=tuple(p[p % step == 0] for p in seen.points), field=seen.field)
 
 
 def _worst_cut(

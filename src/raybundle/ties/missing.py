@@ -62,15 +62,32 @@ class Seen:
 
     points: tuple[Index, ...]
     """of each image, sorted"""
+    field: tuple[Array, ...] = ()
+    """of each camera: a x + b y + c <= 0 (m, 3) around all its image points [px]; nothing shows outside, as in the
+    black corners of a circular fisheye"""
 
 
 def seen_of(block: Block) -> Seen:
-    """The object points of each image."""
+    """The object points of each image, and the part of the format that each camera uses."""
     o = block.observations
     order = np.lexsort((o.point, o.image))
     ends = np.searchsorted(o.image[order], np.arange(len(block.images) + 1))
     points = o.point[order]
-    return Seen(points=tuple(np.unique(points[a:b]) for a, b in pairwise(ends.tolist())))
+    camera = block.images.camera[o.image]
+    return Seen(
+        points=tuple(np.unique(points[a:b]) for a, b in pairwise(ends.tolist())),
+        field=tuple(_hull(o.xy_px[camera == k]) for k in range(len(block.cameras))),
+    )
+
+
+def _hull(xy: Array) -> Array:
+    """The lines around places (n, 2); none of too few."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        return np.asarray(ConvexHull(xy).equations) if len(xy) > 2 else np.zeros((0, 3))
+    except QhullError:  # in one line
+        return np.zeros((0, 3))
 
 
 def cells(block: Block, seen: Seen, i: int, j: int) -> tuple[int, int]:
@@ -98,7 +115,8 @@ def one_sided(block: Block, seen: Seen, i: int, j: int) -> tuple[int, int]:
     """
     of, xyz, log_depth, alike = _shown(block, seen, i, j)
     number, inside = zip(*(_cell(block, image, xyz) for image in (i, j)), strict=True)
-    rows = np.flatnonzero(inside[0] & inside[1] & alike)
+    shown = [_in_field(block, seen, image, xyz) for image in (i, j)]
+    rows = np.flatnonzero(inside[0] & inside[1] & shown[0] & shown[1] & alike)
     alone = mixed = 0
     for k in (0, 1):
         cell, depth = number[k][rows], log_depth[k][rows]
@@ -149,6 +167,13 @@ def _cell(block: Block, image: int, xyz: Array) -> tuple[Index, Mask]:
         inside = np.asarray(((share > 0.02) & (share < 0.98)).all(axis=1), bool)
     column, row = np.where(inside[:, None], share * GRID, 0).astype(int).T
     return row * GRID + column, inside
+
+
+def _in_field(block: Block, seen: Seen, image: int, xyz: Array) -> Mask:
+    """Which points (n, 3) lie in the part of the format that the camera of an image uses."""
+    lines = seen.field[int(block.images.camera[image])] if seen.field else np.zeros((0, 3))
+    with np.errstate(invalid="ignore"):
+        return np.asarray((predicted_px(block, image, xyz) @ lines[:, :2].T + lines[:, 2] <= 0).all(axis=1), bool)
 
 
 def _counted(of: Index, number: Index, log_depth: Array) -> tuple[int, int]:

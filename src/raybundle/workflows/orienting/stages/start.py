@@ -148,7 +148,7 @@ def _product(a: Mapping[str, Array]) -> Started:
 STAGE = ORIENT.register(
     Stage(
         name="start",
-        version=20,
+        version=21,
         kinds=(*KINDS_OF_TRACKS, *KINDS),
         after=("scene_matching",),
         inputs=_inputs,
