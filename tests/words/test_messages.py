@@ -266,3 +266,24 @@ def test_a_text_is_read_in_another_language():
 def test_an_error_of_several_objects_lists_them():
     details = [Message(code="mesh.no_area", values={"name": n}) for n in "ab"]
     assert str(NoOrientation("similarity.points_in_line", details=details)).count("\n  Mesh") == 2
+
+
+VARIANT = re.compile(r"^\s*\*?\[([\w-]+)\]|\{\s*\$(\w+)\s*->", re.MULTILINE)
+PLURAL = frozenset("zero one two few many other".split())  # noqa: SIM905
+
+
+def variants(entry):
+    """The variant keys of an entry, without those of numbers."""
+    return {k for k, _ in VARIANT.findall(entry.text) if k and k not in PLURAL and not k.isdigit()}
+
+
+@pytest.mark.parametrize("language", [x for x in words.languages() if x != words.ENGLISH])
+def test_variants_are_spelt_as_in_english(language):
+    """A key that no value has, as [RMS] for [rms], prints the text of another variant."""
+    english_ = entries(words.ENGLISH)
+    wrong = []
+    for name, entry in entries(language).items():
+        known = variants(english_[name]) if name in english_ else set()
+        more = {k for k in variants(entry) - known if k.lower() in {x.lower() for x in known}}
+        wrong += [f"{entry.file}: {name}: {sorted(more)}"] if more else []
+    assert not wrong, "\n".join(wrong)

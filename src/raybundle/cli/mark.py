@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from raybundle.adjustment.records.options import AdjustmentOptions
-from raybundle.cli.common import FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options, facts
+from raybundle.cli.common import FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options, facts, print_outcome
 from raybundle.cli.marking import command, do, subcommand, words
 from raybundle.cli.marking_areas import control, find, mask, unmask
 from raybundle.cli.marks_shown import shown
@@ -19,7 +19,7 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, of_adjustment, of_texts, report
 from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.marks_settings import RejectSettings
-from raybundle.commands.pages import PROJECT_LANGUAGE_HELP
+from raybundle.commands.pages import PROJECT_LANGUAGE_HELP, page_files
 from raybundle.errors import InputError, Severity, named, note
 from raybundle.report.languages import checked_language
 from raybundle.report.paper.needed import check_typesetter
@@ -439,13 +439,14 @@ def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: 
 @common_options
 def adjust_(
     folder: Path, out: Path | None, no_report: bool, pdf: bool, language: str, progress: str, **given: Any  # noqa: FBT001
-) -> None:  # fmt: skip
+) -> int:  # fmt: skip
     """Adjust the block with the manual measurements, and write a result folder.
 
     Photographs without orientation are oriented from their marks if possible; missing marks are reported.
 
     \b
-    Exit status: 0 a result is written; 2 bad input; 3 not solvable as given: what is lacking is named.
+    Exit status: 0 a result is written; 2 bad input; 3 not solvable as given: what is lacking is named; 4 the accuracy
+    that the project asks for is not kept.
 
     \b
     Example:
@@ -453,10 +454,11 @@ def adjust_(
       raybundle mark adjust facade-project --out facade-with-control --reject snooping
     """
     from raybundle.cli.progress import reporting
-    from raybundle.commands.marked_results import write_marked
+    from raybundle.commands.marked_results import passed_on, write_marked
     from raybundle.commands.marks import adjust_marks
     from raybundle.commands.new_project import standing_folder
     from raybundle.measuring.journal import measured_result
+    from raybundle.report.delivery import wanted_outcome
     from raybundle.report.text.summary import adjusted
     from raybundle.results.folder import check_target
 
@@ -473,7 +475,10 @@ def adjust_(
         )
     facts(out=target)
     names = [note("summary.marks_left_out", n=len(left_out), names=list(left_out))] if left_out else []
+    files = [target, *page_files(target, report=not no_report, pdf=pdf)]
     report(of_adjustment(
-        adjustment, [target], done=[adjusted(adjustment), *names],
+        adjustment, files, done=[adjusted(adjustment), *names],
         details=[named(*reason) for reason in left_out.items()],
     ))  # fmt: skip
+    known = passed_on(folder)
+    return print_outcome(wanted_outcome(adjustment, known.wanted, known.frame))

@@ -46,7 +46,7 @@ def find(folder: Path, points: tuple[str, ...], reach: float | None, author: str
 
     \b
     Example:
-      raybundle orient flight/ --control gcps.csv --crs EPSG:25832+7837
+      raybundle orient flight/ --out flight-project --control gcps.csv --crs EPSG:25832+7837
       raybundle mark find flight-project
       raybundle mark adjust flight-project
     """

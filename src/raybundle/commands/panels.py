@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, Literal, cast
 
 import numpy as np
 
 from raybundle.block import Block, Role, Stations
+from raybundle.commands.marked_results import passed_on
 from raybundle.commands.marks import marks, open_journal
 from raybundle.commands.new_project import standing_folder
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
+from raybundle.io.geo.control_systems import sigma_in_metres
 from raybundle.io.photos.photo import read_grey, read_photo
 from raybundle.measuring.actions.masks import photograph_files
-from raybundle.measuring.actions.verbs import Put
+from raybundle.measuring.actions.verbs import Point, Put
 from raybundle.measuring.panel_search import FEWEST, LEAST_RAYS, PanelSearch, search_panels
 from raybundle.measuring.session import Session, block_folder
 from raybundle.measuring.state import State
@@ -60,7 +63,9 @@ def find_panels(
     """
     project, state = standing_folder(folder) or Path(folder), marks(folder)
     block = read_block(block_folder(project))
-    at, sigma = _given(block, state)
+    given_points = {**_of_files(project), **_of_block(block), **_of_marks(state)}
+    at = {n: g.xyz for n, g in given_points.items()}
+    sigma = {n: float(np.nanmean(g.sigma)) for n, g in given_points.items()}
     asked = tuple(points) or tuple(n for n in at if _rays(block, state, n) < LEAST_RAYS)
     unknown = [n for n in asked if n not in at]
     if unknown:
@@ -83,6 +88,15 @@ def find_panels(
     with open_journal(project) as journal:
         seen = {(block.images.ids[i], block.points.ids[p]) for i, p in _observed(block)} | set(state.marks)
         for found in search.found:
+            point = given_points[found.point]
+            if found.point in asked and found.point not in block.points.ids and found.point not in _of_marks(state):
+                xyz, s = (
+                    tuple(None if np.isnan(v) else float(v) for v in values) for values in (point.xyz, point.sigma)
+                )
+                journal.append(
+                    Point(point=found.point, role=point.role, xyz=cast("Any", xyz), sigma=cast("Any", s)),
+                    author=operator,
+                )
             for image, mark in found.marks.items() if found.point in asked else ():
                 if (image, found.point) in seen:
                     continue
@@ -94,22 +108,51 @@ def find_panels(
     return Panels(search=search, asked=asked, marked=marked, length_unit=block.length_unit)
 
 
-def _given(block: Block, state: State) -> tuple[dict[str, Array], dict[str, float]]:
-    """Coordinates (3,) and the standard deviation of one, of points with plan coordinates; those of marks go first."""
-    at: dict[str, Array] = {}
-    sigma: dict[str, float] = {}
+@dataclass(frozen=True, slots=True)
+class _GivenPoint:
+    """Coordinates (3,) and standard deviations (3,) of a point; NaN: not known."""
+
+    role: Literal["control", "check"]
+    xyz: Array
+    sigma: Array
+
+
+def _of_files(project: Path) -> dict[str, _GivenPoint]:
+    """Of the files that `orient` was given, in the frame of the block: check points without image points, too."""
+    from raybundle.commands.orient import settings_asked
+
+    found: dict[str, _GivenPoint] = {}
+    try:
+        files = settings_asked(project).given().control
+        frame = passed_on(project).frame
+        for c in files:
+            local = c.xyz if frame is None or not c.crs else frame.local_from_crs(c.xyz)
+            for name, role, xyz, s in zip(c.ids, c.role.tolist(), local, sigma_in_metres(c), strict=True):
+                if role != Role.TIE and np.isfinite(xyz[:2]).all():
+                    found[name] = _GivenPoint("check" if role == Role.CHECK else "control", xyz, s)
+    except InputError:  # begun by hand, or the files are gone: what the block holds is there
+        return {}
+    return found
+
+
+def _of_block(block: Block) -> dict[str, _GivenPoint]:
     p = block.points
+    found: dict[str, _GivenPoint] = {}
     for k in np.flatnonzero(np.asarray(p.role) != Role.TIE).tolist():
         known = np.isfinite(p.sigma[k])
         if known[:2].all():
-            at[p.ids[k]] = np.where(known, p.xyz[k], np.nan)
-            sigma[p.ids[k]] = float(np.nanmean(p.sigma[k]))
+            role = "check" if p.role[k] == Role.CHECK else "control"
+            found[p.ids[k]] = _GivenPoint(role, np.where(known, p.xyz[k], np.nan), p.sigma[k])
+    return found
+
+
+def _of_marks(state: State) -> dict[str, _GivenPoint]:
+    found: dict[str, _GivenPoint] = {}
     for name, point in state.points.items():
-        xyz = np.array([np.nan if v is None else v for v in point.xyz])
+        xyz, sigma = (np.array([np.nan if v is None else v for v in values]) for values in (point.xyz, point.sigma))
         if point.reported and point.role != "tie" and np.isfinite(xyz[:2]).all():
-            at[name] = xyz
-            sigma[name] = float(np.mean([s for s in point.sigma if s is not None] or [0.0]))
-    return at, sigma
+            found[name] = _GivenPoint(point.role, xyz, np.where(np.isfinite(sigma), sigma, 0.0))
+    return found
 
 
 def _observed(block: Block) -> list[tuple[int, int]]:

@@ -38,7 +38,8 @@ _CODES = {
         "target_without_normal two_cameras unstable_camera unusual_errors up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.NOTE: (
-        "attitudes attitudes_reading axes_fitted camera camera_joined check_points_open control_unchecked dropped "
+        "attitudes attitudes_reading axes_fitted camera camera_joined check_points_open "
+        "control_file.system_given control_unchecked dropped "
         "given_rejected gps "
         "in_parts masks memory_exceeded model not_significant parallel_rays parts_joined photographs place "
         "positions_assumed read_out reduced_features rejected relative_positions "

@@ -122,10 +122,10 @@ def _table_names() -> tuple[str, ...]:
 
 
 def unread_tables(folder: Path) -> tuple[str, ...]:
-    """Names of files in a block folder that look like tables and are none that is read."""
-    return tuple(
-        sorted(f.name for f in folder.iterdir() if f.suffix.lower() in SUFFIXES and f.name not in block_files())
-    )
+    """Names of files in a block folder that look like tables and are none that is read, nor named in block.toml."""
+    text = (folder / "block.toml").read_text(encoding="utf-8", errors="replace")
+    found = (f.name for f in folder.iterdir() if f.suffix.lower() in SUFFIXES and f.name not in block_files())
+    return tuple(sorted(name for name in found if f'"{name}"' not in text))
 
 
 def _image_columns(cameras: tuple[Camera, ...]) -> tuple[Column, ...]:

@@ -81,6 +81,8 @@ def shown_part(rays: ReferenceRays, t_range: tuple[float, float], region: Region
     nodes = region.meets(far, near).reshape(len(v), len(u))
     if not nodes.any():
         return None
+    nodes[:, -2] |= nodes[:, -1]  # the rim belongs to the last cell
+    nodes[-2] |= nodes[-1]
     row, column = (
         np.minimum(np.arange(n) // STEP_PX, k - 1) for n, k in zip((height, width), nodes.shape, strict=True)
     )

@@ -5,7 +5,7 @@ control_not_observed = { $n } { $n ->
         [one] geht
        *[other] gehen
      } nicht in die Ausgleichung ein: { $ids }.
-    .do = Diese Passpunkte in den Bildern messen oder die Namen korrigieren.
+    .do = Diese Passpunkte in den Bildern messen oder die Namen korrigieren. `raybundle mark find PROJEKT` findet Signale am Boden.
 
 control_not_observed-rejected = { $n } { $n ->
         [one] Passpunkt geht

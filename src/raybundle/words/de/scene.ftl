@@ -284,7 +284,7 @@ scene-is_map = { $what ->
      [orthoimage] Ein Orthobild (DIMAP)
     *[raster] Ein georeferenziertes Raster
     } ist schon eine Karte; es hat keine Sensorgeometrie, die ausgeglichen werden kann.
-    .do = Als Karte verwenden: als Referenz für Passpunkte, als Hintergrund. Zum Orientieren einer Szene ihr Produkt der Stufe 1 mit RPC oder Bahn angeben.
+    .do = Als Karte verwenden: als Referenz für Passpunkte, als Hintergrund. Zum Orientieren einer Szene ihr Produkt in Sensorgeometrie mit RPC oder Bahn angeben.
 
 scene-no_orbit = Das Bild hat { $n } Punkte am Boden, aber weder Bahn noch RPC.
     .why = So liegen GRD-Raster von Radaren ohne ihre Annotation vor.

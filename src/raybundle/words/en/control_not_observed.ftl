@@ -10,7 +10,7 @@ control_not_observed = { $n } control { $n ->
     .do = Measure { $n ->
         [one] it
        *[other] them
-     } in the images, or correct the names.
+     } in the images, or correct the names. `raybundle mark find PROJECT` finds ground panels.
 
 # $n = 2
 # $ids = ["A", "B"]

@@ -414,7 +414,7 @@ scene-is_map = { $what ->
      [orthoimage] An orthoimage (DIMAP)
     *[raster] A georeferenced raster
     } is a map already; it has no geometry of a sensor to adjust.
-    .do = Use it as a map: as a reference for control, as an underlay. To orient a scene, give its level 1 product with RPC or orbit.
+    .do = Use it as a map: as a reference for control, as an underlay. To orient a scene, give its product in sensor geometry, with RPC or orbit.
 
 # $n = 210
 scene-no_orbit = The picture has { $n } points on the ground, but neither orbit nor RPC.

@@ -55,7 +55,7 @@ report_accuracy-image_observations = { $n } verwendete { $n ->
     }, { $coordinates } Koordinaten
 
 report_accuracy-deviation = Standardabweichung, { $kind ->
-        [RMS] RMS
+        [rms] RMS
         [mean] Mittel
         *[median] Median
     }
@@ -119,7 +119,7 @@ report_accuracy-not_measured = keine Messung in Bildern
 report_accuracy-stated = angesetzt{ $kind ->
         [one] {""}
         [median] , Median
-        *[RMS] , RMS
+        *[rms] , RMS
     }
 
 report_accuracy-stated_meaning = Standardabweichung a priori jeder Beobachtung (ihr Gewicht)
@@ -129,11 +129,11 @@ report_accuracy-stated_rms = weniger genaue Punkte zählen mehr
 report_accuracy-scaled = angesetzt mal σ₀{ $kind ->
         [one] {""}
         [median] , Median
-        *[RMS] , RMS
+        *[rms] , RMS
     }
 
 report_accuracy-by_sigma0 = aus den Verbesserungen: σ₀ = { $sigma0 }{ $kind ->
-        [RMS] ; die eines gemessenen Bildpunktes
+        [rms] ; die eines gemessenen Bildpunktes
         *[median] {""}
     }
 
