@@ -96,6 +96,8 @@ TRADE_WORDS: dict[str, str] = {
     "mtp": "mark put PROJECT IMAGE POINT X Y",
     "coded-targets": "measure PHOTOS --out RESULT",
     "markers": "mark put PROJECT IMAGE POINT X Y",
+    "detect-gcp": "mark find PROJECT",
+    "automatic-gcp-marking": "mark find PROJECT",
     "detect-markers": "targets detect PHOTOS",
     "aruco": "targets detect PHOTOS",
     "print-coded-targets": "targets sheet --target FAMILY --out SHEET.pdf",

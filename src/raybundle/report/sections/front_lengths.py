@@ -36,10 +36,15 @@ def length_parts(view: View) -> list[Part]:
             group.ids[k], fixed(float(group.given[k]), decimals), significant(float(group.sigma[k]) * view.factor, 2),
             significant(v * view.factor, 2), without,
         ))  # fmt: skip
+    controlled = bool((np.nan_to_num(group.redundancy) > CONTROLLED).any())
     shape = (
         text(phrase("label.length")), number(phrase("label.given"), view.length_unit), number("σ", view.unit),
         number(phrase("label.adjusted_minus_given"), view.unit), number(phrase("label.leave_one_out"), view.unit),
     )  # fmt: skip
     more = len(group.ids) - len(rows)
-    notes = [note("front.known_lengths"), *([note("front.more_lengths", n=more)] if more else [])]
-    return [Heading(text=phrase("label.known_lengths")), table(shape, zip(*rows, strict=True), note=Text.of(*notes))]
+    notes = [
+        *([note("front.known_lengths")] if controlled else []), *([note("front.more_lengths", n=more)] if more else []),
+    ]  # fmt: skip
+    shown_columns = slice(None) if controlled else slice(-1)  # nothing else knows a length that nothing controls
+    columns = [*zip(*rows, strict=True)][shown_columns]
+    return [Heading(text=phrase("label.known_lengths")), table(shape[shown_columns], columns, note=Text.of(*notes))]
