@@ -14,8 +14,8 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 
-PATCH = 8
-"""Points of the smallest patches: their mean is three times as precise as a point, and few lie across an edge"""
+SMALLEST = 5
+"""Points of the smallest patches; each further size has about twice as many, up to half of all"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,13 +49,8 @@ class AreaTest:
     """the same if nothing else moved"""
 
 
-def areas_of(
-    ids: Sequence[str], xyz: Array, groups: Mapping[str, Sequence[str]], *, patches: bool
-) -> tuple[Hypothesis, ...]:  # fmt: skip
-    """The groups of the user, then patches of neighbours: leaves of halved sets, and their parents up to a half.
-
-    raises  InputError for a group without common points
-    """
+def groups_of(ids: Sequence[str], groups: Mapping[str, Sequence[str]]) -> tuple[Hypothesis, ...]:
+    """The groups of the user; raises InputError for a group without common points."""
     place = {name: k for k, name in enumerate(ids)}
     found: list[Hypothesis] = []
     for name, points in groups.items():
@@ -63,19 +58,27 @@ def areas_of(
         if not len(at):
             raise InputError("epochs.group_empty", name=name)
         found.append(Hypothesis(name=name, points=at, given=True))
-    if patches:
-        parts = [p for p in halved(xyz, np.arange(len(ids))) if 2 * len(p) <= len(ids)]
-        found += [Hypothesis(name=f"area {k + 1}", points=p) for k, p in enumerate(parts)]
     return tuple(found)
 
 
-def halved(xyz: Array, points: Index) -> list[Index]:
-    """All sets that arise where points are halved along their longest axis until a patch is left; the smallest last."""
-    if len(points) < PATCH:
-        return []
-    some = xyz[points] - xyz[points].mean(axis=0)
-    along = some @ np.linalg.svd(some, full_matrices=False)[2][0]
-    order = points[np.argsort(along, kind="stable")]
-    middle = len(order) // 2
-    parts = [halved(xyz, np.sort(half)) for half in (order[:middle], order[middle:])]
-    return [np.sort(points), *(p for pair in parts for p in pair)]
+def patches_of(xyz: Array) -> tuple[Hypothesis, ...]:
+    """Patches around every point: its nearest neighbours, 5, 9, 17 ... of them, up to half of all points."""
+    from scipy.spatial import KDTree
+
+    n = len(xyz)
+    sizes = [SMALLEST]
+    while 2 * (2 * sizes[-1] - 1) <= n:
+        sizes.append(2 * sizes[-1] - 1)
+    if 2 * SMALLEST > n:
+        return ()
+    nearest = np.asarray(KDTree(xyz).query(xyz, k=sizes[-1])[1], np.int64)
+    found = dict.fromkeys(tuple(sorted(row[:size])) for size in sizes for row in nearest.tolist())
+    return tuple(Hypothesis(name=f"area {k + 1}", points=np.array(p)) for k, p in enumerate(found))
+
+
+def sums_of(areas: Sequence[Hypothesis], points: int) -> Array:
+    """(h, n) 1 where a point belongs to an area."""
+    Z = np.zeros((len(areas), points))
+    for k, a in enumerate(areas):
+        Z[k, a.points] = 1.0
+    return Z

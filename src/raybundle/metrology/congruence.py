@@ -14,7 +14,7 @@ import numpy as np
 
 from raybundle.adjustment.records.notice import Notice
 from raybundle.errors import InputError
-from raybundle.metrology.areas import AreaTest, Hypothesis, areas_of
+from raybundle.metrology.areas import SMALLEST, AreaTest, Hypothesis, groups_of, patches_of, sums_of
 from raybundle.metrology.consensus import stable_starts
 from raybundle.metrology.point_set import PointSet, datum_directions
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -89,9 +89,12 @@ class Congruence:
     detectable_before: Array | None = None
     """(n,) `detectable` if all points stayed, as it is known before anything is tested [m]"""
     areas: tuple[AreaTest, ...] = ()
-    """Points tested together by their mean displacement: groups of the user, then patches of neighbours"""
+    """Points tested together by their mean displacement: groups of the user, then patches that moved"""
     in_area: Mask | None = None
     """(n,) points that moved with an area, not by their own test"""
+    patch_sizes: tuple[tuple[int, float, float], ...] = ()
+    """Of patches of so many neighbours the smallest mean displacement that is found with `POWER`, median, if nothing
+    moved and with what moved [m]"""
 
     @property
     def stayed(self) -> Mask:
@@ -151,24 +154,26 @@ def congruence(
     if datum and known.sum() < len(datum):
         raise InputError("epochs.datum_points_missing", names=sorted(set(datum) - set(ids)))
     alike = known if datum else _alike(first, sets[1:], scale=free_scale)
-    areas = areas_of(ids, first.xyz, groups or {}, patches=patches)
-    alpha = significance / (n + len(areas) + others)
+    named, patch = groups_of(ids, groups or {}), patches_of(first.xyz) if patches else ()
+    # half of the significance is that of points and groups, half that of patches
+    alpha = (significance / 2 if patch else significance) / (n + len(named) + others)
+    family = _Family.of((*named, *patch), n, [alpha] * len(named) + [significance / 2 / max(len(patch), 1)] * len(patch))
     model = _model(first, sets[1:], alike, scale=free_scale, joint=joint)
-    starts = [known] if datum else [alike]
-    if areas and not datum:
-        starts += stable_starts(model, [a.points for a in areas if not a.given])
-    found = [_moved(model, ~s, alpha, fixed=known, areas=areas) for s in starts]
-    # most points stayed; of as many, those that agree best
-    moved = min(found, key=lambda m: (int(m.sum()), model.whole(m)[0]))
+    starts = [alike] if datum or not patch else [alike, *stable_starts(model, [p.points for p in patch if len(p.points) == SMALLEST])]
+    states = [_moved(model, _State.of(~s, family, model, alpha), alpha, known, family) for s in starts]
+    # of those that leave no contradiction the one in which most stayed
+    state = max(states, key=lambda s: _merit(model, s, significance))
     for _ in range(ROUNDS):  # in the axes of those that stayed
-        model = _model(first, sets[1:], ~moved, scale=free_scale, joint=joint)
-        again = _moved(model, moved, alpha, fixed=known, areas=areas)
-        if (again == moved).all():
+        model = _model(first, sets[1:], ~state.moved, scale=free_scale, joint=joint)
+        again = _moved(model, state, alpha, known, family)
+        if (again.moved == state.moved).all():
             break
-        moved = again
+        state = again
+    moved = state.moved
     F, p = model.tests(moved)
     d, C = model.displacements(moved)
     none = np.zeros(n, bool)
+    shown = [(a, alpha) for a in named] + [(family.areas[k], family.limits[k]) for k in state.active if not family.areas[k].given]
     return Congruence(
         epochs=tuple(e.name for e in epochs), ids=ids, xyz=first.xyz, moved=moved, displacement=d, covariance=C,
         statistic=F, p_value=p, limit=alpha, detectable=model.detectable(moved, alpha),
@@ -177,7 +182,8 @@ def congruence(
         freedom=model.freedom, significance=significance, scale=free_scale,
         transforms=tuple(_axes(s, first, ~moved, scale=free_scale) for s in sets[1:]),
         alternatives=() if joint is not None else _alternatives(model, moved, known, ids, (alpha, significance)),
-        areas=tuple(model.area(a, moved, alpha) for a in areas), in_area=moved & (p >= alpha),
+        areas=tuple(model.area(a, moved, limit) for a, limit in shown), in_area=moved & ~state.own,
+        patch_sizes=model.patch_sizes(patch, moved, significance / 2 / max(len(patch), 1)),
     )  # fmt: skip
 
 
@@ -326,20 +332,37 @@ class _Model:
         F = np.einsum("hi,hij,hj->h", u, np.linalg.pinv(S, rcond=1e-10, hermitian=True), u) / dof
         return F, np.array([fisher_tail(f, dof, self.freedom) for f in F])
 
-    def together(self, areas: Sequence[Hypothesis], moved: Mask) -> tuple[Array, Array]:
-        """(h,) F of the mean displacement of the points of areas that have not moved, and its probability."""
-        if not areas:
-            return np.zeros(0), np.zeros(0)
-        s = self.stayed(moved)
-        shifts = [s.shift(a.points[~moved[a.points]]) for a in areas]
-        return self._tested(np.array([u for u, _ in shifts]), np.array([S for _, S in shifts]))
+    def together(self, family: _Family, moved: Mask) -> Array:
+        """(h,) probability of the mean displacement of the points of areas that have not moved; NaN: too few."""
+        found = np.full(len(family.areas), np.nan)
+        inside = family.sums @ (~moved)
+        some = np.flatnonzero((inside > 1) & ((~moved).sum() - inside >= LEAST - 1))
+        if len(some):
+            found[some] = self._tested(*self.stayed(moved).shifts(family, some))[1]
+        return found
+
+    def patch_sizes(
+        self, patches: Sequence[Hypothesis], moved: Mask, alpha: float
+    ) -> tuple[tuple[int, float, float], ...]:  # fmt: skip
+        """Of patches by their sizes, the medians of their smallest detectable mean displacements, before and after."""
+        found: list[tuple[int, float, float]] = []
+        for size in sorted({len(p.points) for p in patches}):
+            family = _Family.of([p for p in patches if len(p.points) == size], self.points, [])
+            every = np.arange(len(family.areas))
+            least = [
+                [self._least(S, alpha) for S in self.stayed(m).shifts(family, every)[1]]
+                for m in (np.zeros(self.points, bool), moved)
+            ]  # fmt: skip
+            found.append((size, float(np.median(least[0])), float(np.median(least[1]))))
+        return tuple(found)
 
     def area(self, area: Hypothesis, moved: Mask, alpha: float) -> AreaTest:
         """The test of an area as a whole: its mean displacement against all else that stayed."""
         none = np.zeros(self.points, bool)
         back = moved.copy()
         back[area.points] = False
-        u, S = self.stayed(back).shift(area.points)
+        one = _Family.of([area], self.points, [])
+        (u,), (S,) = self.stayed(back).shifts(one, np.arange(1))
         F, p = self._tested(u[None], S[None])
         C = np.linalg.pinv(S, rcond=1e-10, hermitian=True)
         found = (C @ u).reshape(self.later, 3)
@@ -348,7 +371,8 @@ class _Model:
             name=area.name, given=area.given, points=area.points, displacement=found,
             covariance=C.reshape(self.later, 3, self.later, 3)[at, :, at, :], F=float(F[0]), p_value=float(p[0]),
             moved=bool(p[0] < alpha),
-            detectable=self._least(S, alpha), detectable_before=self._least(self.stayed(none).shift(area.points)[1], alpha),
+            detectable=self._least(S, alpha),
+            detectable_before=self._least(self.stayed(none).shifts(one, np.arange(1))[1][0], alpha),
         )  # fmt: skip
 
     def displacements(self, moved: Mask) -> tuple[Array, Array]:
@@ -430,15 +454,90 @@ class _Stayed:
         S[self.moved] = C[own[:, :, None], own[:, None, :]]
         return u, S
 
-    def shift(self, points: Index) -> tuple[Array, Array]:
-        """What a common displacement (3 k) of points that stayed weighs in the misfit, and its weights (3 k, 3 k)."""
+    def shifts(self, family: _Family, areas: Index) -> tuple[Array, Array]:
+        """What common displacements (h, 3 k) of the points of areas weigh in the misfit, and their weights.
+
+        Of points that stayed: those that moved have displacements of their own, and weigh nothing.
+        """
         m = self.model
-        rows = m.rows(points)
-        u = self.misfit[rows].sum(axis=0)
-        r = rows.ravel()
-        S = m.weights[np.ix_(r, r)].reshape(*rows.shape, *rows.shape).sum(axis=(0, 2))
-        A = self.taken[:, rows].sum(axis=1)
-        return u, S - A.T @ A
+        each = m.rows(np.arange(m.points))
+        Z = family.sums[areas]
+        u = Z @ self.misfit[each]
+        S = family.weights(m)[areas]
+        if len(self.rows):
+            A = np.tensordot(Z, self.taken[:, each], (1, 1))
+            S = S - np.einsum("hri,hrj->hij", A, A, optimize=True)
+        return u, S
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Family:
+    """Areas that are tested, each with its limit."""
+
+    areas: tuple[Hypothesis, ...]
+    sums: Array
+    """(h, n)"""
+    limits: Array
+    of_model: dict[int, Array]
+
+    @classmethod
+    def of(cls, areas: Sequence[Hypothesis], points: int, limits: Sequence[float]) -> _Family:
+        return cls(areas=tuple(areas), sums=sums_of(areas, points), limits=np.array(limits), of_model={})
+
+    def weights(self, model: _Model) -> Array:
+        """(h, 3 k, 3 k) of common displacements, if no point moved."""
+        if id(model) not in self.of_model:
+            self.of_model.clear()
+            each = model.rows(np.arange(model.points))
+            found: list[Array] = []
+            for a in self.areas:
+                some = model.weights[each[a.points]].sum(axis=0)
+                found.append(some[:, each[a.points]].sum(axis=1))
+            self.of_model[id(model)] = np.array(found).reshape(-1, each.shape[1], each.shape[1])
+        return self.of_model[id(model)]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _State:
+    """What has moved: points by their own tests, and areas."""
+
+    own: Mask
+    active: tuple[int, ...]
+    family: _Family
+
+    @property
+    def moved(self) -> Mask:
+        """(n,) all of them."""
+        found = self.own.copy()
+        for k in self.active:
+            found[self.family.areas[k].points] = True
+        return found
+
+    @classmethod
+    def of(cls, moved: Mask, family: _Family, model: _Model, alpha: float) -> _State:
+        """A start: the points that moved by their own tests, and areas of points of which most did."""
+        if not len(family.areas) or not moved.any():
+            return cls(own=moved, active=(), family=family)
+        _, p = model.tests(moved)
+        inside = family.sums @ moved
+        size = family.sums.sum(axis=1)
+        active: list[int] = []
+        left = moved.copy()
+        # the largest first: the fewest pieces that explain what moved
+        for k in np.lexsort((-inside, -(inside / size))).tolist():
+            points = family.areas[k].points
+            if inside[k] < 0.8 * size[k] or not left[points].any() or family.areas[k].given:
+                continue
+            if model.area(family.areas[k], moved, float(family.limits[k])).moved:
+                active.append(k)
+                left[points] = False
+        return cls(own=moved & (p < alpha), active=tuple(active), family=family)
+
+
+def _merit(model: _Model, state: _State, significance: float) -> tuple[float, int]:
+    """How good an explanation is: whether those that stayed contradict each other, then how many they are."""
+    p = model.whole(state.moved)[1]
+    return (min(p, significance), int((~state.moved).sum()))
 
 
 def _alternatives(
@@ -473,36 +572,45 @@ def _alternatives(
     return tuple(found)
 
 
-def _moved(
-    model: _Model, start: Mask, alpha: float, fixed: Mask, areas: Sequence[Hypothesis] = ()
-) -> Mask:
-    """Points that moved: from a start, the worst is added while it is significant, the best let go while it is not.
+def _moved(model: _Model, state: _State, alpha: float, fixed: Mask, family: _Family) -> _State:
+    """What moved: from a start, the worst is added while it is significant, the best let go while it is not.
 
-    Where no point is significant, the worst of the areas is added; it is let go as a whole.
+    Points first; where none is significant, the worst of the areas.
     """
-    moved, by_area = start & ~fixed, np.zeros(model.points, bool)
-    seen = set[bytes]()
-    patches = [a for a in areas if len(a.points) > 1]
-    while (state := moved.tobytes() + by_area.tobytes()) not in seen:
-        seen.add(state)
+    state = replace(state, own=state.own & ~fixed)
+    free = (family.sums @ fixed) == 0
+    seen = set[tuple[bytes, tuple[int, ...]]]()
+    while (key := (state.own.tobytes(), state.active)) not in seen:
+        seen.add(key)
+        own, moved = state.own, state.moved
         _, p = model.tests(moved)
-        back = np.where(moved & ~by_area, p, -1.0)
+        back = np.where(own, p, -1.0)
         if back.max() >= alpha:  # it fits those that stayed
-            moved = moved.copy()
-            moved[int(back.argmax())] = False
+            own = own.copy()
+            own[int(back.argmax())] = False
+            state = replace(state, own=own)
+            continue
+        weak = [(_without(model, state, k), k) for k in state.active]
+        if weak and max(weak)[0] >= 1.0:
+            state = replace(state, active=tuple(k for k in state.active if k != max(weak)[1]))
             continue
         worst = np.where(moved | fixed, np.inf, p)
         if worst.min() < alpha and (~moved).sum() > LEAST - 1:
-            moved = moved.copy()
-            moved[int(worst.argmin())] = True
+            own = own.copy()
+            own[int(worst.argmin())] = True
+            state = replace(state, own=own)
             continue
-        least = LEAST - 1
-        some = [a for a in patches if (~moved[a.points]).sum() > 1 and not fixed[a.points].any()]
-        some = [a for a in some if (~moved).sum() - (~moved[a.points]).sum() >= least]
-        _, p = model.together(some, moved)
-        if len(some) and p.min() < alpha:
-            points = some[int(p.argmin())].points
-            points = points[~moved[points]]
-            moved, by_area = moved.copy(), by_area.copy()
-            moved[points], by_area[points] = True, True
-    return moved
+        if not len(family.areas):
+            break
+        ratio = np.where(free, model.together(family, moved) / family.limits, np.inf)
+        ratio = np.where(np.isnan(ratio), np.inf, ratio)
+        if ratio.min() < 1.0:
+            state = replace(state, active=(*state.active, int(ratio.argmin())))
+    return state
+
+
+def _without(model: _Model, state: _State, area: int) -> float:
+    """Probability of an active area over its limit, if what belongs to it alone had stayed."""
+    rest = replace(state, active=tuple(k for k in state.active if k != area))
+    p = model.together(state.family, rest.moved)[area]
+    return float("inf") if np.isnan(p) else float(p / state.family.limits[area])

@@ -33,7 +33,10 @@ class Differences(Protocol):
 
 
 def stable_starts(model: Differences, patches: Sequence[Index]) -> list[Mask]:
-    """(n,) points that agree with the datum of most: none left out, by single points, by the means of patches."""
+    """(n,) points that agree with the datum of most: none left out, by single points, by the means around each.
+
+    patches  the smallest patch around each point
+    """
     n = model.points
     rows = model.rows(np.arange(n))
     # the datum of Q is of no account: covariances of single points are those in the datum of all
@@ -43,17 +46,18 @@ def stable_starts(model: Differences, patches: Sequence[Index]) -> list[Mask]:
     d = model.d - H @ (H.T @ model.d)
     starts = [np.ones(n, bool)]
     single = [np.array([k]) for k in range(n)]
-    smallest = [p for p in patches if not any(len(o) < len(p) and np.isin(o, p).all() for o in patches)]
-    agree = np.ones(n, bool)
-    for sets in (single, smallest):
+    for sets in (single, list(patches)):
         if len(sets) < 4:
             continue
-        each = np.array([d[rows[s]].mean(axis=0) for s in sets])
-        B = np.array([H[rows[s]].mean(axis=0) for s in sets])
-        C = np.array([_mean(Q, rows[s]) for s in sets])
+        each = np.array([d[rows[p]].mean(axis=0) for p in sets])
+        B = np.array([H[rows[p]].mean(axis=0) for p in sets])
+        C = np.array([_mean(Q, rows[p]) for p in sets])
         good = _consensus(each, B, C)
-        agree = agree & ~np.isin(np.arange(n), np.concatenate([s for s, g in zip(sets, good, strict=True) if not g] or [np.zeros(0, np.int64)]))
-        starts.append(agree)
+        # a point stayed where most patches that it belongs to did
+        votes = np.zeros((n, 2))
+        for p, g in zip(sets, good.tolist(), strict=True):
+            votes[p, int(g)] += 1
+        starts.append(votes[:, 1] >= votes[:, 0])
     return [s for s in starts if s.sum() > 3]
 
 
