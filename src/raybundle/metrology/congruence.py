@@ -30,6 +30,8 @@ POWER = 0.8
 """Probability with which the smallest detectable displacement is found"""
 AGREE = 5.0
 """Standard deviations by which points may differ in the search for those that stayed, before their datum is known"""
+CONTRADICTED = 0.001
+"""Probability of the global test below which points that stayed contradict each other: what moved is not explained"""
 ROUNDS = 4
 """Fits of the axes of an epoch to those of the first: turns are small after each"""
 
@@ -161,8 +163,12 @@ def congruence(
     model = _model(first, sets[1:], alike, scale=free_scale, joint=joint)
     starts = [alike] if datum or not patch else [alike, *stable_starts(model, [p.points for p in patch if len(p.points) == SMALLEST])]
     states = [_moved(model, _State.of(~s, family, model, alpha), alpha, known, family) for s in starts]
+    if patch and not datum:  # as well may the others have moved
+        best = max(states, key=lambda s: _merit(model, s))
+        if LEAST <= best.moved.sum() < n - LEAST:
+            states.append(_moved(model, _State.of(~best.moved, family, model, alpha), alpha, known, family))
     # of those that leave no contradiction the one in which most stayed
-    state = max(states, key=lambda s: _merit(model, s, significance))
+    state = max(states, key=lambda s: _merit(model, s))
     for _ in range(ROUNDS):  # in the axes of those that stayed
         model = _model(first, sets[1:], ~state.moved, scale=free_scale, joint=joint)
         again = _moved(model, state, alpha, known, family)
@@ -534,10 +540,9 @@ class _State:
         return cls(own=moved & (p < alpha), active=tuple(active), family=family)
 
 
-def _merit(model: _Model, state: _State, significance: float) -> tuple[float, int]:
+def _merit(model: _Model, state: _State) -> tuple[float, int]:
     """How good an explanation is: whether those that stayed contradict each other, then how many they are."""
-    p = model.whole(state.moved)[1]
-    return (min(p, significance), int((~state.moved).sum()))
+    return min(model.whole(state.moved)[1], CONTRADICTED), int((~state.moved).sum())
 
 
 def _alternatives(

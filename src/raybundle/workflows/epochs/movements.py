@@ -19,13 +19,16 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import detectable_noncentrality, fisher_tail
 from raybundle.workflows.epochs.cameras import cameras_by_dates
 from raybundle.workflows.epochs.dated_points import Dated, Dates, by_dates, intersected
-from raybundle.workflows.epochs.stability import Stability, stability
+from raybundle.workflows.epochs.stability import Stability, spread_evenly, stability
 
 MOVED, STABLE, IN_AREA, UNCLEAR = "moved", "stable", "moved_area", "not_significant"
 """Verdicts: by its own test; one place; apart because the area around it moved; of a point that moved, a date at which
 no displacement is significant"""
 NEIGHBOURS = 3
-"""Tested points of which most lie in a moved area where a point between them does"""
+"""Tested points of which most moved where a point between them is taken to have moved"""
+SINGLE = 1000
+"""Points beside those of the joint test that are tested each for itself, spread evenly: two solutions of the normal
+equations for each.  What lies between tested points follows these"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -120,11 +123,17 @@ def movements(
     # image points that the test found wrong stay out of what it found stable
     stable = set(s.stayed)
     dated, result = _adjusted(block, dates, stable, apart, options, progress)
-    others = _others(dated, s, result)
+    every = _others(dated, s, result)
+    others = spread_evenly(dated, every, np.ones(len(every)), SINGLE)
     found = _pairs(result, dated, others)
+    others = np.array(list(dict.fromkeys(found.base.tolist())), np.int64)
     moved = _by_point(found, alpha)
-    near = _near_moved_area(dated, s, others)
+    near = _near_moved(dated, s, others, s.congruence.xyz, s.congruence.in_area)
+    between = every[~np.isin(every, others)]
+    gone = np.concatenate([s.congruence.moved, np.array(moved, bool) | np.array(near, bool)])
+    follows = _near_moved(dated, s, between, np.vstack([s.congruence.xyz, _places(dated, others)]), gone)
     more = [dated.bases[b] for b, m, a in zip(others.tolist(), moved, near, strict=True) if not m and not a]
+    more += [dated.bases[b] for b, a in zip(between.tolist(), follows, strict=True) if not a]
     final, last = (
         _adjusted(block, dates, stable | set(more), apart, options, progress) if more else (dated, result)
     )
@@ -226,17 +235,23 @@ def _by_point(found: _Found, alpha: float) -> list[bool]:
     return [bool((p[found.base == b] * (found.base == b).sum() < alpha).any()) for b in bases]
 
 
-def _near_moved_area(dated: Dated, s: Stability, others: Index) -> list[bool]:
-    """Whether most of the tested points around each of the others moved with an area."""
-    area = s.congruence.in_area
-    if area is None or not area.any() or not len(others):
-        return [False] * len(others)
+def _places(dated: Dated, bases: Index) -> Array:
+    """(b, 3) of points at their first dates [m]."""
+    at = dated.at[bases]
+    first = np.take_along_axis(at, (at >= 0).argmax(axis=1)[:, None], axis=1)[:, 0]
+    metres = 0.001 if dated.block.length_unit == "mm" else 1.0
+    return metres * dated.block.points.xyz[first]
+
+
+def _near_moved(dated: Dated, s: Stability, bases: Index, xyz: Array, moved: Mask | None) -> list[bool]:
+    """Whether most of the tested points (n, 3) around each of some points moved."""
+    if moved is None or not moved.any() or not len(bases):
+        return [False] * len(bases)
     from scipy.spatial import KDTree
 
-    mine = dated.block.points.xyz[np.where(dated.at[others] >= 0, dated.at[others], -1).max(axis=1)]
-    metres = 0.001 if dated.block.length_unit == "mm" else 1.0
-    nearest = KDTree(s.congruence.xyz).query(metres * mine, k=min(NEIGHBOURS, len(area)))[1]
-    return (2 * area[np.atleast_2d(nearest)].sum(axis=1) > NEIGHBOURS).tolist()
+    k = min(NEIGHBOURS, len(moved))
+    nearest = np.asarray(KDTree(xyz).query(_places(dated, bases), k=k)[1]).reshape(len(bases), k)
+    return (2 * moved[nearest].sum(axis=1) > k).tolist()
 
 
 def _all_rows(

@@ -138,18 +138,25 @@ def _sample(dated: Dated, everywhere: Index, result: Adjustment, names: set[str]
     if len(everywhere) <= MOST or result.precision is None:
         return everywhere
     std = np.linalg.norm(result.precision.object_point_std[dated.at[everywhere]], axis=2).max(axis=1)
-    chosen = np.flatnonzero(first)[: MOST // 2].tolist()
-    left = MOST - len(chosen)
-    xyz = dated.block.points.xyz[dated.at[everywhere, 0]]
-    parts = [np.flatnonzero(~np.isin(np.arange(len(everywhere)), chosen))]
-    while len(parts) < left:
+    chosen = np.flatnonzero(first)[: MOST // 2]
+    rest = np.setdiff1d(np.arange(len(everywhere)), chosen)
+    return np.sort(np.concatenate([everywhere[chosen], spread_evenly(dated, everywhere[rest], std[rest], MOST - len(chosen))]))
+
+
+def spread_evenly(dated: Dated, bases: Index, std: Array, count: int) -> Index:
+    """So many of the points at most, spread evenly, of each part the one with the least standard deviation."""
+    if len(bases) <= count:
+        return bases
+    at = dated.at[bases]
+    xyz = dated.block.points.xyz[np.take_along_axis(at, (at >= 0).argmax(axis=1)[:, None], axis=1)[:, 0]]
+    parts = [np.arange(len(bases))]
+    while len(parts) < count:
         parts.sort(key=len)
         largest = parts.pop()
         some = xyz[largest] - np.median(xyz[largest], axis=0)
         order = largest[np.argsort(some[:, np.ptp(some, axis=0).argmax()], kind="stable")]
         parts += [order[: len(order) // 2], order[len(order) // 2 :]]
-    chosen += [int(part[std[part].argmin()]) for part in parts if len(part)]
-    return everywhere[np.sort(np.array(chosen))]
+    return bases[np.sort([int(part[std[part].argmin()]) for part in parts if len(part)])]
 
 
 def point_sets(
