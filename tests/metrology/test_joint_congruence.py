@@ -31,7 +31,9 @@ class Joint:
             second[points] += by
         u = 3 * n
         sets = [
-            PointSet(name=f"e{e}", ids=ids, xyz=xyz + errors[e], covariance=self.C[e * u : e * u + u, e * u : e * u + u])
+            PointSet(
+                name=f"e{e}", ids=ids, xyz=xyz + errors[e], covariance=self.C[e * u : e * u + u, e * u : e * u + u]
+            )
             for e, xyz in enumerate((self.xyz, second))
         ]
         return sets, self.C.reshape(2, u, 2, u)
@@ -42,7 +44,7 @@ def test_without_the_covariance_between_epochs_a_movement_is_overlooked():
     epochs, rng = Joint(), np.random.default_rng(3)
     found = {"joint": 0, "apart": 0}
     for _ in range(20):
-        sets, C = epochs.draw(rng, [([5], [10 * SIGMA, 0, 0])])
+        sets, C = epochs.draw(rng, [([5], [18 * SIGMA, 0, 0])])
         found["joint"] += int(congruence(sets, joint=C).moved[5])
         found["apart"] += int(congruence(sets).moved[5])
     assert found["joint"] >= 17
@@ -54,7 +56,6 @@ def test_false_alarms_with_the_joint_covariance_are_as_seldom_as_stated():
     draws = [epochs.draw(rng) for _ in range(60)]
     p = [congruence(sets, joint=C).p_value for sets, C in draws]
     assert np.mean(np.concatenate(p) < 0.1) == pytest.approx(0.1, abs=0.035)
-
 
 
 def test_an_area_is_found_that_no_single_point_shows():

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from raybundle.workflows.epochs.tables import Changes, Exceeded, Limit
     from raybundle.workflows.orient import Orientation
 
-EXCEEDED = 6
-"""Exit status where a displacement exceeds the limit"""
+EXCEEDED, MM = 6, 1e3
+"""Exit status where a displacement exceeds the limit; millimetres of a metre"""
 TABLE = "epochs"
 """Of project.toml: the photographs of all dates"""
 UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "": 1.0}
@@ -134,7 +134,8 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
             settings={n: str(v) for n, v in other_than_usual(settings).items() if n not in {"photos", "out"}},
             wanted=accuracy_class(orienting.accuracy_class), record=record_of(orienting).over(record_in(out)),
             pdf=orienting.pdf, appendix=orienting.appendix, language=orienting.language, additions=stated.as_addition(),
-            findings=() if found is None else (found,), more=lambda folder: _write(found, folder, limit, changes),
+            findings=() if found is None else (found.stability.congruence,),
+            more=lambda folder: _write(found, folder, limit, changes),
         )  # fmt: skip
     return Epochs(
         orientation=done, movements=found, changes=changes,
@@ -237,7 +238,8 @@ def with_movements(
         return replace(done, adjustment=one, remarks=(*done.remarks, lone.text())), None
     free = {i.camera: i.free for i in a.interior if i.image is None}
     block = replace(
-        block, cameras=tuple(replace(c, estimate=free.get(c.id, ())) if c.estimate == "auto" else c for c in block.cameras)
+        block,
+        cameras=tuple(replace(c, estimate=free.get(c.id, ())) if c.estimate == "auto" else c for c in block.cameras),
     )
     same = {"test": None, "yes": True, "no": False}[settings.same_camera]
     found = movements(
@@ -335,19 +337,24 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
         u = d.vector[k] / max(float(d.length[k]), 1e-300)
         first.append(
             note("displacement.largest", point=d.point[k], start=names[d.start[k]], end=names[d.end[k]],
-                 length_mm=1e3 * float(d.length[k]), sigma_mm=1e3 * float(np.sqrt(u @ d.covariance[k] @ u)))
+                 length_mm=MM * float(d.length[k]), sigma_mm=MM * float(np.sqrt(u @ d.covariance[k] @ u)))
         )  # fmt: skip
     for a in [a for a in areas if a.given] or areas[:1]:
         j = int(np.linalg.norm(a.displacement, axis=1).argmax())
         u = a.displacement[j] / max(float(np.linalg.norm(a.displacement[j])), 1e-300)
         first.append(
-            note("displacement.area", name=a.name, n=len(a.points), length_mm=1e3 * float(np.linalg.norm(a.displacement[j])),
-                 sigma_mm=1e3 * float(np.sqrt(u @ a.covariance[j] @ u)), end=names[j + 1])
+            note("displacement.area", name=a.name, n=len(a.points),
+                 length_mm=MM * float(np.linalg.norm(a.displacement[j])),
+                 sigma_mm=MM * float(np.sqrt(u @ a.covariance[j] @ u)), end=names[j + 1])
         )  # fmt: skip
     finite = d.detectable[np.isfinite(d.detectable)]
     if len(finite):
         first.append(
-            note("displacement.level_of_detection", median_mm=1e3 * float(np.median(finite)), largest_mm=1e3 * float(finite.max()))
+            note(
+                "displacement.level_of_detection",
+                median_mm=MM * float(np.median(finite)),
+                largest_mm=MM * float(finite.max()),
+            )
         )
     if done.changes is not None:
         c = done.changes
@@ -357,12 +364,14 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
     if m.stability.congruence.after[1] < settings.significance:
         grave.append(warning("epochs.stable_points_differ", p=float(m.stability.congruence.after[1])))
     grave += [
-        warning("epochs.camera_changed", camera=t.camera, F=t.F, p=t.p_value) for t in m.stability.cameras if not t.shared
+        warning("epochs.camera_changed", camera=t.camera, F=t.F, p=t.p_value)
+        for t in m.stability.cameras
+        if not t.shared
     ]
     if done.exceeded:
         e = done.exceeded[0]
         grave.insert(0, warning(
-            "epochs.limit_exceeded", n=len(done.exceeded), name=e.name, end=e.end, length_mm=1e3 * e.length,
+            "epochs.limit_exceeded", n=len(done.exceeded), name=e.name, end=e.end, length_mm=MM * e.length,
             limit=settings.limit, probability=e.probability,
         ))  # fmt: skip
     return first, grave

@@ -69,7 +69,7 @@ def patches_of(xyz: Array) -> tuple[Hypothesis, ...]:
     sizes = [SMALLEST]
     while 2 * (2 * sizes[-1] - 1) <= n:
         sizes.append(2 * sizes[-1] - 1)
-    if 2 * SMALLEST > n:
+    if n < 2 * SMALLEST:
         return ()
     nearest = np.asarray(KDTree(xyz).query(xyz, k=sizes[-1])[1], np.int64)
     found = dict.fromkeys(tuple(sorted(row[:size])) for size in sizes for row in nearest.tolist())

@@ -159,9 +159,15 @@ def congruence(
     named, patch = groups_of(ids, groups or {}), patches_of(first.xyz) if patches else ()
     # half of the significance is that of points and groups, half that of patches
     alpha = (significance / 2 if patch else significance) / (n + len(named) + others)
-    family = _Family.of((*named, *patch), n, [alpha] * len(named) + [significance / 2 / max(len(patch), 1)] * len(patch))
+    family = _Family.of(
+        (*named, *patch), n, [alpha] * len(named) + [significance / 2 / max(len(patch), 1)] * len(patch)
+    )
     model = _model(first, sets[1:], alike, scale=free_scale, joint=joint)
-    starts = [alike] if datum or not patch else [alike, *stable_starts(model, [p.points for p in patch if len(p.points) == SMALLEST])]
+    starts = (
+        [alike]
+        if datum or not patch
+        else [alike, *stable_starts(model, [p.points for p in patch if len(p.points) == SMALLEST])]
+    )
     states = [_moved(model, _State.of(~s, family, model, alpha), alpha, known, family) for s in starts]
     if patch and not datum:  # as well may the others have moved
         best = max(states, key=lambda s: _merit(model, s))
@@ -179,7 +185,9 @@ def congruence(
     F, p = model.tests(moved)
     d, C = model.displacements(moved)
     none = np.zeros(n, bool)
-    shown = [(a, alpha) for a in named] + [(family.areas[k], family.limits[k]) for k in state.active if not family.areas[k].given]
+    shown = [(a, alpha) for a in named] + [
+        (family.areas[k], family.limits[k]) for k in state.active if not family.areas[k].given
+    ]
     return Congruence(
         epochs=tuple(e.name for e in epochs), ids=ids, xyz=first.xyz, moved=moved, displacement=d, covariance=C,
         statistic=F, p_value=p, limit=alpha, detectable=model.detectable(moved, alpha),

@@ -22,14 +22,28 @@ class Differences(Protocol):
     """Differences d (3 n k) of points = datum B t, with covariance Q."""
 
     @property
-    def d(self) -> Array: ...
+    def d(self) -> Array:
+        """(3 n k)."""
+        ...
+
     @property
-    def Q(self) -> Array: ...
+    def Q(self) -> Array:
+        """Their covariance."""
+        ...
+
     @property
-    def B(self) -> Array: ...
+    def B(self) -> Array:
+        """(3 n k, g) what the datum does to them."""
+        ...
+
     @property
-    def points(self) -> int: ...
-    def rows(self, points: Index) -> Index: ...
+    def points(self) -> int:
+        """Number of points."""
+        ...
+
+    def rows(self, points: Index) -> Index:
+        """(len(points), 3 k) rows of points."""
+        ...
 
 
 def stable_starts(model: Differences, patches: Sequence[Index]) -> list[Mask]:
@@ -84,7 +98,8 @@ def _consensus(d: Array, B: Array, C: Array) -> Mask:
         # three points know the datum worse than all do: the limit is wider for their consensus
         tried.append((float(np.minimum(_square(y, A, t), 4 * limit).sum()), t))
     tried.append((0.0, np.linalg.lstsq(A.reshape(h * f, -1), y.ravel(), rcond=1e-9)[0]))
-    for _, t in sorted(tried, key=lambda c: c[0])[: REFINED + 1]:
+    for _, start in sorted(tried, key=lambda c: c[0])[: REFINED + 1]:
+        t = start
         for _ in range(ROUNDS):
             weight = np.sqrt(np.maximum(1 - _square(y, A, t) / (4 * limit), 0.0))  # Tukey's, at twice the limit
             if (weight > 0).sum() < 3:

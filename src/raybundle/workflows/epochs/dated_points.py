@@ -92,9 +92,9 @@ def by_dates(block: Block, dates: Dates, together: Sequence[str] = (), rows: Mas
     source = _sources(keys, key, keep, o.point, base_of, known, D)
     places = (seen >= RAYS).sum(axis=1)
     ids = tuple(
-        bases[k // (D + 1)] if k % (D + 1) == D or places[k // (D + 1)] < 2 else dates.point(bases[k // (D + 1)], k % (D + 1))
-        for k in keys.tolist()
-    )  # fmt: skip
+        bases[one] if date == D or places[one] < 2 else dates.point(bases[one], date)
+        for one, date in (divmod(k, D + 1) for k in keys.tolist())
+    )
     at = np.full((B, D), -1, np.int64)
     for n, k in enumerate(keys.tolist()):
         base, date = divmod(k, D + 1)
@@ -103,7 +103,8 @@ def by_dates(block: Block, dates: Dates, together: Sequence[str] = (), rows: Mas
         else:
             at[base, date] = n
     first = np.where((at >= 0).any(axis=1), at[np.arange(B), (at >= 0).argmax(axis=1)], -1)
-    first[whole] = [np.searchsorted(keys, k * (D + 1) + D) if k * (D + 1) + D in keys else -1 for k in np.flatnonzero(whole)]
+    one = np.flatnonzero(whole) * (D + 1) + D
+    first[whole] = np.where(np.isin(one, keys), np.searchsorted(keys, one), -1)
     new = first[base_of].astype(np.int32)
     found = replace(
         block, points=replace(p.rows(source), ids=ids),

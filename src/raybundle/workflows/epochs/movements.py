@@ -1,5 +1,4 @@
-"""What moved between the dates of a block: one final adjustment, stable points one place, and displacements with all
-covariances between the dates."""
+"""What moved between the dates of a block: one final adjustment, and displacements with all covariances."""
 
 from __future__ import annotations
 
@@ -103,7 +102,8 @@ class Movements:
 
 
 def movements(
-    block: Block, dates: Dates, *, significance: float = SIGNIFICANCE, groups: Mapping[str, Sequence[str]] | None = None,
+    block: Block, dates: Dates, *, significance: float = SIGNIFICANCE,
+    groups: Mapping[str, Sequence[str]] | None = None,
     datum: Sequence[str] = (), options: AdjustmentOptions | None = None, same_cameras: bool | None = None,
     patches: bool = True, progress: Progress = silent,
 ) -> Movements:  # fmt: skip
@@ -123,25 +123,23 @@ def movements(
     # image points that the test found wrong stay out of what it found stable
     stable = set(s.stayed)
     dated, result = _adjusted(block, dates, stable, apart, options, progress)
-    every = _others(dated, s, result)
+    every = _others(dated, s)
     others = spread_evenly(dated, every, np.ones(len(every)), SINGLE)
     found = _pairs(result, dated, others)
     others = np.array(list(dict.fromkeys(found.base.tolist())), np.int64)
     moved = _by_point(found, alpha)
-    near = _near_moved(dated, s, others, s.congruence.xyz, s.congruence.in_area)
+    near = _near_moved(dated, others, s.congruence.xyz, s.congruence.in_area)
     between = every[~np.isin(every, others)]
     gone = np.concatenate([s.congruence.moved, np.array(moved, bool) | np.array(near, bool)])
-    follows = _near_moved(dated, s, between, np.vstack([s.congruence.xyz, _places(dated, others)]), gone)
+    follows = _near_moved(dated, between, np.vstack([s.congruence.xyz, _places(dated, others)]), gone)
     more = [dated.bases[b] for b, m, a in zip(others.tolist(), moved, near, strict=True) if not m and not a]
     more += [dated.bases[b] for b, a in zip(between.tolist(), follows, strict=True) if not a]
-    final, last = (
-        _adjusted(block, dates, stable | set(more), apart, options, progress) if more else (dated, result)
-    )
+    final, last = _adjusted(block, dates, stable | set(more), apart, options, progress) if more else (dated, result)
     if last.datum_defect:  # a free network: its datum is that of the points that stayed
         names = tuple(final.bases[k] for k in np.flatnonzero(final.together & (final.at >= 0).any(axis=1)))
         own = replace(options, datum_points=names, reject="none")
         last = decide(replace(last.given, rejected=_rejected(last)), own, progress)
-    rows = _all_rows(last, final, s, found, others, moved, near, alpha)
+    rows = _all_rows(last, final, s, found, moved, near, alpha)
     return Movements(
         dates=dates, stability=s, dated=final, adjustment=last, displacements=rows, limit=alpha,
         single_rays=len(block.observations) - len(final.block.observations),
@@ -178,7 +176,7 @@ def _own(dated: Dated) -> Mask:
     return mine & ~np.asarray(dated.block.points.is_control.any(axis=1), bool)
 
 
-def _others(dated: Dated, s: Stability, result: Adjustment) -> Index:
+def _others(dated: Dated, s: Stability) -> Index:
     """Points with places at two dates or more that were not in the test."""
     tested = {s.dated.bases[k] for k in s.tested.tolist()}
     return np.array([k for k in np.flatnonzero(dated.spanning).tolist() if dated.bases[k] not in tested], np.int64)
@@ -243,7 +241,7 @@ def _places(dated: Dated, bases: Index) -> Array:
     return metres * dated.block.points.xyz[first]
 
 
-def _near_moved(dated: Dated, s: Stability, bases: Index, xyz: Array, moved: Mask | None) -> list[bool]:
+def _near_moved(dated: Dated, bases: Index, xyz: Array, moved: Mask | None) -> list[bool]:
     """Whether most of the tested points (n, 3) around each of some points moved."""
     if moved is None or not moved.any() or not len(bases):
         return [False] * len(bases)
@@ -255,7 +253,7 @@ def _near_moved(dated: Dated, s: Stability, bases: Index, xyz: Array, moved: Mas
 
 
 def _all_rows(
-    result: Adjustment, dated: Dated, s: Stability, found: _Found, others: Index, moved: Sequence[bool],
+    result: Adjustment, dated: Dated, s: Stability, found: _Found, moved: Sequence[bool],
     near: Sequence[bool], alpha: float,
 ) -> Displacements:  # fmt: skip
     """All displacements: of points apart by the final adjustment, of stable ones as the test found them."""
@@ -267,13 +265,13 @@ def _all_rows(
     for k, b in enumerate(sample.tolist()):
         verdict[b] = STABLE if not c.moved[k] else IN_AREA if c.in_area is not None and c.in_area[k] else MOVED
     bases = list(dict.fromkeys(found.base.tolist()))
-    names = {b: s for b, s in zip(bases, zip(moved, near, strict=True), strict=True)}
+    names = dict(zip(bases, zip(moved, near, strict=True), strict=True))
     for b, (m, a) in names.items():
         verdict[b] = MOVED if m else IN_AREA if a else STABLE
     apart = np.array([b for b, v in verdict.items() if v != STABLE], np.int64)
     final = _pairs(result, dated, apart)
     parts.append(final)
-    k, n = c.displacement.shape[:2]
+    k = len(c.displacement)
     still = np.flatnonzero([verdict[b] == STABLE for b in sample.tolist()])
     parts.append(
         _Found(

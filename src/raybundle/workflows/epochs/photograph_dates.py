@@ -61,7 +61,7 @@ def dates_of(photos: Sequence[Photo], sources: Sequence[Source]) -> dict[str, st
     found: dict[str, str] = {}
     for photo in photos:
         path = photo.path.resolve()
-        mine = next((d for p, d in given if path == p or path.parent == p), "")
+        mine = next((d for p, d in given if p in {path, path.parent}), "")
         taken = photo.metadata.taken
         found[photo.name] = mine or ("" if taken is None else taken.date().isoformat())
     missing = [name for name, d in found.items() if not d]

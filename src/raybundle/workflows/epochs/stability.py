@@ -58,7 +58,8 @@ class Stability:
 
 
 def stability(
-    block: Block, dates: Dates, *, significance: float = SIGNIFICANCE, groups: Mapping[str, Sequence[str]] | None = None,
+    block: Block, dates: Dates, *, significance: float = SIGNIFICANCE,
+    groups: Mapping[str, Sequence[str]] | None = None,
     datum: Sequence[str] = (), options: AdjustmentOptions | None = None, same_cameras: bool | None = None,
     patches: bool = True, progress: Progress = silent,
 ) -> Stability:  # fmt: skip
@@ -140,7 +141,9 @@ def _sample(dated: Dated, everywhere: Index, result: Adjustment, names: set[str]
     std = np.linalg.norm(result.precision.object_point_std[dated.at[everywhere]], axis=2).max(axis=1)
     chosen = np.flatnonzero(first)[: MOST // 2]
     rest = np.setdiff1d(np.arange(len(everywhere)), chosen)
-    return np.sort(np.concatenate([everywhere[chosen], spread_evenly(dated, everywhere[rest], std[rest], MOST - len(chosen))]))
+    return np.sort(
+        np.concatenate([everywhere[chosen], spread_evenly(dated, everywhere[rest], std[rest], MOST - len(chosen))])
+    )
 
 
 def spread_evenly(dated: Dated, bases: Index, std: Array, count: int) -> Index:

@@ -100,8 +100,9 @@ def write_displacements(m: Movements, path: Path, limit: Limit | None) -> None:
     if limit is not None:
         columns[EXCEEDS] = d.exceeds(limit.length)
     rules: dict[str, Digits] = {
-        **{a: by_sigma(std[:, k]) for k, a in enumerate(AXES)}, **{f"d{a}": by_sigma(std[:, k]) for k, a in enumerate(AXES)},
-        **{f"sd{a}": STD for a in AXES}, **dict.fromkeys(("rXY", "rXZ", "rYZ"), STD), "length": by_sigma(std.max(axis=1, initial=0)),
+        **{f"{h}{a}": by_sigma(std[:, k]) for k, a in enumerate(AXES) for h in ("", "d")},
+        **dict.fromkeys(("sdX", "sdY", "sdZ", "rXY", "rXZ", "rYZ"), STD),
+        "length": by_sigma(std.max(axis=1, initial=0)),
         "F": TEST, "p": PROBABILITY, "detectable_before": STD, "detectable": STD, EXCEEDS: PROBABILITY,
     }  # fmt: skip
     write_table(path, columns, {n: r for n, r in rules.items() if n in columns})
