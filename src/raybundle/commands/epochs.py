@@ -194,7 +194,9 @@ def _as_before(settings: EpochsSettings, sources: Sequence[Source]) -> OrientSet
     paths = tuple(f.path for s in sources for f in folders_of(s))
     if (settings.out / "project.toml").is_file():
         return replace(settings_asked(settings.out), **{**given, "photos": paths, "out": settings.out})
-    return OrientSettings(**{f: getattr(settings, f) for f in own} | {"photos": paths})
+    values: dict[str, Any] = {name: getattr(settings, name) for name in own}
+    values["photos"] = paths
+    return OrientSettings(**values)
 
 
 def _keep_sources(out: Path, sources: Sequence[Source]) -> None:

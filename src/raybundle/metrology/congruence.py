@@ -338,13 +338,15 @@ class _Model:
     def tests(self, moved: Mask) -> tuple[Array, Array]:
         """(n,) F of each point against those that stayed, without it; and its probability."""
         u, S = self.stayed(moved).compared()
-        return self._tested(u, S)
+        return self.tested(u, S)
 
-    def _tested(self, u: Array, S: Array) -> tuple[Array, Array]:
+    def tested(self, u: Array, S: Array) -> tuple[Array, Array]:
         """F (h,) of hypotheses by their vectors (h, 3 k) and covariances or weights, and their probabilities."""
+        from scipy.special import chdtrc, fdtrc
+
         dof = 3 * self.later
         F = np.einsum("hi,hij,hj->h", u, np.linalg.pinv(S, rcond=1e-10, hermitian=True), u) / dof
-        return F, np.array([fisher_tail(f, dof, self.freedom) for f in F])
+        return F, np.asarray(chdtrc(dof, F * dof) if np.isinf(self.freedom) else fdtrc(dof, self.freedom, F))
 
     def together(self, family: _Family, moved: Mask) -> Array:
         """(h,) probability of the mean displacement of the points of areas that have not moved; NaN: too few."""
@@ -352,7 +354,7 @@ class _Model:
         inside = family.sums @ (~moved)
         some = np.flatnonzero((inside > 1) & ((~moved).sum() - inside >= LEAST - 1))
         if len(some):
-            found[some] = self._tested(*self.stayed(moved).shifts(family, some))[1]
+            found[some] = self.tested(*self.stayed(moved).shifts(family, some))[1]
         return found
 
     def patch_sizes(
@@ -377,7 +379,7 @@ class _Model:
         back[area.points] = False
         one = _Family.of([area], self.points, [])
         (u,), (S,) = self.stayed(back).shifts(one, np.arange(1))
-        F, p = self._tested(u[None], S[None])
+        F, p = self.tested(u[None], S[None])
         C = np.linalg.pinv(S, rcond=1e-10, hermitian=True)
         found = (C @ u).reshape(self.later, 3)
         at = np.arange(self.later)
@@ -542,7 +544,9 @@ class _State:
             points = family.areas[k].points
             if inside[k] < 0.8 * size[k] or not left[points].any() or family.areas[k].given:
                 continue
-            if model.area(family.areas[k], moved, float(family.limits[k])).moved:
+            back = moved.copy()
+            back[points] = False
+            if model.tested(*model.stayed(back).shifts(family, np.array([k])))[1][0] < family.limits[k]:
                 active.append(k)
                 left[points] = False
         return cls(own=moved & (p < alpha), active=tuple(active), family=family)
@@ -624,6 +628,9 @@ def _moved(model: _Model, state: _State, alpha: float, fixed: Mask, family: _Fam
 
 def _without(model: _Model, state: _State, area: int) -> float:
     """Probability of an active area over its limit, if what belongs to it alone had stayed."""
-    rest = replace(state, active=tuple(k for k in state.active if k != area))
-    p = model.together(state.family, rest.moved)[area]
-    return float("inf") if np.isnan(p) else float(p / state.family.limits[area])
+    rest = replace(state, active=tuple(k for k in state.active if k != area)).moved
+    points = state.family.areas[area].points
+    if (~rest[points]).sum() < 2:
+        return float("inf")
+    p = model.tested(*model.stayed(rest).shifts(state.family, np.array([area])))[1][0]
+    return float(p / state.family.limits[area])

@@ -166,8 +166,11 @@ def write_epochs(contents: Mapping[str, Any], path: Path) -> None:
 def read_displacements(path: Path) -> dict[tuple[str, str, str], tuple[Array, Array, str]]:
     """Displacements (3,) and standard deviations (3,) [m] and verdicts of a result, by point and dates."""
     texts, numbers = ("point", "from", "to", "verdict"), [f"{h}{a}" for h in ("d", "sd") for a in AXES]
-    columns = [*(Column(name=n, kind="text", empty=True) for n in texts),
-               *(Column(name=n, kind="number", empty=True) for n in numbers)]  # fmt: skip
+    more = (*AXES, "rXY", "rXZ", "rYZ", "length", "F", "p", "detectable_before", "detectable", EXCEEDS)
+    columns = [
+        *(Column(name=n, kind="text", empty=True) for n in texts),
+        *(Column(name=n, kind="number", empty=True, optional=n == EXCEEDS) for n in (*numbers, *more)),
+    ]
     t = read_table(path, columns, least_rows=0, own=True)
     values = t.numbers(*numbers)
     keys = zip(t.text["point"], t.text["from"], t.text["to"], strict=True)
