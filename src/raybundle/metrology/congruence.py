@@ -8,6 +8,7 @@ global test alone overlooks a point that moved among many that stayed.  Limits a
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -172,7 +173,8 @@ def congruence(
     if patch and not datum:  # as well may the others have moved
         best = max(states, key=lambda s: _merit(model, s))
         if LEAST <= best.moved.sum() < n - LEAST:
-            states.append(_moved(model, _State.of(~best.moved, family, model, alpha), alpha, known, family))
+            with suppress(InputError):  # too few of them, or in a line
+                states.append(_moved(model, _State.of(~best.moved, family, model, alpha), alpha, known, family))
     # of those that leave no contradiction the one in which most stayed
     state = max(states, key=lambda s: _merit(model, s))
     for _ in range(ROUNDS):  # in the axes of those that stayed
@@ -352,7 +354,7 @@ class _Model:
         """(h,) probability of the mean displacement of the points of areas that have not moved; NaN: too few."""
         found = np.full(len(family.areas), np.nan)
         inside = family.sums @ (~moved)
-        some = np.flatnonzero((inside > 1) & ((~moved).sum() - inside >= LEAST - 1))
+        some = np.flatnonzero((inside > 1) & ((~moved).sum() - inside >= max(LEAST, self.points // 3)))
         if len(some):
             found[some] = self.tested(*self.stayed(moved).shifts(family, some))[1]
         return found

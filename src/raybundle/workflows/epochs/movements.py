@@ -136,7 +136,9 @@ def movements(
     more += [dated.bases[b] for b, a in zip(between.tolist(), follows, strict=True) if not a]
     final, last = _adjusted(block, dates, stable | set(more), apart, options, progress) if more else (dated, result)
     if last.datum_defect:  # a free network: its datum is that of the points that stayed
-        names = tuple(final.bases[k] for k in np.flatnonzero(final.together & (final.at >= 0).any(axis=1)))
+        used = last.handle.work.system.points_used if last.handle.work is not None else np.zeros(0, bool)
+        there = final.together & (final.at >= 0).any(axis=1)
+        names = tuple(final.bases[k] for k in np.flatnonzero(there) if used[int(final.at[k].max())])
         own = replace(options, datum_points=names, reject="none")
         last = decide(replace(last.given, rejected=_rejected(last)), own, progress)
     rows = _all_rows(last, final, s, found, moved, near, alpha)
