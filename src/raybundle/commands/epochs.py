@@ -126,6 +126,8 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     )  # fmt: skip
     dates = dates_of(done.photos, [f for s in sources for f in folders_of(s)])
     done, found = with_movements(done, dates, settings, progress)
+    if done.adjustment.free_scale:  # lengths are in no unit
+        limit = None
     before = _delivered(result)
     changes = None if found is None or before is None else _changes(found, before)
     with report_stage(out, done.stages), replacing(out, EPOCHS, marks=False) as stated:
