@@ -7,10 +7,13 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
+from raybundle.measuring.joint import Joint
+from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.epochs.cameras import cameras_by_dates
 from raybundle.workflows.epochs.dated_points import by_dates
 from raybundle.workflows.epochs.movements import MOVED, movements
 from raybundle.workflows.epochs.photograph_dates import Source, date_of, folders_of, given_date
+from raybundle.workflows.epochs.stability import weighted_apart
 from raybundle.workflows.epochs.tables import (
     Limit,
     changes_of,
@@ -36,6 +39,51 @@ def done(plan):
     assert power.min() > 0.99
     block, dates = network(5, plan.moves(truth))
     return movements(block, dates), truth, which
+
+
+def test_relief_is_the_same_at_all_dates(done):
+    s = done[0].stability
+    result, k = s.result, s.tested[0]
+    a, b = s.dated.at[k, :2].tolist()
+    rough = np.zeros((len(result.adjusted.points), 3))
+    rough[a], rough[b] = (1.0, 0.0, 2.0), (0.5, 0.5, 2.5)
+    assert result.precision is not None
+    rougher = replace(result, precision=replace(result.precision, roughness=rough))
+
+    def difference(joint):
+        C = joint.of_points([a, b]).reshape(2, 3, 2, 3)
+        return C[0, :, 0] + C[1, :, 1] - C[0, :, 1] - C[1, :, 0]
+
+    smooth = difference(Joint.of(result))
+    assert np.allclose(difference(Joint.of(rougher, s.dated.place)), smooth, rtol=1e-6)
+    assert np.allclose(Joint.of(rougher, s.dated.place).of_differences(np.array([a]), np.array([b]))[0], smooth)
+    apart = Joint.of(rougher)
+    linked = np.array([s.dated.at[j, 0] for j in s.tested[:7]]), np.array([s.dated.at[j, 2] for j in s.tested[:7]])
+    for p, q, C in zip(*linked, apart.of_differences(*linked), strict=True):
+        D = np.hstack([-np.eye(3), np.eye(3)])
+        assert np.allclose(C, D @ apart.of_points([int(p), int(q)]) @ D.T, rtol=1e-6, atol=1e-12)
+    assert np.trace(difference(Joint.of(rougher))) > np.trace(smooth) + 10
+    own = Joint.of(rougher, s.dated.place).of_points([a])
+    assert np.trace(own) > 5
+
+
+def test_what_moved_is_no_noise_to_the_weights(plan):
+    rng = np.random.default_rng(8)
+    which = rng.choice(len(plan.ids), 12, replace=False)
+    truth, _ = plan.drawn(which, [60.0] * 12, list(rng.normal(size=(12, 2, 3))))
+    block, dates = network(6, plan.moves(truth))
+    o, n = block.observations, len(block.observations)
+    matches = Matches(
+        images=block.images.ids, image=o.image, xy_px=o.xy_px, grey=np.tile([0.01, 0.01, 0.0], (n, 1)),
+        level=np.zeros(n, int), reference=np.zeros(n, bool), feature=np.zeros(n, bool),
+    )  # fmt: skip
+    spoiled = Weights(factors=(0.0,) * 4, floors_px2=(4.0,) * 4)
+    given = weighted(block, [matches], spoiled)
+    assert (given.observations.cov_px2[:, 0] == 4).all()
+    found, weights = weighted_apart(given, dates, [matches], spoiled)
+    assert np.sqrt(found.observations.cov_px2[:, 0]).mean() == pytest.approx(0.3, rel=0.05)
+    assert weights.covariance(matches.grey, matches.level, matches.reference)[0, 0] == pytest.approx(0.09, rel=0.1)
+    assert movements(found, dates, patches=False).adjustment.sigma0 == pytest.approx(1.0, abs=0.05)
 
 
 def test_places_of_each_date_and_back():

@@ -228,8 +228,10 @@ def with_movements(
 ) -> tuple[Orientation, Movements | None]:  # fmt: skip
     """An orientation with places of each date where points moved, and what moved; None: one date alone."""
     from raybundle.adjustment.readjust import block_again
+    from raybundle.ties.block import image_sigma_px
     from raybundle.workflows.epochs.dated_points import Dates
     from raybundle.workflows.epochs.movements import movements
+    from raybundle.workflows.epochs.stability import weighted_apart
 
     a = done.adjustment
     block = block_again(a)
@@ -245,15 +247,19 @@ def with_movements(
         block,
         cameras=tuple(replace(c, estimate=free.get(c.id, ())) if c.estimate == "auto" else c for c in block.cameras),
     )
+    weights, adjusting = done.weights, replace(a.options, reject="snooping", estimate="given", datum="auto")
+    if weights is not None and done.matches:
+        block, weights = weighted_apart(block, Dates.of(of_image), done.matches, weights, adjusting, progress)
     same = {"test": None, "yes": True, "no": False}[settings.same_camera]
     found = movements(
         block, Dates.of(of_image), significance=settings.significance, groups=groups_of(settings.group, block),
         datum=settings.datum_points, same_cameras=same, progress=progress,
-        options=replace(a.options, reject="snooping", estimate="given", datum="auto"),
+        options=adjusting,
     )  # fmt: skip
     own = {n.code for n in found.adjustment.notices}
     notices = (*(n for n in a.notices if n.code not in own and n.code not in OF_ONE_DATE), *found.adjustment.notices)
-    return replace(done, adjustment=replace(found.adjustment, notices=notices)), found
+    adjustment = replace(found.adjustment, notices=notices)
+    return replace(done, adjustment=adjustment, weights=weights, sigma_px=image_sigma_px(adjustment)), found
 
 
 OF_ONE_DATE = {"snooping_masked", "rejected", "image_contradicts", "image_less_precise"}

@@ -62,6 +62,14 @@ class Dated:
     """(b, dates) image points of each date"""
 
     @property
+    def place(self) -> Index:
+        """(p,) number of the base of each point of `block`."""
+        found = len(self.bases) + np.arange(len(self.block.points))
+        base, date = np.nonzero(self.at >= 0)
+        found[self.at[base, date]] = base
+        return found
+
+    @property
     def spanning(self) -> Mask:
         """(b,) points with places of their own at two dates or more."""
         return ~self.together & ((self.at >= 0).sum(axis=1) > 1)
@@ -131,7 +139,25 @@ def _sources(keys: Index, key: Index, keep: Mask, point: Index, base_of: Index, 
     return source
 
 
-def intersected(block: Block, points: Mask) -> tuple[Block, Mask]:
+def placed_by_dates(block: Block, dates: Dates, together: Sequence[str] = ()) -> Dated:
+    """As `by_dates`, each point of a date where its rays meet; rays of points that have no depth then are left out."""
+    dated = by_dates(block, dates, together)
+    placed, flat = _intersected(dated.block, _own_place(dated))
+    if flat.any():
+        dated = by_dates(dated.block, dates, together, rows=~flat[dated.block.observations.point])
+        placed, _ = _intersected(dated.block, _own_place(dated))
+    return replace(dated, block=placed)
+
+
+def _own_place(dated: Dated) -> Mask:
+    """(p,) points that the rays of their dates alone place."""
+    mine = np.zeros(len(dated.block.points), bool)
+    at = dated.at[~dated.together]
+    mine[at[at >= 0]] = True
+    return mine & ~np.asarray(dated.block.points.is_control.any(axis=1), bool)
+
+
+def _intersected(block: Block, points: Mask) -> tuple[Block, Mask]:
     """The block with some points where their rays meet, and which of these have no depth."""
     origin, direction = viewing_lines(block)
     xyz, count, ratio = intersect_linear(origin, direction, block.observations.point, len(block.points))

@@ -17,7 +17,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import detectable_noncentrality, fisher_tail
 from raybundle.workflows.epochs.cameras import cameras_by_dates
-from raybundle.workflows.epochs.dated_points import Dated, Dates, by_dates, intersected
+from raybundle.workflows.epochs.dated_points import Dated, Dates, placed_by_dates
 from raybundle.workflows.epochs.stability import Stability, spread_evenly, stability
 
 MOVED, STABLE, IN_AREA, UNCLEAR = "moved", "stable", "moved_area", "not_significant"
@@ -158,24 +158,10 @@ def _adjusted(
     block: Block, dates: Dates, together: set[str], apart: Sequence[str], options: AdjustmentOptions, progress: Progress
 ) -> tuple[Dated, Adjustment]:  # fmt: skip
     """The adjustment of the block with these points as one place."""
-    names = sorted(together)
-    dated = by_dates(block, dates, names)
-    placed, flat = intersected(dated.block, _own(dated))
-    if flat.any():
-        keep = ~flat[dated.block.observations.point]
-        dated = by_dates(dated.block, dates, names, keep)
-        placed, _ = intersected(dated.block, _own(dated))
+    dated = placed_by_dates(block, dates, sorted(together))
     if apart:
-        placed = cameras_by_dates(placed, dates, apart)
-    dated = replace(dated, block=placed)
-    return dated, decide(placed, options, progress)
-
-
-def _own(dated: Dated) -> Mask:
-    mine = np.zeros(len(dated.block.points), bool)
-    at = dated.at[~dated.together]
-    mine[at[at >= 0]] = True
-    return mine & ~np.asarray(dated.block.points.is_control.any(axis=1), bool)
+        dated = replace(dated, block=cameras_by_dates(dated.block, dates, apart))
+    return dated, decide(dated.block, options, progress)
 
 
 def _others(dated: Dated, s: Stability) -> Index:
@@ -198,27 +184,19 @@ class _Found:
 
 def _pairs(result: Adjustment, dated: Dated, bases: Index) -> _Found:
     """Displacements of points against their first dates by the joint covariance of both places."""
-    joint = Joint.of(result)
+    joint = Joint.of(result, dated.place)
     metres = 0.001 if result.adjusted.length_unit == "mm" else 1.0
-    base, start, end = list[int](), list[int](), list[int]()
-    d, C = list[Array](), list[Array]()
-    xyz = result.adjusted.points.xyz
+    rows: list[tuple[int, int, int, int, int]] = []
     for b in bases.tolist():
         there = [k for k in np.flatnonzero(dated.at[b] >= 0).tolist() if joint.takes_part(int(dated.at[b, k]))]
-        at = [int(dated.at[b, k]) for k in there]
-        if len(set(at)) < 2:
-            continue
-        Q = joint.of_points(at).reshape(len(at), 3, len(at), 3)
-        for j in range(1, len(at)):
-            base.append(b)
-            start.append(there[0])
-            end.append(there[j])
-            d.append(metres * (xyz[at[j]] - xyz[at[0]]))
-            C.append(metres**2 * (Q[j, :, j] + Q[0, :, 0] - Q[j, :, 0] - Q[0, :, j]))
+        at = dated.at[b, there].tolist()
+        rows += [(b, there[0], there[j], at[0], at[j]) for j in range(1, len(at)) if at[j] != at[0]]
+    base, start, end, first, last = np.array(rows, np.int64).reshape(-1, 5).T
+    xyz = result.adjusted.points.xyz
     freedom = float(result.redundancy) if result.redundancy > 0 else float("inf")
     return _Found(
-        base=np.array(base, np.int64), start=np.array(start, np.int64), end=np.array(end, np.int64),
-        vector=np.array(d).reshape(-1, 3), covariance=np.array(C).reshape(-1, 3, 3), freedom=freedom,
+        base=base, start=start, end=end, vector=metres * (xyz[last] - xyz[first]),
+        covariance=metres**2 * joint.of_differences(first, last), freedom=freedom,
     )  # fmt: skip
 
 

@@ -25,13 +25,16 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.objects.surface import farthest_first
 from raybundle.ties.block import object_pixel
+from raybundle.ties.match_weights import Matches, Weights, weighted, weights_again
 from raybundle.workflows.epochs.cameras import CameraTest, camera_tests, cameras_by_dates
-from raybundle.workflows.epochs.dated_points import Dated, Dates, by_dates, intersected
+from raybundle.workflows.epochs.dated_points import Dated, Dates, placed_by_dates
 
 FEWEST = 6
 """Points with a place at every date: three for the datum, as many to be tested"""
 MOST = 300
 """Points that carry the test with their joint covariance, spread evenly; others are tested against those that stayed"""
+WEIGHINGS = 2
+"""Adjustments from which variances of image points are taken"""
 LINKS, WEAK = 4, 100.0
 """Points that join the dates for the computation, and by how much less precisely than they are measured: what that adds
 to the shape of the network is 1e-4 of its weight"""
@@ -74,15 +77,8 @@ def stability(
     Limits: as those of `congruence`; control is taken to have stayed.
     """
     options = options or AdjustmentOptions()
-    dated = by_dates(block, dates)
-    placed, flat = intersected(dated.block, _own_place(dated))
-    if flat.any():
-        dated = by_dates(dated.block, dates, rows=~flat[dated.block.observations.point])
-        placed, _ = intersected(dated.block, _own_place(dated))
-    dated = replace(dated, block=placed)
-    everywhere = np.flatnonzero(dated.spanning & (dated.at >= 0).all(axis=1))
-    if len(everywhere) < FEWEST:
-        raise InputError("epochs.too_few_common", epochs=list(dates.names), n=len(everywhere), least=FEWEST)
+    dated = placed_by_dates(block, dates)
+    everywhere = _everywhere(dated, dates)
     linked = _linked(dated, everywhere)
     tests: tuple[CameraTest, ...] = ()
     separate = [c.id for c in block.cameras] if same_cameras is False else []
@@ -95,7 +91,7 @@ def stability(
             separate = [t.camera for t in tests if not t.shared]
     linked = cameras_by_dates(linked, dates, separate) if separate else linked
     result = decide(linked, options, progress)
-    joint = Joint.of(result)
+    joint = Joint.of(result, dated.place)
     there = np.array([[joint.takes_part(int(p)) for p in row] for row in dated.at[everywhere]]).all(axis=1)
     names = {p for g in (groups or {}).values() for p in g} | set(datum)
     tested = _sample(dated, everywhere[there], result, names)
@@ -108,12 +104,29 @@ def stability(
     return Stability(congruence=found, dated=dated, result=result, tested=tested, cameras=tests)
 
 
-def _own_place(dated: Dated) -> Array:
-    """(p,) points that the rays of their dates alone place."""
-    mine = np.zeros(len(dated.block.points), bool)
-    at = dated.at[~dated.together]
-    mine[at[at >= 0]] = True
-    return mine & ~np.asarray(dated.block.points.is_control.any(axis=1), bool)
+def weighted_apart(
+    block: Block, dates: Dates, matches: Sequence[Matches], weights: Weights,
+    options: AdjustmentOptions | None = None, progress: Progress = silent,
+) -> tuple[Block, Weights]:  # fmt: skip
+    """The block with variances of image points by residuals of adjustments with places of each date.
+
+    matches, weights  as the block got its variances: what moved was noise to the residuals that these come from
+    """
+    options = options or AdjustmentOptions()
+    for _ in range(WEIGHINGS):
+        dated = placed_by_dates(block, dates)
+        result = decide(_linked(dated, _everywhere(dated, dates)), options, progress)
+        weights = weights_again(result, matches, weights)
+        block = weighted(block, matches, weights)
+    return block, weights
+
+
+def _everywhere(dated: Dated, dates: Dates) -> Index:
+    """Points with a place at every date; raises InputError where they are too few."""
+    found = np.flatnonzero(dated.spanning & (dated.at >= 0).all(axis=1))
+    if len(found) < FEWEST:
+        raise InputError("epochs.too_few_common", epochs=list(dates.names), n=len(found), least=FEWEST)
+    return found
 
 
 def _linked(dated: Dated, everywhere: Index) -> Block:
