@@ -11,6 +11,8 @@ from raybundle.planning.synthetic_networks import brown_camera, look_at
 
 DATES = ("2026-05-01", "2026-06-01")
 SIZE = (30.0, 26.0)
+BY = (0.06, -0.04, 0.08)
+"""Metres"""
 MOVED = (-9.0, -1.0)
 """X between which the ground moves"""
 
@@ -50,7 +52,7 @@ def moved_ground(ground, by):
     return replace(ground, height=height, colour=colour)
 
 
-def write_dates(folder, by=(0.06, -0.04, 0.08)):
+def write_dates(folder, by=BY):
     """Photographs of both dates in folder/DATE; ground and camera are one."""
     ground = gravel_pit(SIZE, cell=0.014, seed=5)
     own = camera()
@@ -61,7 +63,18 @@ def write_dates(folder, by=(0.06, -0.04, 0.08)):
             view = View(name=f"{k}_{i}", camera=own, centre=centre, rotation=turn)
             pixels = (ground if k == 0 else moved_ground(ground, by)).photograph(view, rng)
             write_photograph(folder / date / f"{k}_{i}.jpg", pixels, own, _taken(k, i, centre))
+        _write_positions(folder, k)
     return folder
+
+
+def _write_positions(folder, k):
+    """Positions of the photographs of a date and those before, with 10 mm, in UTM."""
+    rows = ["image,X,Y,Z,sX,sY,sZ"]
+    for j in range(k + 1):
+        for i, (centre, _) in enumerate(zip(*views(20 + j), strict=True)):
+            x, y, z = centre + np.random.default_rng(100 * j + i).normal(0, 0.01, 3)
+            rows.append(f"{j}_{i}.jpg,{500000 + x:.4f},{5205000 + y:.4f},{400 + z:.4f},0.01,0.01,0.01")
+    (folder / f"{k}.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
 
 
 def _taken(k, i, centre):

@@ -371,6 +371,9 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
         first.append(note("displacement.changes", n=c.count, median=c.median, largest=c.largest, point=c.point,
                           changed=len(c.more_than_one), verdicts=list(c.verdicts)))  # fmt: skip
     grave: list[Message] = []
+    if done.adjustment.free_scale:
+        limited = warning("epochs.limit_not_tested", limit=settings.limit)
+        grave.append(limited if settings.limit else warning("epochs.no_scale"))
     if m.stability.congruence.after[1] < settings.significance:
         grave.append(warning("epochs.stable_points_differ", p=float(m.stability.congruence.after[1])))
     grave += [
@@ -382,6 +385,6 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
         e = done.exceeded[0]
         grave.insert(0, warning(
             "epochs.limit_exceeded", n=len(done.exceeded), name=e.name, end=e.end, length_mm=MM * e.length,
-            limit=settings.limit, probability=e.probability,
+            limit=settings.limit, confidence=settings.confidence,
         ))  # fmt: skip
     return first, grave

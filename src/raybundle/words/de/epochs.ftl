@@ -86,6 +86,12 @@ epochs-no_photographs = { $project } hat keine Fotos.
 epochs-limit = { $text } ist keine Länge.
     .do = { OPTION("limit", "10mm") } angeben.
 
+epochs-limit_not_tested = { $limit } wird nicht geprüft: Längen haben keinen Maßstab.
+    .do = Passpunkte, eine Maßstabsstrecke oder Positionen der Fotos hinzufügen.
+
+epochs-no_scale = Längen haben keinen Maßstab und keine Einheit.
+    .do = Passpunkte, eine Maßstabsstrecke oder Positionen der Fotos hinzufügen.
+
 epochs-camera_changed = Kamera { $camera } hat an jedem Tag eine andere innere Orientierung (F { NUM($F) }, { P($p) }).
     .why = Jeder Tag hat eigene Kameraparameter; sie sind weniger genau.
     .do = Fokus und Zoom zwischen den Tagen festhalten.
@@ -93,5 +99,5 @@ epochs-camera_changed = Kamera { $camera } hat an jedem Tag eine andere innere O
 epochs-limit_exceeded = { $n } { $n ->
         [one] Verschiebung überschreitet
         *[other] Verschiebungen überschreiten
-    } { $limit }: { $name } { NUM($length_mm, digits: 3) } mm bis { $end } (Wahrscheinlichkeit { PERCENT($probability) } %).
+    } { $limit }: { $name } { NUM($length_mm, digits: 3) } mm bis { $end } (Wahrscheinlichkeit über { PERCENT($confidence) } %).
     .do = { $name } prüfen.

@@ -153,6 +153,13 @@ epochs-no_photographs = { $project } has no photographs.
 epochs-limit = { $text } is no length.
     .do = Give { OPTION("limit", "10mm") }.
 
+# $limit = "10mm"
+epochs-limit_not_tested = { $limit } is not tested: lengths have no scale.
+    .do = Add control, a scale bar or positions of the photographs.
+
+epochs-no_scale = Lengths have no scale, and are in no unit.
+    .do = Add control, a scale bar or positions of the photographs.
+
 # $camera = "1"
 # $F = 5.2
 # $p = 0.0001
@@ -165,9 +172,9 @@ epochs-camera_changed = Camera { $camera } has another interior orientation at e
 # $end = "2026-06-01"
 # $length_mm = 12.3
 # $limit = "10mm"
-# $probability = 0.998
+# $confidence = 0.99
 epochs-limit_exceeded = { $n } { $n ->
         [one] displacement exceeds
         *[other] displacements exceed
-    } { $limit }: { $name } { NUM($length_mm, digits: 3) } mm until { $end } (probability { PERCENT($probability) } %).
+    } { $limit }: { $name } { NUM($length_mm, digits: 3) } mm until { $end } (probability over { PERCENT($confidence) } %).
     .do = Inspect { $name }.

@@ -44,6 +44,10 @@ epochs-no_photographs = { $project } n’a pas de photos.
 
 epochs-limit = { $text } n’est pas une longueur.
 
+epochs-limit_not_tested = { $limit } n’est pas testé : les longueurs n’ont pas d’échelle.
+
+epochs-no_scale = Les longueurs n’ont ni échelle ni unité.
+
 epochs-camera_changed = La caméra { $camera } a une autre orientation interne à chaque date (F { NUM($F) }, { P($p) }).
 
-epochs-limit_exceeded = Déplacements de plus de { $limit } : { $n } ; { $name } { NUM($length_mm, digits: 3) } mm jusqu’au { $end } (probabilité { PERCENT($probability) } %).
+epochs-limit_exceeded = Déplacements de plus de { $limit } : { $n } ; { $name } { NUM($length_mm, digits: 3) } mm jusqu’au { $end } (probabilité supérieure à { PERCENT($confidence) } %).
