@@ -4,11 +4,11 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from tests.workflows.moved_ground import BY, DATES, MOVED, views, write_dates
 
 import raybundle as rb
 from raybundle.commands.epochs import EpochsSettings, messages_of
 from raybundle.pipeline.stage import Means
+from tests.workflows.moved_ground import BY, DATES, MOVED, views, write_dates
 
 EDGE = 0.8
 """Metres around the edges of the strip where windows of reduced copies see both"""
