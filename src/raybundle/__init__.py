@@ -129,6 +129,7 @@ _HOME = {
     "measure": "commands.measure",
     "merge_projects": "commands.merge",
     "spreadsheet": "commands.spreadsheet",
+    "epochs": "commands.epochs",
     "moved_points": "commands.moved",
     "merge_blocks": "block.merge",
     "orient": "commands.orient",

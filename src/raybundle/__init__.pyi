@@ -45,6 +45,7 @@ from raybundle.commands.convert import ConvertSettings as ConvertSettings
 from raybundle.commands.convert import Converted as Converted
 from raybundle.commands.empirical import Empirical as Empirical
 from raybundle.commands.empirical import EmpiricalSettings as EmpiricalSettings
+from raybundle.commands.epochs import Epochs
 from raybundle.commands.estimate_cost import EstimateCostSettings as EstimateCostSettings
 from raybundle.commands.facade import Facade as Facade
 from raybundle.commands.facade import FacadeSettings as FacadeSettings
@@ -229,6 +230,7 @@ __all__ = [
     "detect_targets",
     "drawing_sheet",
     "empirical",
+    "epochs",
     "estimate_cost",
     "export_marks",
     "facade",
@@ -733,6 +735,151 @@ def empirical(
     image_sigma  Sigma of a measured image coordinate [px]. It decides which models are adequate.
     without      Additional parameters of dlt-brown to leave out.
     out          New folder for model.json, parameters.csv and points.csv.
+    """
+
+def epochs(
+    project: str | Path,
+    *,
+    progress: Progress = ...,
+    own_camera: str | Sequence[str] = (),
+    masks: str | Path | None = None,
+    library: bool = True,
+    target: str | Sequence[str] = (),
+    attitudes: Literal['auto', 'none', 'opk', 'opk-deg', 'opk-gon', 'opk-rad', 'pok', 'pok-deg', 'pok-gon', 'pok-rad', 'matrix', 'matrix-inverse', 'rpy-ned', 'gimbal'] = 'auto',
+    attitude_sigma: tuple[float, float] | list[float] | None = None,
+    relative: Literal['', 'shift', 'drift'] = '',
+    scene_bias: Literal['none', 'shift', 'drift', 'affine'] = 'shift',
+    crs: str | None = None,
+    features: str = 'rootsift',
+    feature_count: int = 10000,
+    start: Literal['auto', 'growing', 'averaging', 'parts'] = 'auto',
+    precise: bool = True,
+    jobs: int = 0,
+    cluster: str = '',
+    store: str = '',
+    memory: float = 0.0,
+    redo_from: str = '',
+    read_out: float | None = None,
+    noise: Literal['white', 'fields', 'auto'] = 'auto',
+    photos: str | Path | Sequence[str | Path] = (),
+    out: str | Path,
+    calibration: str | Path | None = None,
+    control: str | Path | Sequence[str | Path] = (),
+    check: str | Path | Sequence[str | Path] = (),
+    control_sigma: tuple[float, float] | list[float] | None = None,
+    mark_sigma: float = 0.5,
+    scale_bar: Sequence[tuple[str, str, float, float] | list[str | float]] = (),
+    positions: str | Path | None = None,
+    misalignment: bool = True,
+    lever_arm: tuple[float, float, float, float] | list[float] | None = None,
+    shift: bool = True,
+    gps: bool = True,
+    up: str = 'auto',
+    accuracy_class: str = '',
+    title: str = '',
+    client: str = '',
+    operator: str = '',
+    wait_for_workers: int = 0,
+    wait_limit: float = 600.0,
+    report: bool = True,
+    pdf: bool = False,
+    appendix: Literal['none', 'short', 'all'] = 'none',
+    language: str = 'en',
+    add: str | Path | Sequence[str | Path] = (),
+    date: str | Sequence[str] = (),
+    group: str | Sequence[str] = (),
+    datum_points: str | Sequence[str] = (),
+    same_camera: Literal['test', 'yes', 'no'] = 'test',
+    significance: float = 0.05,
+    limit: str = '',
+    confidence: float = 0.99,
+) -> Epochs:
+    """Adjust photographs of several dates together; displacements stand in `project`/result/displacements.csv.
+
+    project   project folder; begun, or continued with further dates
+    settings  as of the command line, by the names of `EpochsSettings`
+    raises    InputError, NoOrientation; nothing that is finished is lost
+
+    Limits: a motion that all points share; of points of which more than half moved alike, which half it was; control
+    is taken to have stayed.
+
+    own_camera        Treat photographs matching PATTERN as a separate camera, e.g. 'left_*' or 'a.jpg|b.jpg'. For
+                      photographs without metadata.
+    masks             Masks of the photographs: nothing is measured where they are 0. Named photo.jpg.png (COLMAP),
+                      photo_mask.png or photo.png (Metashape).
+    library           False: Ignore calibrations of the camera library.
+    target            Coded targets in the photographs, e.g. aicon14 or apriltag-36h11. Their codes name new points or
+                      points of control=. With several families: FAMILY:CODE.
+    attitudes         Observe attitudes of positions=, or of the gimbal, by their convention. auto: attitudes with
+                      standard deviations in the file. pok: phi is the primary angle.
+    attitude_sigma    Standard deviations [deg] of attitudes that have none. With it, gimbal attitudes are observed too.
+    relative          Use only differences of positions and attitudes within a flight line (relative aerial control).
+                      drift: also after a drift of the positions.
+    scene_bias        Parameters to estimate for the RPC of a satellite scene.
+    crs               Coordinate system of inputs that define none, e.g. EPSG:32633: control, check points, positions=
+                      in a grid. With heights (EPSG:32633+5773, EPSG:32633+ellipsoid) also for files that define only
+                      the plan.
+    features          Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).
+    feature_count     Number of features per photograph.
+    start             Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto:
+                      parts for very many photographs; all pairs if image by image leaves photographs out or the view is
+                      narrow.
+    precise           False: Skip least-squares matching: several times less precise.
+    jobs              Number of processors; 0: all.
+    cluster           Run tasks such as features and depth maps on other machines. Give the cluster folder from
+                      `raybundle scheduler FOLDER` (extra [cluster]). shards: write the tasks for `raybundle worker` and
+                      end.
+    store             Storage of the products of stages. Give the URL of an object store for this project alone, e.g.
+                      s3://bucket/folder (extra [cluster] and the package of the service). The project remembers it.
+                      project: its own folder.  [default: as the last run, at first in the folder]
+    memory            Memory limit for pixels during measurement, and for an adjustment [GB]. 0: 4 for pixels; for
+                      adjustments four fifths of the free memory, at least 1. Larger adjustments run in parts, from 0.2
+                      on.
+    redo_from         Repeat this stage and all later ones. `raybundle status` lists them.
+    read_out          Read-out time of a rolling shutter; 0: none. Without it, photographs with recorded times are
+                      tested for it.
+    noise             Error model of image coordinates. white: independent errors. fields: smooth errors that differ
+                      from image to image, and a floor, both estimated from the residuals. auto: fields for five
+                      photographs or more that are measured here; white for a given block.
+    calibration       File of known cameras. `estimate = []` in it fixes them. Calibrations of `raybundle calibrate` are
+                      observed with their covariance.
+    control           Control points with their image points: gcp_list.txt, CSV or a block folder. Image points alone
+                      are possible, e.g. of the ends of a scale bar: image,point,x_px,y_px.
+    check             Check points, in the same formats.
+    control_sigma     Standard deviation of control, if its file has none. In metres, regardless of the unit of the
+                      file.  [default: 0.01 0.02]
+    mark_sigma        Standard deviation of a marked image point.
+    scale_bar         Known distance between two points, with its standard deviation [m]. The points are in control= or
+                      are targets. May be repeated.
+    positions         Positions of the photographs, instead of their own (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB,
+                      aerial lists).
+    misalignment      False: Take attitudes as those of the camera: estimate no misalignment.
+    lever_arm         Lever arm from the projection centre to the antenna, in the axes of the image. SIGMA 0 fixes it.
+    shift             False: Take control and positions in one datum: estimate no shift of the positions of each flight.
+    gps               False: Ignore positions in the photographs.
+    up                Up direction, if neither control nor positions determine it. auto: from the attitude of the
+                      camera; terrestrial, aerial, oblique; or two points A,B of control=, B plumb above A.
+    accuracy_class    Largest permitted RMSE at the check points. In metres: 0.03, or plan and height: 0.03,0.05 (-: no
+                      limit). Or a class of ASPRS (2024): asprs:2.5cm,5cm. If it is exceeded, the exit status is 4.
+    title             Title of the report.
+    client            Client, on the first page of the report.
+    operator          Operator, on the first page of the report.
+    wait_for_workers  Start when so many workers of cluster= are there.
+    wait_limit        Seconds that workers are waited for. Then the run ends.
+    report            False: Leave out report.html and network.html.
+    pdf               Write the report as report.pdf: A4, with page numbers and bookmarks. Also possible without
+                      report.html.
+    appendix          Appendix of report.pdf. none; short: all but most of many object points; all: every object point,
+                      in report.html too. report.html always has the short one.
+    language          Language of the report: en, de, fr. Tables and result.json stay English.
+    add               Photographs of one or more further dates: a folder or file. May be repeated.
+    date              Date of the photographs of add=, in the same order.  [default: names of sub-folders, then EXIF]
+    group             Test points as a group: NAME:A,B,C, or NAME:FILE with an outline X,Y. May be repeated.
+    datum_points      Known stable points.  [default: found by the test]
+    same_camera       Use one interior orientation of a camera for all dates. test: unless the dates contradict it.
+    significance      Probability that any stable point or area is reported as moved.
+    limit             Displacement that must not be exceeded, e.g. 10mm. If it is, the exit status is 6.
+    confidence        Probability with which limit= is exceeded.
     """
 
 def estimate_cost(

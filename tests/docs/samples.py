@@ -35,6 +35,14 @@ def facade_project(folder):
               "--scale-bar", "A", "B", "1.2319", "0.0001")  # fmt: skip
 
 
+def dates(folder):
+    """Photographs of a portal as of three dates; nothing moved."""
+    for k, photo in enumerate(sorted((PORTAL / "photos").glob("*.jpg"))):
+        part = folder / ("may", "june", "july")[k % 3]
+        part.mkdir(exist_ok=True)
+        shutil.copy(photo, part)
+
+
 def flight(folder):
     """Eighteen photographs from a drone, control and check points, and how the camera hung as its gimbal tells."""
     raybundle(folder, "demo", "--set", "flight", "--out", "pit")
@@ -171,6 +179,7 @@ def heights(folder):
 
 SAMPLES = {
     "heights": heights,
+    "dates": dates,
     "facade": facade,
     "facade-project": facade_project,
     "flight": flight,

@@ -191,6 +191,8 @@ class Images(Records):
 
     Images of one station have the same centre and rotation: those of the rig, in whose frame a mounted camera stands.
     """
+    date: tuple[str, ...] | None = column("text", optional=True)
+    """(n,) day of each image in a block of several dates, YYYY-MM-DD; None: one date, or not known."""
     frames: Mapping[int, PixelFrame] = column("by row")
     """Images whose files are stored turned or reduced; image points are in the camera's pixels all the same."""
 

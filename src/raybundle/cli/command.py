@@ -32,7 +32,8 @@ NEAR = 0.6
 ALOUD = ("fault", "warning", "left out")
 """Of these the lines that are given by a quiet command as well"""
 WRITTEN = (
-    "result.json", "moved.json", "plan.json", "next.json", "transformation.json", "model.json", "check.json",
+    "result.json", "epochs.json",
+    "moved.json", "plan.json", "next.json", "transformation.json", "model.json", "check.json",
 )  # fmt: skip
 """Files of a command's folder that say what it found"""
 

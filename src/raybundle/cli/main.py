@@ -50,6 +50,7 @@ TASKS: dict[str, dict[str, str]] = {
         "measure": "Measure targets: coordinates, deviations, length errors.",
         "query": "Compute distances, angles, areas and planes with precision.",
         "compare": "Compare two results.",
+        "epochs": "Adjust photographs of several dates; detect what moved.",
         "moved": "Detect displacements between epochs of the same points.",
     },
     "Surface and maps": {

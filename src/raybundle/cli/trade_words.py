@@ -106,7 +106,7 @@ TRADE_WORDS: dict[str, str] = {
     "scalebar": "mark bar PROJECT A B LENGTH",
     "distance": "query RESULT",
     "deformation": "moved BEFORE AFTER --out FOLDER",
-    "monitoring": "moved BEFORE AFTER --out FOLDER",
+    "monitoring": "epochs PROJECT --add PHOTOS",
     "inspection": "measure PHOTOS --out RESULT",
     # exchange and the rest
     "colmap": "convert RESULT --to colmap --out PATH",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
@@ -261,7 +261,8 @@ def write_orientation(
     done: Orientation, result: Path, *, report: Literal["html", "none"], progress: Progress,
     settings: dict[str, str] | None = None, wanted: AccuracyClass | None = None, record: Record | None = None,
     pdf: bool = False, appendix: Appendix = "none", language: str = ENGLISH,
-    additions: Mapping[str, object] | None = None,
+    additions: Mapping[str, object] | None = None, findings: tuple[object, ...] = (),
+    more: Callable[[Path], None] | None = None,
 ) -> None:  # fmt: skip
     """Write the result folder of oriented photographs.
 
@@ -269,6 +270,8 @@ def write_orientation(
     wanted     accuracy that is asked for at check points
     record     title, client and operator
     additions  further keys of result.json
+    findings   what else was found, for the report
+    more       writes further files of the result
     """
     from raybundle.report.write import write_result
     from raybundle.workflows.orient import component_folder
@@ -277,7 +280,7 @@ def write_orientation(
     write_result(
         done.adjustment, result, report=report, pdf=pdf, appendix=appendix, language=language,
         additions={**done.additions(), **(additions or {})}, photographs=facts, frame=done.frame, wanted=wanted,
-        record=record, progress=progress, pictures={p.name: p.path for p in done.photos},
+        record=record, progress=progress, pictures={p.name: p.path for p in done.photos}, findings=findings, more=more,
     )  # fmt: skip
     for k, part in enumerate(done.other_components):
         write_result(

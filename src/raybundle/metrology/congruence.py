@@ -7,13 +7,16 @@ global test alone overlooks a point that moved among many that stayed.  Limits a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from raybundle.adjustment.records.notice import Notice
 from raybundle.errors import InputError
+from raybundle.metrology.areas import SMALLEST, AreaTest, Hypothesis, groups_of, patches_of, sums_of
+from raybundle.metrology.consensus import stable_starts
 from raybundle.metrology.point_set import PointSet, datum_directions
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import cross_matrix
@@ -28,6 +31,8 @@ POWER = 0.8
 """Probability with which the smallest detectable displacement is found"""
 AGREE = 5.0
 """Standard deviations by which points may differ in the search for those that stayed, before their datum is known"""
+CONTRADICTED = 0.001
+"""Probability of the global test below which points that stayed contradict each other: what moved is not explained"""
 ROUNDS = 4
 """Fits of the axes of an epoch to those of the first: turns are small after each"""
 
@@ -84,6 +89,15 @@ class Congruence:
     """What is wrong with the epochs, or weak, as notices"""
     by_place: tuple[str, ...] = ()
     """Dots without a code that are taken as one by their place, not by a name (`metrology.dots`)"""
+    detectable_before: Array | None = None
+    """(n,) `detectable` if all points stayed, as it is known before anything is tested [m]"""
+    areas: tuple[AreaTest, ...] = ()
+    """Points tested together by their mean displacement: groups of the user, then patches that moved"""
+    in_area: Mask | None = None
+    """(n,) points that moved with an area, not by their own test"""
+    patch_sizes: tuple[tuple[int, float, float], ...] = ()
+    """Of patches of so many neighbours the smallest mean displacement that is found with `POWER`, median, if nothing
+    moved and with what moved [m]"""
 
     @property
     def stayed(self) -> Mask:
@@ -116,43 +130,76 @@ class Congruence:
 
 def congruence(
     epochs: Sequence[PointSet], *, significance: float = SIGNIFICANCE, scale: bool | None = None,
-    datum: Sequence[str] = (),
+    datum: Sequence[str] = (), joint: Array | None = None, groups: Mapping[str, Sequence[str]] | None = None,
+    patches: bool = False, others: int = 0,
 ) -> Congruence:  # fmt: skip
     """Test which common points moved between two epochs or more.
 
-    epochs  at least two, each in its own datum; points are the same by their names
-    scale   whether epochs may differ in scale; None: where one of them has none
-    datum   points that are known to have stayed; (): all can have moved, those that stayed are found
-    raises  InputError for fewer than four common points, points in a line, or covariances that test nothing
+    epochs   at least two, each in its own datum; points are the same by their names
+    scale    whether epochs may differ in scale; None: where one of them has none
+    datum    points that are known to have stayed; (): all can have moved, those that stayed are found
+    joint    (e, 3 n, e, 3 n) covariance of the points of all epochs, which all have the same points in one order:
+             common cameras and control make epochs dependent [m^2]; None: epochs are independent
+    groups   points that are tested together by their mean displacement, by names of the groups
+    patches  whether patches of neighbours are tested so, too
+    others   further tests that share the significance
+    raises   InputError for fewer than four common points, points in a line, or covariances that test nothing
     Variance factors of epochs that are estimated are taken as one.  Limits: a motion that all points
     share, and of points of which more than half moved alike, which half it was.
     """
     ids = common_ids(epochs)
+    if joint is not None and any(e.ids != ids for e in epochs):
+        raise InputError("epochs.joint_order", epochs=[e.name for e in epochs])
     sets = [e.named(ids) for e in epochs]
     first, n = sets[0], len(ids)
     free_scale = any(e.free_scale for e in epochs) if scale is None else scale
     known = np.isin(ids, list(datum))
     if datum and known.sum() < len(datum):
         raise InputError("epochs.datum_points_missing", names=sorted(set(datum) - set(ids)))
-    stayed = known if datum else _alike(first, sets[1:], scale=free_scale)
-    model = _model(first, sets[1:], stayed, scale=free_scale)
-    alpha = significance / n
-    moved = _moved(model, ~stayed, alpha, fixed=known)
+    alike = known if datum else _alike(first, sets[1:], scale=free_scale)
+    named, patch = groups_of(ids, groups or {}), patches_of(first.xyz) if patches else ()
+    # half of the significance is that of points and groups, half that of patches
+    alpha = (significance / 2 if patch else significance) / (n + len(named) + others)
+    family = _Family.of(
+        (*named, *patch), n, [alpha] * len(named) + [significance / 2 / max(len(patch), 1)] * len(patch)
+    )
+    model = _model(first, sets[1:], alike, scale=free_scale, joint=joint)
+    starts = (
+        [alike]
+        if datum or not patch
+        else [alike, *stable_starts(model, [p.points for p in patch if len(p.points) == SMALLEST])]
+    )
+    states = [_moved(model, _State.of(~s, family, model, alpha), alpha, known, family) for s in starts]
+    if patch and not datum:  # as well may the others have moved
+        best = max(states, key=lambda s: _merit(model, s))
+        if LEAST <= best.moved.sum() < n - LEAST:
+            with suppress(InputError):  # too few of them, or in a line
+                states.append(_moved(model, _State.of(~best.moved, family, model, alpha), alpha, known, family))
+    # of those that leave no contradiction the one in which most stayed
+    state = max(states, key=lambda s: _merit(model, s))
     for _ in range(ROUNDS):  # in the axes of those that stayed
-        model = _model(first, sets[1:], ~moved, scale=free_scale)
-        again = _moved(model, moved, alpha, fixed=known)
-        if (again == moved).all():
+        model = _model(first, sets[1:], ~state.moved, scale=free_scale, joint=joint)
+        again = _moved(model, state, alpha, known, family)
+        if (again.moved == state.moved).all():
             break
-        moved = again
+        state = again
+    moved = state.moved
     F, p = model.tests(moved)
     d, C = model.displacements(moved)
+    none = np.zeros(n, bool)
+    shown = [(a, alpha) for a in named] + [
+        (family.areas[k], family.limits[k]) for k in state.active if not family.areas[k].given
+    ]
     return Congruence(
         epochs=tuple(e.name for e in epochs), ids=ids, xyz=first.xyz, moved=moved, displacement=d, covariance=C,
         statistic=F, p_value=p, limit=alpha, detectable=model.detectable(moved, alpha),
-        before=model.whole(np.zeros(n, bool)), after=model.whole(moved),
+        detectable_before=model.detectable(none, alpha),
+        before=model.whole(none), after=model.whole(moved),
         freedom=model.freedom, significance=significance, scale=free_scale,
         transforms=tuple(_axes(s, first, ~moved, scale=free_scale) for s in sets[1:]),
-        alternatives=_alternatives(model, moved, known, ids, (alpha, significance)),
+        alternatives=() if joint is not None else _alternatives(model, moved, known, ids, (alpha, significance)),
+        areas=tuple(model.area(a, moved, limit) for a, limit in shown), in_area=moved & ~state.own,
+        patch_sizes=model.patch_sizes(patch, moved, significance / 2 / max(len(patch), 1)),
     )  # fmt: skip
 
 
@@ -202,31 +249,67 @@ def _axes(e: PointSet, first: PointSet, by: Mask, *, scale: bool) -> SimilarityT
     return SimilarityTransform(scale=fit.scale, rotation=fit.rotation, translation=fit.translation)
 
 
-def _model(first: PointSet, later: Sequence[PointSet], stayed: Mask, *, scale: bool) -> _Model:
+def _model(
+    first: PointSet, later: Sequence[PointSet], stayed: Mask, *, scale: bool, joint: Array | None = None
+) -> _Model:
     n, k = len(first.ids), len(later)
-    here = [e.moved(_axes(e, first, stayed, scale=scale)) for e in later]
+    axes = [_axes(e, first, stayed, scale=scale) for e in later]
+    here = [e.moved(by) for e, by in zip(later, axes, strict=True)]
     G = datum_directions(first.xyz, scale=scale).reshape(3 * n, -1)
-    Q = np.kron(np.ones((k, k)), first.covariance)
-    for j, e in enumerate(here):
-        s = slice(3 * n * j, 3 * n * (j + 1))
-        Q[s, s] += e.covariance
-    B = np.kron(np.eye(k), G)
+    if joint is None:
+        Q = np.kron(np.ones((k, k)), first.covariance)
+        for j, e in enumerate(here):
+            s = slice(3 * n * j, 3 * n * (j + 1))
+            Q[s, s] += e.covariance
+    else:
+        Q = _of_differences(joint, [t.scale * t.rotation for t in axes])
     freedom = [e.freedom for e in (first, *later)]
-    return _Model(
-        d=np.concatenate([(e.xyz - first.xyz).ravel() for e in here]), Q=Q, B=B, points=n,
-        freedom=float("inf") if np.isinf(freedom).any() else float(sum(freedom)),
+    if joint is not None:  # one variance factor, of one adjustment
+        freedom = freedom[:1]
+    return _Model.of(
+        np.concatenate([(e.xyz - first.xyz).ravel() for e in here]), Q, np.kron(np.eye(k), G), n,
+        float("inf") if np.isinf(freedom).any() else float(sum(freedom)),
     )  # fmt: skip
+
+
+def _of_differences(joint: Array, turns: Sequence[Array]) -> Array:
+    """Covariance (3 n k, 3 n k) of the differences of later epochs against the first, each turned into its axes."""
+    e, u = joint.shape[:2]
+    A = np.stack([np.eye(3), *turns])
+    C = joint.reshape(e, u // 3, 3, e, u // 3, 3)
+    C = np.einsum("aij,apjbqk,blk->apibql", A, C, A, optimize=True).reshape(e, u, e, u)
+    Q = C[1:, :, 1:] - C[1:, :, :1] - C[:1, :, 1:] + C[:1, :, :1]
+    Q = Q.reshape((e - 1) * u, -1)
+    return (Q + Q.T) / 2
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Model:
-    """Differences d (3 n k) = datum B t, with covariance Q; the datum of Q itself is of no account."""
+    """Differences d (3 n k) = datum B t + displacements, with covariance Q; the datum of Q itself is of no account."""
 
     d: Array
     Q: Array
     B: Array
+    weights: Array
+    """of the differences of all points, once the datum is free: singular by the datum"""
+    misfit: Array
+    """weights d"""
     points: int
     freedom: float
+
+    @classmethod
+    def of(cls, d: Array, Q: Array, B: Array, points: int, freedom: float) -> _Model:
+        """Of differences; raises InputError where their covariance is singular beyond the datum."""
+        # what lies in the datum of Q is filled up: B t takes it away again
+        fill = np.trace(Q) / max(float(np.trace(B @ B.T)), 1e-300)
+        try:
+            half = np.linalg.inv(np.linalg.cholesky(Q + fill * B @ B.T))
+        except np.linalg.LinAlgError:
+            raise InputError("epochs.covariance_singular") from None
+        HB = np.linalg.qr(half @ B)[0]
+        W = half.T @ (half - HB @ (HB.T @ half))
+        W = (W + W.T) / 2
+        return cls(d=d, Q=Q, B=B, weights=W, misfit=W @ d, points=points, freedom=freedom)
 
     @property
     def later(self) -> int:
@@ -235,63 +318,80 @@ class _Model:
     def rows(self, points: Index) -> Index:
         """(len(points), 3 later) rows of points."""
         at = (3 * points[:, None] + np.arange(3)[None])[:, None, :]
-        return (at + 3 * self.points * np.arange(self.later)[None, :, None]).reshape(len(points), -1)
+        return (at + 3 * self.points * np.arange(self.later)[None, :, None]).reshape(len(points), 3 * self.later)
 
     def stayed(self, moved: Mask) -> _Stayed:
-        """The points that have not moved, with their datum free; raises InputError where they test nothing."""
-        rows = self.rows(np.flatnonzero(~moved)).ravel()
-        Q, B = self.Q[np.ix_(rows, rows)], self.B[rows]
-        # what lies in the datum of Q is filled up: B t takes it away again
-        fill = np.trace(Q) / max(float(np.trace(B @ B.T)), 1e-300)
+        """The points that have not moved, those that moved free; raises InputError where they test nothing."""
+        rows = self.rows(np.flatnonzero(moved)).ravel()
         try:
-            half = np.linalg.inv(np.linalg.cholesky(Q + fill * B @ B.T))
+            L = np.linalg.cholesky(self.weights[np.ix_(rows, rows)])
         except np.linalg.LinAlgError:
             raise InputError("epochs.covariance_singular") from None
-        HB, R = np.linalg.qr(half @ B)
-        weights = half.T @ (half - HB @ (HB.T @ half))
-        return _Stayed(rows=rows, inverse=half.T @ half, by_datum=np.linalg.solve(R, HB.T @ half), R=R, fill=fill,
-                       weights=(weights + weights.T) / 2)  # fmt: skip
+        inverse = np.linalg.inv(L)
+        return _Stayed(model=self, moved=moved, rows=rows, inverse=inverse, taken=inverse @ self.weights[rows])
 
     def whole(self, moved: Mask) -> tuple[float, float]:
         """Global test of the points that have not moved: F and its probability."""
-        s = self.stayed(moved)
-        freedom = len(s.rows) - self.B.shape[1]
-        d = self.d[s.rows]
-        F = float(d @ s.weights @ d) / max(freedom, 1)
+        freedom = len(self.d) - 3 * self.later * int(moved.sum()) - self.B.shape[1]
+        rest = self.stayed(moved).square_sum
+        F = rest / max(freedom, 1)
         return F, fisher_tail(F, freedom, self.freedom)
 
     def tests(self, moved: Mask) -> tuple[Array, Array]:
         """(n,) F of each point against those that stayed, without it; and its probability."""
+        u, S = self.stayed(moved).compared()
+        return self.tested(u, S)
+
+    def tested(self, u: Array, S: Array) -> tuple[Array, Array]:
+        """F (h,) of hypotheses by their vectors (h, 3 k) and covariances or weights, and their probabilities."""
+        from scipy.special import chdtrc, fdtrc
+
         dof = 3 * self.later
-        u, S = self.compared(moved)
-        F = np.array([float(a @ np.linalg.lstsq(C, a, rcond=1e-10)[0]) for a, C in zip(u, S, strict=True)]) / dof
-        return F, np.array([fisher_tail(f, dof, self.freedom) for f in F])
+        F = np.einsum("hi,hij,hj->h", u, np.linalg.pinv(S, rcond=1e-10, hermitian=True), u) / dof
+        return F, np.asarray(chdtrc(dof, F * dof) if np.isinf(self.freedom) else fdtrc(dof, self.freedom, F))
 
-    def compared(self, moved: Mask) -> tuple[Array, Array]:
-        """Of each point a vector (n, 3 k) and its covariance.
+    def together(self, family: _Family, moved: Mask) -> Array:
+        """(h,) probability of the mean displacement of the points of areas that have not moved; NaN: too few."""
+        found = np.full(len(family.areas), np.nan)
+        inside = family.sums @ (~moved)
+        some = np.flatnonzero((inside > 1) & ((~moved).sum() - inside >= max(LEAST, self.points // 3)))
+        if len(some):
+            found[some] = self.tested(*self.stayed(moved).shifts(family, some))[1]
+        return found
 
-        Of points that moved how far they lie from where those that stayed have them; of those that stayed what they
-        weigh in the misfit.
-        """
-        s, each = self.stayed(moved), self.rows(np.arange(self.points))
-        u, S = np.zeros(each.shape), np.zeros((*each.shape, each.shape[1]))
-        place = np.full(len(self.d), -1)
-        place[s.rows] = np.arange(len(s.rows))
-        d = self.d[s.rows]
-        v, t = s.weights @ d, s.by_datum @ d
-        for i in np.flatnonzero(~moved):
-            r = place[each[i]]
-            u[i], S[i] = v[r], s.weights[np.ix_(r, r)]
-        Bs = self.B[s.rows]
-        RI = np.linalg.inv(s.R)
-        for i in np.flatnonzero(moved):
-            r = each[i]
-            across = self.Q[np.ix_(r, s.rows)] + s.fill * self.B[r] @ Bs.T
-            gain = across @ s.inverse
-            open_ = (self.B[r] - gain @ Bs) @ RI
-            u[i] = self.d[r] - self.B[r] @ t - gain @ (d - Bs @ t)
-            S[i] = self.Q[np.ix_(r, r)] + s.fill * self.B[r] @ self.B[r].T - gain @ across.T + open_ @ open_.T
-        return u, S
+    def patch_sizes(
+        self, patches: Sequence[Hypothesis], moved: Mask, alpha: float
+    ) -> tuple[tuple[int, float, float], ...]:  # fmt: skip
+        """Of patches by their sizes, the medians of their smallest detectable mean displacements, before and after."""
+        found: list[tuple[int, float, float]] = []
+        for size in sorted({len(p.points) for p in patches}):
+            family = _Family.of([p for p in patches if len(p.points) == size], self.points, [])
+            every = np.arange(len(family.areas))
+            least = [
+                [self._least(S, alpha) for S in self.stayed(m).shifts(family, every)[1]]
+                for m in (np.zeros(self.points, bool), moved)
+            ]  # fmt: skip
+            found.append((size, float(np.median(least[0])), float(np.median(least[1]))))
+        return tuple(found)
+
+    def area(self, area: Hypothesis, moved: Mask, alpha: float) -> AreaTest:
+        """The test of an area as a whole: its mean displacement against all else that stayed."""
+        none = np.zeros(self.points, bool)
+        back = moved.copy()
+        back[area.points] = False
+        one = _Family.of([area], self.points, [])
+        (u,), (S,) = self.stayed(back).shifts(one, np.arange(1))
+        F, p = self.tested(u[None], S[None])
+        C = np.linalg.pinv(S, rcond=1e-10, hermitian=True)
+        found = (C @ u).reshape(self.later, 3)
+        at = np.arange(self.later)
+        return AreaTest(
+            name=area.name, given=area.given, points=area.points, displacement=found,
+            covariance=C.reshape(self.later, 3, self.later, 3)[at, :, at, :], F=float(F[0]), p_value=float(p[0]),
+            moved=bool(p[0] < alpha),
+            detectable=self._least(S, alpha),
+            detectable_before=self._least(self.stayed(none).shifts(one, np.arange(1))[1][0], alpha),
+        )  # fmt: skip
 
     def displacements(self, moved: Mask) -> tuple[Array, Array]:
         """(k, n, 3) displacements in the datum of the points that stayed, and their covariances (k, n, 3, 3)."""
@@ -310,33 +410,153 @@ class _Model:
 
     def detectable(self, moved: Mask, alpha: float) -> Array:
         """(n,) smallest displacement of the last epoch that is found [m], in the direction known worst."""
+        _, S = self.stayed(moved).compared()
+        S[moved] = np.linalg.inv(S[moved])
+        return np.array([self._least(each, alpha) for each in S])
+
+    def _least(self, information: Array, alpha: float) -> float:
+        """Length of the smallest displacement of the last epoch that is found [m], by the weights (3 k, 3 k) of one."""
         from scipy.special import chdtri, chndtrinc
 
         dof = 3 * self.later
         shift2 = float(chndtrinc(float(chdtri(dof, alpha)), dof, 1 - POWER))
-        _, S = self.compared(moved)
-        found = np.full(self.points, np.nan)
-        for i in range(self.points):
-            information = np.linalg.inv(S[i]) if moved[i] else S[i]
-            least = float(np.linalg.eigvalsh(information[-3:, -3:])[0])
-            found[i] = np.sqrt(shift2 / least) if least > 0 else np.inf
-        return found
+        least = float(np.linalg.eigvalsh(information[-3:, -3:])[0])
+        return float(np.sqrt(shift2 / least)) if least > 0 else float("inf")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Stayed:
-    """Points that stayed: rows of their differences, and what they weigh."""
+    """Points that stayed, with displacements of the others as unknowns of their own."""
 
+    model: _Model
+    moved: Mask
     rows: Index
+    """of the points that moved"""
     inverse: Array
-    """of their covariance, its datum filled up"""
-    by_datum: Array
-    """(g, rows) the datum's parameters by their differences"""
-    R: Array
-    """(g, g) upper triangle: the parameters' covariance is (R' R)^-1"""
-    fill: float
-    weights: Array
-    """of differences, once the datum is free"""
+    """of the lower triangle of their weights"""
+    taken: Array
+    """(rows, 3 n k) what they take from the weights of all: W - taken' taken is what the others weigh without them"""
+
+    @property
+    def square_sum(self) -> float:
+        """Weighted sum of squares of the differences of those that stayed."""
+        m = self.model
+        return max(float(m.d @ m.misfit) - float(((self.inverse @ m.misfit[self.rows]) ** 2).sum()), 0.0)
+
+    @property
+    def misfit(self) -> Array:
+        """(3 n k) weighted differences without those that moved; 0 of these."""
+        return self.model.misfit - self.taken.T @ (self.inverse @ self.model.misfit[self.rows])
+
+    def weights(self, rows: Index, others: Index) -> Array:
+        """What differences weigh without those that moved."""
+        return self.model.weights[np.ix_(rows, others)] - self.taken[:, rows].T @ self.taken[:, others]
+
+    def compared(self) -> tuple[Array, Array]:
+        """Of each point a vector (n, 3 k) and its covariance.
+
+        Of points that moved how far they lie from where those that stayed have them; of those that stayed what they
+        weigh in the misfit.
+        """
+        m = self.model
+        each = m.rows(np.arange(m.points))
+        v = self.misfit
+        u = v[each]
+        S = m.weights[each[:, :, None], each[:, None, :]] - np.einsum(
+            "mhi,mhj->hij", self.taken[:, each], self.taken[:, each], optimize=True
+        )
+        # the displacements of points that moved, by least squares
+        C = self.inverse.T @ self.inverse
+        u[self.moved] = (C @ m.misfit[self.rows]).reshape(-1, each.shape[1])
+        own = np.arange(len(self.rows)).reshape(-1, each.shape[1])
+        S[self.moved] = C[own[:, :, None], own[:, None, :]]
+        return u, S
+
+    def shifts(self, family: _Family, areas: Index) -> tuple[Array, Array]:
+        """What common displacements (h, 3 k) of the points of areas weigh in the misfit, and their weights.
+
+        Of points that stayed: those that moved have displacements of their own, and weigh nothing.
+        """
+        m = self.model
+        each = m.rows(np.arange(m.points))
+        Z = family.sums[areas]
+        u = Z @ self.misfit[each]
+        S = family.weights(m)[areas]
+        if len(self.rows):
+            A = np.tensordot(Z, self.taken[:, each], (1, 1))
+            S = S - np.einsum("hri,hrj->hij", A, A, optimize=True)
+        return u, S
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Family:
+    """Areas that are tested, each with its limit."""
+
+    areas: tuple[Hypothesis, ...]
+    sums: Array
+    """(h, n)"""
+    limits: Array
+    of_model: dict[int, Array]
+
+    @classmethod
+    def of(cls, areas: Sequence[Hypothesis], points: int, limits: Sequence[float]) -> _Family:
+        return cls(areas=tuple(areas), sums=sums_of(areas, points), limits=np.array(limits), of_model={})
+
+    def weights(self, model: _Model) -> Array:
+        """(h, 3 k, 3 k) of common displacements, if no point moved."""
+        if id(model) not in self.of_model:
+            self.of_model.clear()
+            each = model.rows(np.arange(model.points))
+            found: list[Array] = []
+            for a in self.areas:
+                some = model.weights[each[a.points]].sum(axis=0)
+                found.append(some[:, each[a.points]].sum(axis=1))
+            self.of_model[id(model)] = np.array(found).reshape(-1, each.shape[1], each.shape[1])
+        return self.of_model[id(model)]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _State:
+    """What has moved: points by their own tests, and areas."""
+
+    own: Mask
+    active: tuple[int, ...]
+    family: _Family
+
+    @property
+    def moved(self) -> Mask:
+        """(n,) all of them."""
+        found = self.own.copy()
+        for k in self.active:
+            found[self.family.areas[k].points] = True
+        return found
+
+    @classmethod
+    def of(cls, moved: Mask, family: _Family, model: _Model, alpha: float) -> _State:
+        """A start: the points that moved by their own tests, and areas of points of which most did."""
+        if not len(family.areas) or not moved.any():
+            return cls(own=moved, active=(), family=family)
+        _, p = model.tests(moved)
+        inside = family.sums @ moved
+        size = family.sums.sum(axis=1)
+        active: list[int] = []
+        left = moved.copy()
+        # the largest first: the fewest pieces that explain what moved
+        for k in np.lexsort((-inside, -(inside / size))).tolist():
+            points = family.areas[k].points
+            if inside[k] < 0.8 * size[k] or not left[points].any() or family.areas[k].given:
+                continue
+            back = moved.copy()
+            back[points] = False
+            if model.tested(*model.stayed(back).shifts(family, np.array([k])))[1][0] < family.limits[k]:
+                active.append(k)
+                left[points] = False
+        return cls(own=moved & (p < alpha), active=tuple(active), family=family)
+
+
+def _merit(model: _Model, state: _State) -> tuple[float, int]:
+    """How good an explanation is: whether those that stayed contradict each other, then how many they are."""
+    return min(model.whole(state.moved)[1], CONTRADICTED), int((~state.moved).sum())
 
 
 def _alternatives(
@@ -352,21 +572,18 @@ def _alternatives(
         back = moved.copy()
         back[i] = False
         s = model.stayed(back)
-        freedom = len(s.rows) - model.B.shape[1] - dof
+        freedom = len(model.d) - len(s.rows) - model.B.shape[1] - dof
         if freedom <= 0:
             continue
-        place = np.full(len(model.d), -1)
-        place[s.rows] = np.arange(len(s.rows))
-        d = model.d[s.rows]
-        v, mine = s.weights @ d, place[each[i]]
+        v, mine, total = s.misfit, each[i], s.square_sum
         for j in np.flatnonzero(~back & ~fixed & (np.arange(model.points) != i)).tolist():
-            r = place[each[j]]
-            inverse = np.linalg.pinv(s.weights[np.ix_(r, r)], rcond=1e-10, hermitian=True)
-            gain = s.weights[np.ix_(mine, r)] @ inverse
+            r = each[j]
+            inverse = np.linalg.pinv(s.weights(r, r), rcond=1e-10, hermitian=True)
+            gain = s.weights(mine, r) @ inverse
             u = v[mine] - gain @ v[r]
-            S = s.weights[np.ix_(mine, mine)] - gain @ s.weights[np.ix_(r, mine)]
+            S = s.weights(mine, mine) - gain @ s.weights(r, mine)
             own = float(u @ np.linalg.pinv(S, rcond=1e-8, hermitian=True) @ u) / dof
-            rest = float(d @ v) - float(v[r] @ inverse @ v[r])
+            rest = total - float(v[r] @ inverse @ v[r])
             F = max(rest, 0.0) / freedom
             p = fisher_tail(F, freedom, model.freedom)
             if fisher_tail(own, dof, model.freedom) >= levels[0] and p >= levels[1]:
@@ -374,20 +591,48 @@ def _alternatives(
     return tuple(found)
 
 
-def _moved(model: _Model, start: Mask, alpha: float, fixed: Mask) -> Mask:
-    """Points that moved: from a start, the worst is added while it is significant, the best let go while it is not."""
-    moved = start & ~fixed
-    seen = set[bytes]()
-    while moved.tobytes() not in seen:
-        seen.add(moved.tobytes())
+def _moved(model: _Model, state: _State, alpha: float, fixed: Mask, family: _Family) -> _State:
+    """What moved: from a start, the worst is added while it is significant, the best let go while it is not.
+
+    Points first; where none is significant, the worst of the areas.
+    """
+    state = replace(state, own=state.own & ~fixed)
+    free = (family.sums @ fixed) == 0
+    seen = set[tuple[bytes, tuple[int, ...]]]()
+    while (key := (state.own.tobytes(), state.active)) not in seen:
+        seen.add(key)
+        own, moved = state.own, state.moved
         _, p = model.tests(moved)
-        back = np.where(moved, p, -1.0)
+        back = np.where(own, p, -1.0)
         if back.max() >= alpha:  # it fits those that stayed
-            moved = moved.copy()
-            moved[int(back.argmax())] = False
+            own = own.copy()
+            own[int(back.argmax())] = False
+            state = replace(state, own=own)
+            continue
+        weak = [(_without(model, state, k), k) for k in state.active]
+        if weak and max(weak)[0] >= 1.0:
+            state = replace(state, active=tuple(k for k in state.active if k != max(weak)[1]))
             continue
         worst = np.where(moved | fixed, np.inf, p)
         if worst.min() < alpha and (~moved).sum() > LEAST - 1:
-            moved = moved.copy()
-            moved[int(worst.argmin())] = True
-    return moved
+            own = own.copy()
+            own[int(worst.argmin())] = True
+            state = replace(state, own=own)
+            continue
+        if not len(family.areas):
+            break
+        ratio = np.where(free, model.together(family, moved) / family.limits, np.inf)
+        ratio = np.where(np.isnan(ratio), np.inf, ratio)
+        if ratio.min() < 1.0:
+            state = replace(state, active=(*state.active, int(ratio.argmin())))
+    return state
+
+
+def _without(model: _Model, state: _State, area: int) -> float:
+    """Probability of an active area over its limit, if what belongs to it alone had stayed."""
+    rest = replace(state, active=tuple(k for k in state.active if k != area)).moved
+    points = state.family.areas[area].points
+    if (~rest[points]).sum() < 2:
+        return float("inf")
+    p = model.tested(*model.stayed(rest).shifts(state.family, np.array([area])))[1][0]
+    return float(p / state.family.limits[area])

@@ -116,7 +116,8 @@ def _document(done: Congruence, about: MovedFacts, language: Language) -> Docume
     )  # fmt: skip
 
 
-def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
+def displacement_section(done: Congruence, stated: Sequence[Part] = (), rest: str = "points.csv") -> Section:
+    """What moved, by how much, and what could have been found; rest: the file of all displacements."""
     largest = np.linalg.norm(done.displacement, axis=2)
     epoch = largest.argmax(axis=0)
     d = done.displacement[epoch, np.arange(len(done.ids))]
@@ -137,6 +138,14 @@ def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
             remark=phrase("report_moved.power", power=POWER, worst_mm=least[1]),
         ),
     )  # fmt: skip
+    parts: list[Part] = [
+        *stated, Facts(facts=facts), Figures(figures=tuple(Figure(drawing=x, caption=c) for x, c in views)),
+        *(_points(done, k, rest) for k in range(len(done.displacement))),
+    ]  # fmt: skip
+    return Section(anchor="moved", title=phrase("report_moved.displacements"), parts=tuple(parts))
+
+
+def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
     axes = about.axes or phrase("report_moved.axes_of", name=done.epochs[0])
     faults = [(name, m) for name, messages in about.faults.items() for m in list(messages)[:MOST_FAULTS]]
     stated = [
@@ -147,15 +156,10 @@ def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
         (phrase("front.client"), about.record.client), (phrase("front.operator"), about.record.operator),
         (phrase("report_moved.measurements"), " – ".join(done.epochs)), (phrase("report_moved.axes"), axes),
     ]  # fmt: skip
-    parts: list[Part] = [
-        Statements(statements=tuple((word, words) for word, words in stated if words)), Facts(facts=facts),
-        Figures(figures=tuple(Figure(drawing=x, caption=c) for x, c in views)),
-        *(_points(done, k) for k in range(len(done.displacement))),
-    ]  # fmt: skip
-    return Section(anchor="moved", title=phrase("report_moved.displacements"), parts=tuple(parts))
+    return displacement_section(done, [Statements(statements=tuple((word, words) for word, words in stated if words))])
 
 
-def _points(done: Congruence, k: int) -> Table:
+def _points(done: Congruence, k: int, rest: str) -> Table:
     std = MM * np.sqrt(np.maximum(np.diagonal(done.covariance[k], axis1=1, axis2=2), 0))
     order = np.array(natural_order(done.ids))
     d, fine = MM * done.displacement[k], column_decimals(std)
@@ -175,7 +179,7 @@ def _points(done: Congruence, k: int) -> Table:
         ),
         caption=phrase("report_moved.difference", epoch=done.epochs[k + 1], first=done.epochs[0]),
         note=phrase("report_moved.p_meaning"),
-        rest="points.csv", marked=[i for i, j in enumerate(order) if done.moved[j]],
+        rest=rest, marked=[i for i, j in enumerate(order) if done.moved[j]],
     )  # fmt: skip
 
 

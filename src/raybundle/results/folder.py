@@ -28,7 +28,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.readable import readable, without_controls
 from raybundle.results.contents import clean, result_json
 from raybundle.results.digits import result_digits
-from raybundle.results.tables import ALWAYS, LATER, TABLES, result_table
+from raybundle.results.tables import ALWAYS, DATE, DATED, LATER, TABLES, result_table
 
 PROJECT = "project"
 """Folder in a result folder where `raybundle calibrate` keeps what is finished"""
@@ -48,6 +48,8 @@ ENTRIES = {
     "nominal.csv",
     "lengths.csv",
     "README.txt",
+    "displacements.csv",
+    "epochs.json",
 }
 """Of a result folder beside its tables"""
 EXACT = {"frame", "calibration"}
@@ -177,6 +179,7 @@ def columns_of_table(name: str) -> tuple[Column, ...]:
         *(Column(name=n, kind="text", empty=True) for n in first),
         *(Column(name=n, kind="number", empty=True, optional=n in LATER) for n in numbers),
         *(Column(name=n, kind="text", empty=True) for n in last),
+        *(Column(name=DATE, kind="text", empty=True, optional=True) for _ in range(name in DATED)),
     )
 
 

@@ -28,10 +28,10 @@ RESULT, EARLIER = "result", "results"
 """Folders of a project"""
 MADE = "made"
 """Key of result.json: the command that made a result of a project, and the result that marks were merged into"""
-ORIENT, MARKS, ADJUST = "orient", "marks", "adjust"
+ORIENT, MARKS, ADJUST, EPOCHS = "orient", "marks", "adjust", "epochs"
 MOST = 8
 """Earlier results that are kept, beside the one that marks are merged into; the oldest make room."""
-_NAME = re.compile(r"([0-9]+)-(orient|marks|adjust)")
+_NAME = re.compile(r"([0-9]+)-(orient|marks|adjust|epochs)")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,7 +61,7 @@ def made_of(result: Path) -> Made:
 def _made(tree: Json) -> Made:
     made = tree.get(MADE)
     by, base = (made.get(name).text() if made.has(name) else "" for name in ("by", "base"))
-    return Made(by=by if by in {MARKS, ADJUST} else ORIENT, base=base if _NAME.fullmatch(base) else "")
+    return Made(by=by if by in {MARKS, ADJUST, EPOCHS} else ORIENT, base=base if _NAME.fullmatch(base) else "")
 
 
 def project_of(folder: str | Path) -> Path | None:

@@ -29,6 +29,8 @@ IMAGES = (*XYZ, *ANGLES, *SIGMA_XYZ, *SIGMA_ANGLES)
 CORRELATIONS = ("rXY", "rXZ", "rYZ")
 LATER = ("window", "roughness", *CORRELATIONS)
 """Columns of points.csv that results of earlier versions lack."""
+DATE, DATED = "date", ("images", "points")
+"""Column of results of several dates, and the tables that have it then, behind all others."""
 POINTS = (*XYZ, *SIGMA_XYZ, "rays", *LATER)
 OBSERVATIONS = (
     *("x_px", "y_px", "sx_px", "sy_px", "vx_px", "vy_px", "rx", "ry"),
@@ -107,7 +109,21 @@ def result_table(adjustment: Adjustment, name: str) -> Columns:
         columns = _of_kind(adjustment, kind)
     first, numbers, last = TABLES[name]
     assert tuple(columns) == (*first, *numbers, *last), name
+    if name in DATED and adjustment.given.images.date is not None:
+        columns[DATE] = _dates(adjustment, name)
     return columns
+
+
+def _dates(a: Adjustment, name: str) -> Sequence[str]:
+    """The date of each image; of each point that was seen at one date, empty of others."""
+    dates = a.given.images.date or ()
+    if name == "images":
+        return dates
+    seen: dict[int, set[str]] = {}
+    o = a.given.observations
+    for p, i in {*zip(o.point.tolist(), o.image.tolist(), strict=True)}:
+        seen.setdefault(p, set()).add(dates[i])
+    return ["".join(seen[p]) if len(seen.get(p, ())) == 1 else "" for p in range(len(a.given.points))]
 
 
 def _images(a: Adjustment) -> Columns:

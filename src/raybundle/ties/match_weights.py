@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block
 from raybundle.matching.refine import LEVELS
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.ties.block import FEATURE_SIGMA_PX
@@ -20,6 +21,36 @@ FEWEST = 20
 LEAST_FLOOR_PX2 = 0.01**2
 CONTROLLED = 0.2
 """Redundancy of a point from which on its residuals show its variance."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Matches:
+    """What the variances of measured image points depend on: these can be estimated again from other residuals."""
+
+    images: tuple[str, ...]
+    image: Index
+    """(m,) in `images`"""
+    xy_px: Array
+    grey: Array
+    """(m, 3) covariances from grey values alone"""
+    level: Index
+    reference: Mask
+    feature: Mask
+
+    FIGURES = ("grey", "level", "reference", "feature")
+
+    def found_in(self, block: Block) -> tuple[Index, Index]:
+        """Rows of image points of a block that were measured here, and where each stands here."""
+        number = {name: k for k, name in enumerate(block.images.ids)}
+        image = np.array([number.get(name, -1) for name in self.images])[self.image]
+        o = block.observations
+        both = np.vstack([np.column_stack([o.image, o.xy_px]), np.column_stack([image, self.xy_px])])
+        key = np.unique(both, axis=0, return_inverse=True)[1].ravel()
+        here = np.full(key.max(initial=-1) + 1, -1)
+        here[key[len(o) :]] = np.arange(len(self.image))
+        at = here[key[: len(o)]]
+        rows = np.flatnonzero(at >= 0)
+        return rows, at[rows]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,19 +94,23 @@ class Weights:
 
 
 def estimate_weights(
-    result: Adjustment, grey: Array, level: Index, reference: Mask, before: Weights, feature: Mask | None = None
-) -> Weights:
+    result: Adjustment, grey: Array, level: Index, reference: Mask, before: Weights, feature: Mask | None = None,
+    known: Mask | None = None,
+) -> Weights:  # fmt: skip
     """Variance components by the precision that the grey values promise.
 
     In classes of equal number, sum v^2 / sum r estimates the variance of an image coordinate (Förstner 1979); what the
     classes of a level have in common gives its factor and its floor (non-negative least squares in relative errors).
     References and features are classes of their own.  A level with too few points keeps its ratios to the finer one.
+    Rows that are not `known` (None: all are) have variances of their own, and count for none.
     """
     other = np.zeros(len(reference), bool) if feature is None else feature
     s = result.image_observations
     v2 = (s.residuals_px**2).sum(axis=1)
     r = np.nan_to_num(s.redundancy.sum(axis=1))
     testable = s.used & (r > CONTROLLED)
+    if known is not None:
+        testable &= known
 
     def component(mine: Mask, instead: float, least: float, most: float) -> float:
         return float(np.clip(v2[mine].sum() / r[mine].sum(), least, most)) if mine.sum() > FEWEST else instead
@@ -91,6 +126,32 @@ def estimate_weights(
         reference_px2=component(testable & reference, before.reference_px2, 0.02**2, 1.0),
         feature_px2=features,
     )
+
+
+def weights_again(result: Adjustment, matches: Sequence[Matches], before: Weights) -> Weights:
+    """The weights by the residuals of another adjustment of what was matched."""
+    grey, level, reference, feature, known = _figures(result.given, matches)
+    return estimate_weights(result, grey, level, reference, before, feature, known)
+
+
+def weighted(block: Block, matches: Sequence[Matches], weights: Weights) -> Block:
+    """The block with variances of its matches by these weights."""
+    grey, level, reference, feature, known = _figures(block, matches)
+    o = block.observations
+    cov = np.where(known[:, None], weights.covariance(grey, level, reference, feature), o.cov_px2)
+    return replace(block, observations=replace(o, cov_px2=cov))
+
+
+def _figures(block: Block, matches: Sequence[Matches]) -> tuple[Array, Index, Mask, Mask, Mask]:
+    """`Matches.FIGURES` of the image points of a block, and which of them are matches."""
+    m = len(block.observations)
+    grey, level = np.zeros((m, 3)), np.zeros(m, np.int64)
+    reference, feature, known = (np.zeros(m, bool) for _ in range(3))
+    for each in matches:
+        rows, at = each.found_in(block)
+        grey[rows], level[rows], reference[rows], feature[rows] = (getattr(each, n)[at] for n in Matches.FIGURES)
+        known[rows] = True
+    return grey, level, reference, feature, known
 
 
 def _levels(

@@ -44,7 +44,7 @@ from raybundle.ties.block import (
     viewing_lines,
 )
 from raybundle.ties.curvature import without_curvature
-from raybundle.ties.match_weights import Weights, estimate_weights
+from raybundle.ties.match_weights import Matches, Weights, estimate_weights
 from raybundle.ties.relief import misfit_and_relief
 
 if TYPE_CHECKING:
@@ -69,6 +69,8 @@ class PreciseBlock:
 
     block: Block
     weights: Weights
+    matches: Matches
+    """of the image points of `block`"""
     measured: int
     """image points measured by least-squares matching, references included"""
     offered: int
@@ -177,9 +179,14 @@ def refine(
     block = without_curvature(block, work.residual, work.reference, stay & np.isfinite(work.window_px))
     kept = with_rows(block, stay)
     ids = tie.block.images.ids
+    matches = Matches(
+        images=ids, image=kept.observations.image, xy_px=kept.observations.xy_px, grey=work.grey[stay],
+        level=work.level[stay], reference=work.reference[stay], feature=work.feature[stay],
+    )  # fmt: skip
     return PreciseBlock(
         block=without_images(kept, np.isin(np.arange(len(ids)), list(work.left_out))),
         weights=work.weights,
+        matches=matches,
         measured=int(keep.sum()),
         offered=len(keep),
         added=added,

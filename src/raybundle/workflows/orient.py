@@ -25,6 +25,7 @@ from raybundle.pipeline.stage import Run, Stage
 from raybundle.placing.marks import Given
 from raybundle.placing.upright import Upright
 from raybundle.ties.block import image_sigma_px
+from raybundle.ties.match_weights import Matches
 from raybundle.ties.precise import Weights
 from raybundle.workflows.final_adjustment import left_out
 from raybundle.workflows.orienting.connected_components import ConnectedComponent, component_folder
@@ -68,6 +69,8 @@ class Orientation:
     """how the vertical was found, where neither control nor positions show it"""
     dropped: Dropped | None = None
     """what became of the photographs' features before the adjustment"""
+    matches: tuple[Matches, ...] = ()
+    """what the variances of image points depend on, of every part; (): nothing was matched precisely"""
 
     def __repr__(self) -> str:
         """One line."""
@@ -209,6 +212,7 @@ def _orientation(state: OrientState, records: Sequence[StageRecord]) -> Orientat
         frame=state.placed.frame,
         upright=state.placed.upright,
         dropped=state.dropped,
+        matches=state.matches,
         other_components=state.other_components,
         scenes=() if scenes is None else scenes.images,
         scene_pairs=() if scenes is None else scenes.pairs,

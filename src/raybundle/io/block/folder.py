@@ -137,6 +137,7 @@ def _image_columns(cameras: tuple[Camera, ...]) -> tuple[Column, ...]:
         *(Column(name=n, kind="number", empty=True) for n in (*XYZ, *ANGLES)),
         Column(name="held", kind="number", optional=True, empty=True),
         Column(name="station", kind="text", optional=True, empty=True),
+        Column(name="date", kind="text", optional=True, empty=True),
         *(Column(name=n, kind="number", optional=True, empty=True) for n in (*FRAME, *SCAN)),
     )
 
@@ -189,6 +190,7 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
         rotation=rotation,
         held=(held == 1) | is_scene if ((held == 1) | is_scene).any() else None,
         station=_stations_of(table.text.get("station")),
+        date=table.text["date"] if any(table.text.get("date", ())) else None,
         frames=_frames_of(path, table, cameras, camera),
     ), {image: k for k, image in enumerate(ids)}
 
@@ -350,6 +352,8 @@ def write_block_files(block: Block, folder: Path, tables: TableFormat = "auto") 
     if images.station is not None:
         shared = np.bincount(images.station)[images.station] > 1
         columns["station"] = [f"{s}" if many else "" for s, many in zip(images.station, shared, strict=True)]
+    if images.date is not None:
+        columns["date"] = images.date
     if images.frames:
         rows = [images.frames.get(k) for k in range(len(images))]
         none = (np.nan,) * 3

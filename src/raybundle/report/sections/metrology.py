@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.errors import Text, note, phrase
 from raybundle.metrology.best_fit import BestFit
+from raybundle.metrology.congruence import Congruence
 from raybundle.metrology.lengths import COVERAGE, LengthTest
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.natural import natural_order
@@ -48,6 +49,15 @@ F = TypeVar("F")
 def _finding(o: Occasion, kind: type[F]) -> F | None:
     found = () if o.delivery is None else o.delivery.findings
     return next((f for f in found if isinstance(f, kind)), None)
+
+
+@chapter("displacements", after="result")
+def displacements(o: Occasion) -> tuple[Section, ...]:
+    """What moved between the dates of one adjustment."""
+    from raybundle.report.moved import displacement_section
+
+    done = _finding(o, Congruence)
+    return () if done is None else (displacement_section(done, rest="displacements.csv"),)
 
 
 @chapter("deviations", after="result")

@@ -22,3 +22,25 @@ displacement-unsure = { $n } { $n ->
     *[other] Gebiete sind
  } keine sichere Bewegung: das Mittel des inneren Teils ist kleiner als { $limit } Standardabweichungen.
     .why = Fehler an Kanten und in gefüllten Lücken gelten für das ganze Gebiet; ein Fenster enthält nur die benachbarten.
+
+displacement-one_date = Alle Fotos sind vom { $date }: keine Verschiebungen.
+    .do = Fotos eines weiteren Tages mit { OPTION("add", "PHOTOS") } hinzufügen.
+
+displacement-dates = { LIST($dates, most: 4) }: { $moved ->
+        [0] keiner von { $points } Punkten verschoben
+        *[other] { $moved } von { $points } Punkten verschoben: { LIST($names, most: 5) }
+    }, { $areas ->
+        [0] kein Gebiet
+        [one] 1 Gebiet
+        *[other] { $areas } Gebiete
+    } verschoben (Irrtumswahrscheinlichkeit { PERCENT($error_rate) } %).
+
+displacement-largest = Größte Verschiebung: { $point }, { NUM($length_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm von { $start } bis { $end }.
+
+displacement-area = { $name } ({ $n } Punkte): mittlere Verschiebung { NUM($length_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm bis { $end }.
+
+displacement-changes = { $n } frühere Verschiebungen: geändert um { NUM($median, digits: 2) } Standardabweichungen (Median), { NUM($largest, digits: 2) } (größte, { $point }).
+    .why = { $changed } { $changed ->
+        [one] Punkt änderte
+        *[other] Punkte änderten
+    } sich um mehr als eine Standardabweichung. Anderes Urteil: { LIST($verdicts, most: 5) }.

@@ -52,3 +52,52 @@ epochs-free_scale = Der Maßstab von { $names } ist nicht festgelegt: eine gleic
 
 epochs-points_unknown = Keine Messung hat { LIST($points, most: 10) }.
     .do = { OPTION("points") } korrigieren.
+
+epochs-joint_order = Die gemeinsame Kovarianz von { $epochs } verlangt dieselben Punkte in derselben Reihenfolge.
+    .do = Alle Epochen mit denselben Punkten angeben.
+
+epochs-group_empty = Kein Punkt der Gruppe { $name } hat an jedem Tag eine Lage.
+    .do = { OPTION("group") } korrigieren.
+
+epochs-group_text = { $text } ist keine Gruppe.
+    .do = { OPTION("group", "NAME:A,B,C") } oder { OPTION("group", "NAME:outline.csv") } angeben.
+
+epochs-one_date = Verschiebungen verlangen Bilder von mindestens zwei Tagen; vorhanden ist { LIST($dates, most: 1) }.
+    .do = Fotos eines weiteren Tages hinzufügen.
+
+epochs-no_date_text = { $text } ist kein Datum.
+    .do = Als JJJJ-MM-TT angeben.
+
+epochs-photographs_without_date = { $n } { $n ->
+        [one] Foto hat
+        *[other] Fotos haben
+    } kein Datum: { LIST($names, most: 5) }.
+    .do = Mit { OPTION("date", "JJJJ-MM-TT") } hinzufügen.
+
+epochs-dates_not_paired = { $add } Ordner werden mit { $dates } { $dates ->
+        [one] Datum
+        *[other] Daten
+    } hinzugefügt.
+    .do = Für jeden Ordner ein Datum angeben, oder keines.
+
+epochs-no_photographs = { $project } hat keine Fotos.
+    .do = Fotos mit { OPTION("add", "PHOTOS") } hinzufügen.
+
+epochs-limit = { $text } ist keine Länge.
+    .do = { OPTION("limit", "10mm") } angeben.
+
+epochs-limit_not_tested = { $limit } wird nicht geprüft: Längen haben keinen Maßstab.
+    .do = Passpunkte, eine Maßstabsstrecke oder Positionen der Fotos hinzufügen.
+
+epochs-no_scale = Längen haben keinen Maßstab und keine Einheit.
+    .do = Passpunkte, eine Maßstabsstrecke oder Positionen der Fotos hinzufügen.
+
+epochs-camera_changed = Kamera { $camera } hat an jedem Tag eine andere innere Orientierung (F { NUM($F) }, { P($p) }).
+    .why = Jeder Tag hat eigene Kameraparameter; sie sind weniger genau.
+    .do = Fokus und Zoom zwischen den Tagen festhalten.
+
+epochs-limit_exceeded = { $n } { $n ->
+        [one] Verschiebung überschreitet
+        *[other] Verschiebungen überschreiten
+    } { $limit }: { $name } { NUM($length_mm, digits: 3) } mm bis { $end } (Wahrscheinlichkeit über { PERCENT($confidence) } %).
+    .do = { $name } prüfen.

@@ -37,3 +37,48 @@ displacement-unsure = { $n } { $n ->
     *[other] regions are
  } no certain movement: the mean of the inner part is less than { $limit } standard deviations.
     .why = Errors at edges and in filled holes are common to the whole region; a window contains only those nearby.
+
+# $date = "2026-05-01"
+displacement-one_date = All photographs are of { $date }: no displacements.
+    .do = Add photographs of another date with { OPTION("add", "PHOTOS") }.
+
+# $dates = ["2026-05-01", "2026-06-01"]
+# $points = 400
+# $moved = 2
+# $areas = 1
+# $names = ["t5", "t17"]
+# $error_rate = 0.05
+displacement-dates = { LIST($dates, most: 4) }: { $moved ->
+        [0] none of { $points } points moved
+        *[other] { $moved } of { $points } points moved: { LIST($names, most: 5) }
+    }, { $areas ->
+        [0] no area
+        [one] 1 area
+        *[other] { $areas } areas
+    } moved (false-alarm rate { PERCENT($error_rate) } %).
+
+# $point = "t17"
+# $start = "2026-05-01"
+# $end = "2026-06-01"
+# $length_mm = 12.3
+# $sigma_mm = 0.8
+displacement-largest = Largest displacement: { $point }, { NUM($length_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm from { $start } to { $end }.
+
+# $name = "wall"
+# $n = 12
+# $length_mm = 4.2
+# $sigma_mm = 0.3
+# $end = "2026-06-01"
+displacement-area = { $name } ({ $n } points): mean displacement { NUM($length_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm until { $end }.
+
+# $n = 300
+# $median = 0.05
+# $largest = 0.8
+# $point = "t17"
+# $changed = 1
+# $verdicts = ["t4"]
+displacement-changes = { $n } earlier displacements: changed by { NUM($median, digits: 2) } standard deviations (median), { NUM($largest, digits: 2) } (largest, { $point }).
+    .why = { $changed } { $changed ->
+        [one] point changed
+        *[other] points changed
+    } by more than one standard deviation. Other verdicts: { LIST($verdicts, most: 5) }.

@@ -108,3 +108,73 @@ epochs-free_scale = The scale of { $names } is not fixed: a growth of all points
 # $points = ["A7"]
 epochs-points_unknown = No measurement has { LIST($points, most: 10) }.
     .do = Correct { OPTION("points") }.
+
+# $epochs = ["2026-05-01", "2026-06-01"]
+epochs-joint_order = The joint covariance of { $epochs } needs the same points in the same order.
+    .do = Give all epochs with the same points.
+
+# $name = "wall"
+epochs-group_empty = No point of group { $name } has a place at every date.
+    .do = Correct { OPTION("group") }.
+
+# $text = "wall"
+epochs-group_text = { $text } is no group.
+    .do = Give { OPTION("group", "NAME:A,B,C") } or { OPTION("group", "NAME:outline.csv") }.
+
+# $dates = ["2026-05-01"]
+epochs-one_date = Displacements need images of at least two dates; there is { LIST($dates, most: 1) }.
+    .do = Add photographs of another date.
+
+# $text = "May"
+epochs-no_date_text = { $text } is no date.
+    .do = Give it as YYYY-MM-DD.
+
+# $n = 2
+# $names = ["a.jpg", "b.jpg"]
+epochs-photographs_without_date = { $n } { $n ->
+        [one] photograph has
+        *[other] photographs have
+    } no date: { LIST($names, most: 5) }.
+    .do = Add them with { OPTION("date", "YYYY-MM-DD") }.
+
+# $add = 2
+# $dates = 1
+epochs-dates_not_paired = { $add } folders are added with { $dates } { $dates ->
+        [one] date
+        *[other] dates
+    }.
+    .do = Give one date for each folder, or none.
+
+# $project = "dam"
+epochs-no_photographs = { $project } has no photographs.
+    .do = Add photographs with { OPTION("add", "PHOTOS") }.
+
+# $text = "10 feet"
+epochs-limit = { $text } is no length.
+    .do = Give { OPTION("limit", "10mm") }.
+
+# $limit = "10mm"
+epochs-limit_not_tested = { $limit } is not tested: lengths have no scale.
+    .do = Add control, a scale bar or positions of the photographs.
+
+epochs-no_scale = Lengths have no scale, and are in no unit.
+    .do = Add control, a scale bar or positions of the photographs.
+
+# $camera = "1"
+# $F = 5.2
+# $p = 0.0001
+epochs-camera_changed = Camera { $camera } has another interior orientation at each date (F { NUM($F) }, { P($p) }).
+    .why = Each date has its own camera parameters, which are less precise.
+    .do = Fix focus and zoom between the dates.
+
+# $n = 3
+# $name = "t17"
+# $end = "2026-06-01"
+# $length_mm = 12.3
+# $limit = "10mm"
+# $confidence = 0.99
+epochs-limit_exceeded = { $n } { $n ->
+        [one] displacement exceeds
+        *[other] displacements exceed
+    } { $limit }: { $name } { NUM($length_mm, digits: 3) } mm until { $end } (probability over { PERCENT($confidence) } %).
+    .do = Inspect { $name }.

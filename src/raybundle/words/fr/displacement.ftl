@@ -17,3 +17,16 @@ displacement-unsure = { $n } { $n ->
     [one] région
     *[other] régions
  } sans mouvement certain : moyenne intérieure inférieure à { $limit } écarts-types.
+
+displacement-one_date = Toutes les photos sont du { $date } : aucun déplacement.
+
+displacement-dates = { LIST($dates, most: 4) } : { $moved ->
+        [0] aucun des { $points } points déplacé
+        *[other] { $moved } points sur { $points } déplacés : { LIST($names, most: 5) }
+    } ; zones déplacées : { $areas } (taux de fausse alarme { PERCENT($error_rate) } %).
+
+displacement-largest = Plus grand déplacement : { $point }, { NUM($length_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm du { $start } au { $end }.
+
+displacement-area = { $name } ({ $n } points) : déplacement moyen { NUM($length_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm jusqu’au { $end }.
+
+displacement-changes = { $n } déplacements antérieurs : changés de { NUM($median, digits: 2) } écarts-types (médiane), { NUM($largest, digits: 2) } (maximum, { $point }).

@@ -25,3 +25,29 @@ epochs-stable_points_differ = Les points stables diffèrent de plus que leurs é
 epochs-free_scale = L'échelle de { $names } n'est pas fixée : une dilatation de tous les points n'est pas détectée ({ $scale_ppm } ppm).
 
 epochs-points_unknown = Aucune mesure ne contient { LIST($points, most: 10) }.
+
+epochs-joint_order = La covariance commune de { $epochs } exige les mêmes points dans le même ordre.
+
+epochs-group_empty = Aucun point du groupe { $name } n’a de position à chaque date.
+
+epochs-group_text = { $text } n’est pas un groupe.
+
+epochs-one_date = Les déplacements exigent des images d’au moins deux dates ; il y a { LIST($dates, most: 1) }.
+
+epochs-no_date_text = { $text } n’est pas une date.
+
+epochs-photographs_without_date = Photos sans date ({ $n }) : { LIST($names, most: 5) }.
+
+epochs-dates_not_paired = Dossiers ajoutés : { $add } ; dates : { $dates }.
+
+epochs-no_photographs = { $project } n’a pas de photos.
+
+epochs-limit = { $text } n’est pas une longueur.
+
+epochs-limit_not_tested = { $limit } n’est pas testé : les longueurs n’ont pas d’échelle.
+
+epochs-no_scale = Les longueurs n’ont ni échelle ni unité.
+
+epochs-camera_changed = La caméra { $camera } a une autre orientation interne à chaque date (F { NUM($F) }, { P($p) }).
+
+epochs-limit_exceeded = Déplacements de plus de { $limit } : { $n } ; { $name } { NUM($length_mm, digits: 3) } mm jusqu’au { $end } (probabilité supérieure à { PERCENT($confidence) } %).

@@ -19,6 +19,7 @@ from raybundle.pipeline.stage import Workflow
 from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.marks import Given
 from raybundle.ties.block import TieBlock
+from raybundle.ties.match_weights import Matches
 from raybundle.ties.pairs import Round
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.precise import Weights
@@ -103,6 +104,7 @@ class OrientState:
     blocks: tuple[Block, ...] = ()
     """the same, measured precisely where that was asked for"""
     weights: tuple[Weights, ...] = ()
+    matches: tuple[Matches, ...] = ()
     dropped: Dropped | None = None
     offered: int = 0
     """features that least-squares matching was to measure again"""

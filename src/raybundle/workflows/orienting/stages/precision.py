@@ -17,6 +17,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rows import rows_of_each
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.ties.block import TieBlock
+from raybundle.ties.match_weights import Matches
 from raybundle.ties.precise import PreciseBlock, Visible, Weights, refine
 from raybundle.ties.windows import KINDS, greys, matched
 from raybundle.workflows.orienting.state import ORIENT, OrientState
@@ -39,6 +40,7 @@ class Measured:
 
     blocks: tuple[Block, ...]
     weights: tuple[Weights, ...]
+    matches: tuple[Matches, ...]
     offered: int
     measured: int
     added: int
@@ -63,6 +65,7 @@ def measure(i: Inputs, means: Means) -> Measured:
     return Measured(
         blocks=tuple(f.block for f in found),
         weights=tuple(f.weights for f in found),
+        matches=tuple(f.matches for f in found),
         offered=sum(f.offered for f in found),
         measured=sum(f.measured for f in found),
         added=sum(f.added for f in found),
@@ -82,7 +85,7 @@ def _put(state: OrientState, m: Measured) -> OrientState:
     names = list(m.by_features)
     reported = (phrase("stage_summary.by_features", names=names, n=len(names)),) if names else ()
     return replace(
-        state, blocks=m.blocks, weights=m.weights, dropped=dropped, lost=(*state.lost, *m.left_out),
+        state, blocks=m.blocks, weights=m.weights, matches=m.matches, dropped=dropped, lost=(*state.lost, *m.left_out),
         reported=(*state.reported, *reported), offered=m.offered,
     )  # fmt: skip
 
@@ -109,7 +112,10 @@ def _visible(masks: Masks, photos: Sequence[Photo]) -> Visible:
 
 
 def _arrays(m: Measured) -> dict[str, Array]:
-    parts = [{**arrays_of_block(b), "weights": w.array()} for b, w in zip(m.blocks, m.weights, strict=True)]
+    parts = [
+        {**arrays_of_block(b), "weights": w.array(), **{f"match_{n}": getattr(f, n) for n in Matches.FIGURES}}
+        for b, w, f in zip(m.blocks, m.weights, m.matches, strict=True)
+    ]
     return {
         **numbered(parts),
         "counts": np.array([m.offered, m.measured, m.added, m.features_kept]),
@@ -120,19 +126,26 @@ def _arrays(m: Measured) -> dict[str, Array]:
 
 def _product(a: Mapping[str, Array]) -> Measured:
     parts = [*unpacked(a).values()]
+    blocks = tuple(block_of_arrays(p) for p in parts)
     offered, measured, added, kept = a["counts"].tolist()
     return Measured(
-        blocks=tuple(block_of_arrays(p) for p in parts), weights=tuple(Weights.of(p["weights"]) for p in parts),
+        blocks=blocks, weights=tuple(Weights.of(p["weights"]) for p in parts),
+        matches=tuple(_matches(b, p) for b, p in zip(blocks, parts, strict=True)),
         offered=offered, measured=measured, added=added, features_kept=kept,
         by_features=tuple(a["by_features"].tolist()), left_out=reasons_of_array(a["left_out"]),
     )  # fmt: skip
+
+
+def _matches(block: Block, a: Mapping[str, Array]) -> Matches:
+    o, figures = block.observations, {n: a[f"match_{n}"] for n in Matches.FIGURES}
+    return Matches(images=block.images.ids, image=o.image, xy_px=o.xy_px, **figures)
 
 
 STAGE = ORIENT.register(
     Stage(
         name="precision",
         kinds=KINDS,
-        version=28,
+        version=29,
         after=("scene_start",),
         inputs=_inputs,
         function=measure,

@@ -1,0 +1,390 @@
+"""`raybundle epochs`: photographs of several dates in one adjustment, and what moved between them."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.commands.orient import OrientSettings
+from raybundle.errors import InputError, Message, note, warning
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import Range, keywords, made, other_than_usual, setting
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.result import Adjustment
+    from raybundle.block import Block
+    from raybundle.workflows.epochs.movements import Movements
+    from raybundle.workflows.epochs.photograph_dates import Source
+    from raybundle.workflows.epochs.tables import Changes, Exceeded, Limit
+    from raybundle.workflows.orient import Orientation
+
+EXCEEDED, MM = 6, 1e3
+"""Exit status where a displacement exceeds the limit; millimetres of a metre"""
+TABLE = "epochs"
+"""Of project.toml: the photographs of all dates"""
+UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "": 1.0}
+_LENGTH = re.compile(r"\s*([0-9.]+(?:e-?[0-9]+)?)\s*(mm|cm|m|)\s*")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EpochsSettings(OrientSettings):
+    """Photographs of several dates, how they are oriented, and what is tested."""
+
+    photos: tuple[Path, ...] = ()
+    add: tuple[Path, ...] = setting(
+        (), "Photographs of one or more further dates: a folder or file. May be repeated.", metavar="PHOTOS"
+    )
+    date: tuple[str, ...] = setting(
+        (), "Date of the photographs of {add}, in the same order.  [default: names of sub-folders, then EXIF]",
+        metavar="YYYY-MM-DD",
+    )  # fmt: skip
+    group: tuple[str, ...] = setting(
+        (), "Test points as a group: NAME:A,B,C, or NAME:FILE with an outline X,Y. May be repeated.",
+        metavar="NAME:POINTS",
+    )  # fmt: skip
+    datum_points: tuple[str, ...] = setting(
+        (), "Known stable points.  [default: found by the test]", metavar="A,B,C,...", joined=True
+    )
+    same_camera: Literal["test", "yes", "no"] = setting(
+        "test", "Use one interior orientation of a camera for all dates. test: unless the dates contradict it."
+    )
+    significance: float = setting(
+        0.05, "Probability that any stable point or area is reported as moved.", limits=Range(low=1e-6, high=0.5)
+    )
+    limit: str = setting(
+        "", "Displacement that must not be exceeded, e.g. 10mm. If it is, the exit status is 6.", metavar="LENGTH"
+    )
+    confidence: float = setting(
+        0.99, "Probability with which {limit} is exceeded.", limits=Range(low=0.5, high=0.999999)
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Epochs:
+    """What came of the photographs of several dates."""
+
+    orientation: Orientation
+    movements: Movements | None
+    """None: of one date alone"""
+    exceeded: tuple[Exceeded, ...] = ()
+    changes: Changes | None = None
+
+    @property
+    def adjustment(self) -> Adjustment:
+        """The adjustment of all dates."""
+        return self.orientation.adjustment
+
+
+@keywords(EpochsSettings)
+def epochs(project: str | Path, *, progress: Progress = silent, **settings: Any) -> Epochs:
+    """Adjust photographs of several dates together; displacements stand in `project`/result/displacements.csv.
+
+    project   project folder; begun, or continued with further dates
+    settings  as of the command line, by the names of `EpochsSettings`
+    raises    InputError, NoOrientation; nothing that is finished is lost
+
+    Limits: a motion that all points share; of points of which more than half moved alike, which half it was; control
+    is taken to have stayed.
+    """
+    return run_epochs(made(EpochsSettings, {"out": Path(project), **settings}), progress)
+
+
+def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
+    """Orient, test, adjust and write what the settings ask for."""
+    from raybundle.adjustment.blunders.accuracy_class import accuracy_class
+    from raybundle.commands.drawn_masks import masks_of_run
+    from raybundle.commands.orient import keep_settings, report_stage, write_orientation
+    from raybundle.commands.pages import check_pages
+    from raybundle.commands.record_settings import record_in, record_of
+    from raybundle.commands.worker import store_of
+    from raybundle.io.block.toml import read_cameras
+    from raybundle.io.trajectories import read_trajectory
+    from raybundle.results.folder import check_target
+    from raybundle.results.project_results import EPOCHS, replacing
+    from raybundle.workflows.epochs.photograph_dates import dates_of, folders_of
+    from raybundle.workflows.orient import orient as oriented
+    from raybundle.workflows.orienting.options import OrientOptions
+
+    out, result = settings.out, settings.out / "result"
+    limit, sources = limit_of(settings), sources_of(settings)
+    orienting = _as_before(settings, sources)
+    orienting = replace(orienting, store=store_of(out, orienting.store, orienting.photos))
+    check_pages(orienting)
+    check_target(result)
+    keep_settings(orienting)
+    _keep_sources(out, sources)
+    chosen: dict[str, Any] = {f.name: getattr(orienting, f.name) for f in fields(OrientOptions)}
+    options = replace(OrientOptions(**chosen), masks=masks_of_run(orienting.photos, orienting.masks, out))
+    done = oriented(
+        orienting.photos, out, options, given=orienting.given(), progress=progress,
+        calibration=() if orienting.calibration is None else read_cameras(orienting.calibration),
+        positions=None if orienting.positions is None else read_trajectory(orienting.positions), earlier=_earlier(out),
+    )  # fmt: skip
+    dates = dates_of(done.photos, [f for s in sources for f in folders_of(s)])
+    done, found = with_movements(done, dates, settings, progress)
+    if done.adjustment.free_scale:  # lengths are in no unit
+        limit = None
+    before = _delivered(result)
+    changes = None if found is None or before is None else _changes(found, before)
+    with report_stage(out, done.stages), replacing(out, EPOCHS, marks=False) as stated:
+        write_orientation(
+            done, result, report="html" if orienting.report else "none", progress=progress,
+            settings={n: str(v) for n, v in other_than_usual(settings).items() if n not in {"photos", "out"}},
+            wanted=accuracy_class(orienting.accuracy_class), record=record_of(orienting).over(record_in(out)),
+            pdf=orienting.pdf, appendix=orienting.appendix, language=orienting.language, additions=stated.as_addition(),
+            findings=() if found is None else (found.stability.congruence,),
+            more=lambda folder: _write(found, folder, limit, changes),
+        )  # fmt: skip
+    return Epochs(
+        orientation=done, movements=found, changes=changes,
+        exceeded=() if found is None or limit is None else _exceeded(found, limit),
+    )  # fmt: skip
+
+
+def limit_of(settings: EpochsSettings) -> Limit | None:
+    """The limit of displacements; raises InputError for what is no length."""
+    from raybundle.workflows.epochs.tables import Limit
+
+    if not settings.limit:
+        return None
+    found = _LENGTH.fullmatch(settings.limit)
+    length = float(found[1]) * UNITS[found[2]] if found else 0.0
+    if not length > 0:
+        raise InputError("epochs.limit", text=settings.limit)
+    return Limit(length=length, confidence=settings.confidence)
+
+
+def sources_of(settings: EpochsSettings) -> list[Source]:
+    """The photographs of the project, then those that are added."""
+    from raybundle.io.reading.trees import read_toml
+    from raybundle.workflows.epochs.photograph_dates import Source, given_date
+
+    if settings.date and len(settings.date) != len(settings.add):
+        raise InputError("epochs.dates_not_paired", add=len(settings.add), dates=len(settings.date))
+    file = settings.out / "project.toml"
+    known: list[Source] = []
+    if file.is_file():
+        tree = read_toml(file).tree()
+        if tree.has(TABLE):
+            rows: Any = tree.get(TABLE).get("photographs").value
+            known = [Source(path=Path(str(path)), date=str(date)) for path, date in rows]
+        elif tree.has("orient"):
+            photos: Any = tree.get("orient").get("photos").value
+            known = [Source(path=Path(str(p))) for p in photos]
+    there = {s.path.resolve() for s in known}
+    dates = settings.date or ("",) * len(settings.add)
+    new = [
+        Source(path=path, date=given_date(date) if date else "")
+        for path, date in zip(settings.add, dates, strict=True) if path.resolve() not in there
+    ]  # fmt: skip
+    if not known and not new:
+        raise InputError("epochs.no_photographs", project=str(settings.out))
+    return [*known, *new]
+
+
+def _as_before(settings: EpochsSettings, sources: Sequence[Source]) -> OrientSettings:
+    """What `orient` is asked for: as in the last run of the project, with what is given now."""
+    from raybundle.commands.orient import settings_asked
+    from raybundle.workflows.epochs.photograph_dates import folders_of
+
+    own = {f.name for f in fields(OrientSettings)}
+    given = {n: v for n, v in other_than_usual(settings).items() if n in own}
+    paths = tuple(f.path for s in sources for f in folders_of(s))
+    if (settings.out / "project.toml").is_file():
+        return replace(settings_asked(settings.out), **{**given, "photos": paths, "out": settings.out})
+    values: dict[str, Any] = {name: getattr(settings, name) for name in own}
+    values["photos"] = paths
+    return OrientSettings(**values)
+
+
+def _keep_sources(out: Path, sources: Sequence[Source]) -> None:
+    """Write the photographs of all dates into project.toml."""
+    from raybundle.pipeline.settings_file import with_table
+
+    rows = ", ".join(json.dumps([str(s.path), s.date], ensure_ascii=False) for s in sources)
+    text = with_table(out / "project.toml", TABLE, f"[{TABLE}]\nphotographs = [{rows}]")
+    (out / "project.toml").write_text(text, encoding="utf-8")
+
+
+def _earlier(out: Path) -> Any:
+    """What an earlier run left, its points without dates: they keep their names."""
+    from raybundle.commands.earlier_run import earlier_run
+    from raybundle.workflows.epochs.dated_points import Dates, by_dates
+
+    found = earlier_run(out)
+    if found is None or found.block.images.date is None or len(set(found.block.images.date)) < 2:
+        return found
+    dates = Dates.of(found.block.images.date)
+    names = sorted({dates.base(p) for p in found.block.points.ids})
+    return replace(found, block=by_dates(found.block, dates, names).block)
+
+
+def with_movements(
+    done: Orientation, dates: Mapping[str, str], settings: EpochsSettings, progress: Progress
+) -> tuple[Orientation, Movements | None]:  # fmt: skip
+    """An orientation with places of each date where points moved, and what moved; None: one date alone."""
+    from raybundle.adjustment.readjust import block_again
+    from raybundle.ties.block import image_sigma_px
+    from raybundle.workflows.epochs.dated_points import Dates
+    from raybundle.workflows.epochs.movements import movements
+    from raybundle.workflows.epochs.stability import weighted_apart
+
+    a = done.adjustment
+    block = block_again(a)
+    of_image = tuple(dates[f] for f in block.images.file)
+    block = replace(block, images=replace(block.images, date=of_image))
+    if len(set(of_image)) < 2:
+        given = replace(a.given, images=replace(a.given.images, date=of_image))
+        one = replace(a, given=given)
+        lone = note("displacement.one_date", date=of_image[0])
+        return replace(done, adjustment=one, remarks=(*done.remarks, lone.text())), None
+    free = {i.camera: i.free for i in a.interior if i.image is None}
+    block = replace(
+        block,
+        cameras=tuple(replace(c, estimate=free.get(c.id, ())) if c.estimate == "auto" else c for c in block.cameras),
+    )
+    weights, adjusting = done.weights, replace(a.options, reject="snooping", estimate="given", datum="auto")
+    if weights is not None and done.matches:
+        block, weights = weighted_apart(block, Dates.of(of_image), done.matches, weights, adjusting, progress)
+    same = {"test": None, "yes": True, "no": False}[settings.same_camera]
+    found = movements(
+        block, Dates.of(of_image), significance=settings.significance, groups=groups_of(settings.group, block),
+        datum=settings.datum_points, same_cameras=same, progress=progress,
+        options=adjusting,
+    )  # fmt: skip
+    own = {n.code for n in found.adjustment.notices}
+    notices = (*(n for n in a.notices if n.code not in own and n.code not in OF_ONE_DATE), *found.adjustment.notices)
+    adjustment = replace(found.adjustment, notices=notices)
+    return replace(done, adjustment=adjustment, weights=weights, sigma_px=image_sigma_px(adjustment)), found
+
+
+OF_ONE_DATE = {"snooping_masked", "rejected", "image_contradicts", "image_less_precise"}
+"""Codes of notices that points which moved raise while they are taken for one place"""
+
+
+def groups_of(given: Sequence[str], block: Block) -> dict[str, tuple[str, ...]]:
+    """The groups of the user: names of points, or points within an outline X,Y.
+
+    raises  InputError for what is neither, and for a file that is no outline
+    """
+    import numpy as np
+
+    found: dict[str, tuple[str, ...]] = {}
+    for text in given:
+        name, _, points = text.partition(":")
+        if not name or not points:
+            raise InputError("epochs.group_text", text=text)
+        if not Path(points).is_file():
+            found[name] = tuple(p.strip() for p in points.split(",") if p.strip())
+            continue
+        from matplotlib.path import Path as Polygon
+
+        from raybundle.io.tables import Column, read_table
+
+        table = read_table(Path(points), [Column(name=n, kind="number") for n in "XY"], least_rows=3)
+        inside = Polygon(table.numbers("X", "Y")).contains_points(np.nan_to_num(block.points.xyz[:, :2]))
+        found[name] = tuple(block.points.ids[k] for k in np.flatnonzero(inside))
+    return found
+
+
+def _delivered(result: Path) -> Any:
+    """Displacements of the result that is replaced; None: there are none."""
+    from raybundle.workflows.epochs.tables import DISPLACEMENTS, read_displacements
+
+    file = result / DISPLACEMENTS
+    return read_displacements(file) if file.is_file() else None
+
+
+def _changes(found: Movements, before: Any) -> Changes | None:
+    from raybundle.workflows.epochs.tables import changes_of
+
+    return changes_of(found, before)
+
+
+def _exceeded(found: Movements, limit: Limit) -> tuple[Exceeded, ...]:
+    from raybundle.workflows.epochs.tables import exceeded
+
+    return tuple(exceeded(found, limit))
+
+
+def _write(found: Movements | None, folder: Path, limit: Limit | None, changes: Changes | None) -> None:
+    from raybundle.workflows.epochs.tables import (
+        DISPLACEMENTS,
+        EPOCHS,
+        epochs_json,
+        write_displacements,
+        write_epochs,
+    )
+
+    if found is not None:
+        write_displacements(found, folder / DISPLACEMENTS, limit)
+        write_epochs(epochs_json(found, limit, changes), folder / EPOCHS)
+
+
+def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], list[Message]]:
+    """What is printed first, and warnings."""
+    import numpy as np
+
+    from raybundle.workflows.epochs.movements import MOVED
+
+    m = done.movements
+    if m is None:
+        return [note("displacement.one_date", date=(done.adjustment.given.images.date or ("",))[0])], []
+    d, names = m.displacements, m.dates.names
+    rows = np.flatnonzero([v == MOVED for v in d.verdict])
+    points = sorted({d.point[k] for k in rows})
+    areas = [a for a in m.stability.congruence.areas if a.moved]
+    first: list[Message] = [
+        note("displacement.dates", dates=list(names), points=len(set(d.point)), moved=len(points), areas=len(areas),
+             names=points, error_rate=settings.significance)
+    ]  # fmt: skip
+    if len(rows):
+        k = rows[d.length[rows].argmax()]
+        u = d.vector[k] / max(float(d.length[k]), 1e-300)
+        first.append(
+            note("displacement.largest", point=d.point[k], start=names[d.start[k]], end=names[d.end[k]],
+                 length_mm=MM * float(d.length[k]), sigma_mm=MM * float(np.sqrt(u @ d.covariance[k] @ u)))
+        )  # fmt: skip
+    for a in [a for a in areas if a.given] or areas[:1]:
+        j = int(np.linalg.norm(a.displacement, axis=1).argmax())
+        u = a.displacement[j] / max(float(np.linalg.norm(a.displacement[j])), 1e-300)
+        first.append(
+            note("displacement.area", name=a.name, n=len(a.points),
+                 length_mm=MM * float(np.linalg.norm(a.displacement[j])),
+                 sigma_mm=MM * float(np.sqrt(u @ a.covariance[j] @ u)), end=names[j + 1])
+        )  # fmt: skip
+    finite = d.detectable[np.isfinite(d.detectable)]
+    if len(finite):
+        first.append(
+            note(
+                "displacement.level_of_detection",
+                median_mm=MM * float(np.median(finite)),
+                largest_mm=MM * float(finite.max()),
+            )
+        )
+    if done.changes is not None:
+        c = done.changes
+        first.append(note("displacement.changes", n=c.count, median=c.median, largest=c.largest, point=c.point,
+                          changed=len(c.more_than_one), verdicts=list(c.verdicts)))  # fmt: skip
+    grave: list[Message] = []
+    if done.adjustment.free_scale:
+        limited = warning("epochs.limit_not_tested", limit=settings.limit)
+        grave.append(limited if settings.limit else warning("epochs.no_scale"))
+    if m.stability.congruence.after[1] < settings.significance:
+        grave.append(warning("epochs.stable_points_differ", p=float(m.stability.congruence.after[1])))
+    grave += [
+        warning("epochs.camera_changed", camera=t.camera, F=t.F, p=t.p_value)
+        for t in m.stability.cameras
+        if not t.shared
+    ]
+    if done.exceeded:
+        e = done.exceeded[0]
+        grave.insert(0, warning(
+            "epochs.limit_exceeded", n=len(done.exceeded), name=e.name, end=e.end, length_mm=MM * e.length,
+            limit=settings.limit, confidence=settings.confidence,
+        ))  # fmt: skip
+    return first, grave

@@ -1,0 +1,293 @@
+"""What moved between the dates of a block: one final adjustment, and displacements with all covariances."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block
+from raybundle.measuring.joint import Joint
+from raybundle.metrology.congruence import POWER, SIGNIFICANCE
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.statistics import detectable_noncentrality, fisher_tail
+from raybundle.workflows.epochs.cameras import cameras_by_dates
+from raybundle.workflows.epochs.dated_points import Dated, Dates, placed_by_dates
+from raybundle.workflows.epochs.stability import Stability, spread_evenly, stability
+
+MOVED, STABLE, IN_AREA, UNCLEAR = "moved", "stable", "moved_area", "not_significant"
+"""Verdicts: by its own test; one place; apart because the area around it moved; of a point that moved, a date at which
+no displacement is significant"""
+NEIGHBOURS = 3
+"""Tested points of which most moved where a point between them is taken to have moved"""
+SINGLE = 1000
+"""Points beside those of the joint test that are tested each for itself, spread evenly: two solutions of the normal
+equations for each.  What lies between tested points follows these"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Displacements:
+    """Displacements of points from one date to a later one; rows by point, then by date."""
+
+    point: tuple[str, ...]
+    """(r,) names without dates"""
+    start: Index
+    """(r,) position of the earlier date"""
+    end: Index
+    xyz: Array
+    """(r, 3) at the earlier date [m]"""
+    vector: Array
+    """(r, 3) [m]"""
+    covariance: Array
+    """(r, 3, 3) [m^2]"""
+    F: Array
+    """(r,) of no displacement, 3 degrees of freedom"""
+    p_value: Array
+    verdict: tuple[str, ...]
+    detectable: Array
+    """(r,) length of the smallest displacement that is found with 80 % probability, in the direction known worst [m]"""
+    detectable_before: Array
+    """(r,) the same if no point had moved"""
+
+    def __len__(self) -> int:
+        return len(self.point)
+
+    @property
+    def length(self) -> Array:
+        """(r,) [m]."""
+        return np.linalg.norm(self.vector, axis=1)
+
+    @property
+    def std(self) -> Array:
+        """(r, 3) [m]."""
+        return np.sqrt(np.maximum(np.diagonal(self.covariance, axis1=1, axis2=2), 0))
+
+    def exceeds(self, limit: float) -> Array:
+        """(r,) probability that a displacement is longer than a limit [m], along the direction that it was found in.
+
+        Limits: what lies across that direction is not counted, so that it is a little too small near the limit.
+        """
+        return exceeding(self.vector, self.covariance, limit)
+
+
+def exceeding(vector: Array, covariance: Array, limit: float) -> Array:
+    """(r,) probability that displacements (r, 3) are longer than a limit, along their own directions."""
+    from scipy.special import ndtr
+
+    length = np.linalg.norm(vector, axis=1)
+    way = vector / np.maximum(length, 1e-300)[:, None]
+    sigma = np.sqrt(np.maximum(np.einsum("ri,rij,rj->r", way, covariance, way), 1e-300))
+    return np.asarray(ndtr((length - limit) / sigma))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Movements:
+    """What moved, and the adjustment of all dates."""
+
+    dates: Dates
+    stability: Stability
+    dated: Dated
+    """the block of the final adjustment"""
+    adjustment: Adjustment
+    displacements: Displacements
+    limit: float
+    """probability below which a single point or area has moved"""
+    single_rays: int
+    """image points left out: the only ones of a point at a date, of points that are not one place"""
+
+
+def movements(
+    block: Block, dates: Dates, *, significance: float = SIGNIFICANCE,
+    groups: Mapping[str, Sequence[str]] | None = None,
+    datum: Sequence[str] = (), options: AdjustmentOptions | None = None, same_cameras: bool | None = None,
+    patches: bool = True, progress: Progress = silent,
+) -> Movements:  # fmt: skip
+    """Find what moved between the dates of an oriented block, and adjust it once with stable points as one place.
+
+    Arguments and errors as those of `stability`.
+    """
+    options = options or AdjustmentOptions()
+    s = stability(
+        block, dates, significance=significance, groups=groups, datum=datum, options=options,
+        same_cameras=same_cameras, patches=patches, progress=progress,
+    )  # fmt: skip
+    apart = [t.camera for t in s.cameras if not t.shared]
+    if same_cameras is False:
+        apart = [c.id for c in block.cameras]
+    alpha = s.congruence.limit
+    # image points that the test found wrong stay out of what it found stable
+    stable = set(s.stayed)
+    dated, result = _adjusted(block, dates, stable, apart, options, progress)
+    every = _others(dated, s)
+    others = spread_evenly(dated, every, np.ones(len(every)), SINGLE)
+    found = _pairs(result, dated, others)
+    others = np.array(list(dict.fromkeys(found.base.tolist())), np.int64)
+    moved = _by_point(found, alpha)
+    near = _near_moved(dated, others, s.congruence.xyz, s.congruence.in_area)
+    between = every[~np.isin(every, others)]
+    gone = np.concatenate([s.congruence.moved, np.array(moved, bool) | np.array(near, bool)])
+    follows = _near_moved(dated, between, np.vstack([s.congruence.xyz, _places(dated, others)]), gone)
+    more = [dated.bases[b] for b, m, a in zip(others.tolist(), moved, near, strict=True) if not m and not a]
+    more += [dated.bases[b] for b, a in zip(between.tolist(), follows, strict=True) if not a]
+    final, last = _adjusted(block, dates, stable | set(more), apart, options, progress) if more else (dated, result)
+    if last.datum_defect:  # a free network: its datum is that of the points that stayed
+        used = last.handle.work.system.points_used if last.handle.work is not None else np.zeros(0, bool)
+        there = final.together & (final.at >= 0).any(axis=1)
+        names = tuple(final.bases[k] for k in np.flatnonzero(there) if used[int(final.at[k].max())])
+        own = replace(options, datum_points=names, reject="none")
+        last = decide(replace(last.given, rejected=_rejected(last)), own, progress)
+    rows = _all_rows(last, final, s, found, moved, near, alpha)
+    return Movements(
+        dates=dates, stability=s, dated=final, adjustment=last, displacements=rows, limit=alpha,
+        single_rays=len(block.observations) - len(final.block.observations),
+    )  # fmt: skip
+
+
+def _rejected(result: Adjustment) -> tuple[tuple[str, str], ...]:
+    from raybundle.block.rejection import found_wrong
+
+    return found_wrong(result.given, result.image_observations.rejected)
+
+
+def _adjusted(
+    block: Block, dates: Dates, together: set[str], apart: Sequence[str], options: AdjustmentOptions, progress: Progress
+) -> tuple[Dated, Adjustment]:  # fmt: skip
+    """The adjustment of the block with these points as one place."""
+    dated = placed_by_dates(block, dates, sorted(together))
+    if apart:
+        dated = replace(dated, block=cameras_by_dates(dated.block, dates, apart))
+    return dated, decide(dated.block, options, progress)
+
+
+def _others(dated: Dated, s: Stability) -> Index:
+    """Points with places at two dates or more that were not in the test."""
+    tested = {s.dated.bases[k] for k in s.tested.tolist()}
+    return np.array([k for k in np.flatnonzero(dated.spanning).tolist() if dated.bases[k] not in tested], np.int64)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Found:
+    """Displacements of bases of a block against their first dates."""
+
+    base: Index
+    start: Index
+    end: Index
+    vector: Array
+    covariance: Array
+    freedom: float
+
+
+def _pairs(result: Adjustment, dated: Dated, bases: Index) -> _Found:
+    """Displacements of points against their first dates by the joint covariance of both places."""
+    joint = Joint.of(result, dated.place)
+    metres = 0.001 if result.adjusted.length_unit == "mm" else 1.0
+    rows: list[tuple[int, int, int, int, int]] = []
+    for b in bases.tolist():
+        there = [k for k in np.flatnonzero(dated.at[b] >= 0).tolist() if joint.takes_part(int(dated.at[b, k]))]
+        at = dated.at[b, there].tolist()
+        rows += [(b, there[0], there[j], at[0], at[j]) for j in range(1, len(at)) if at[j] != at[0]]
+    base, start, end, first, last = np.array(rows, np.int64).reshape(-1, 5).T
+    xyz = result.adjusted.points.xyz
+    freedom = float(result.redundancy) if result.redundancy > 0 else float("inf")
+    return _Found(
+        base=base, start=start, end=end, vector=metres * (xyz[last] - xyz[first]),
+        covariance=metres**2 * joint.of_differences(first, last), freedom=freedom,
+    )  # fmt: skip
+
+
+def _tests(vector: Array, covariance: Array, freedom: float) -> tuple[Array, Array]:
+    """F (r,) of no displacement, and its probability."""
+    F = np.einsum("ri,rij,rj->r", vector, np.linalg.pinv(covariance, rcond=1e-12, hermitian=True), vector) / 3
+    return F, np.array([fisher_tail(float(f), 3, freedom) for f in F])
+
+
+def _by_point(found: _Found, alpha: float) -> list[bool]:
+    """Of each point in the order of its first row, whether one of its displacements is significant."""
+    _, p = _tests(found.vector, found.covariance, found.freedom)
+    bases = list(dict.fromkeys(found.base.tolist()))
+    return [bool((p[found.base == b] * (found.base == b).sum() < alpha).any()) for b in bases]
+
+
+def _places(dated: Dated, bases: Index) -> Array:
+    """(b, 3) of points at their first dates [m]."""
+    at = dated.at[bases]
+    first = np.take_along_axis(at, (at >= 0).argmax(axis=1)[:, None], axis=1)[:, 0]
+    metres = 0.001 if dated.block.length_unit == "mm" else 1.0
+    return metres * dated.block.points.xyz[first]
+
+
+def _near_moved(dated: Dated, bases: Index, xyz: Array, moved: Mask | None) -> list[bool]:
+    """Whether most of the tested points (n, 3) around each of some points moved."""
+    if moved is None or not moved.any() or not len(bases):
+        return [False] * len(bases)
+    from scipy.spatial import KDTree
+
+    k = min(NEIGHBOURS, len(moved))
+    nearest = np.asarray(KDTree(xyz).query(_places(dated, bases), k=k)[1]).reshape(len(bases), k)
+    return (2 * moved[nearest].sum(axis=1) > k).tolist()
+
+
+def _all_rows(
+    result: Adjustment, dated: Dated, s: Stability, found: _Found, moved: Sequence[bool],
+    near: Sequence[bool], alpha: float,
+) -> Displacements:  # fmt: skip
+    """All displacements: of points apart by the final adjustment, of stable ones as the test found them."""
+    c = s.congruence
+    place = {name: k for k, name in enumerate(dated.bases)}
+    verdict: dict[int, str] = {}
+    parts: list[_Found] = []
+    sample = np.array([place[i] for i in c.ids], np.int64)
+    for k, b in enumerate(sample.tolist()):
+        verdict[b] = STABLE if not c.moved[k] else IN_AREA if c.in_area is not None and c.in_area[k] else MOVED
+    bases = list(dict.fromkeys(found.base.tolist()))
+    names = dict(zip(bases, zip(moved, near, strict=True), strict=True))
+    for b, (m, a) in names.items():
+        verdict[b] = MOVED if m else IN_AREA if a else STABLE
+    apart = np.array([b for b, v in verdict.items() if v != STABLE], np.int64)
+    final = _pairs(result, dated, apart)
+    parts.append(final)
+    k = len(c.displacement)
+    still = np.flatnonzero([verdict[b] == STABLE for b in sample.tolist()])
+    parts.append(
+        _Found(
+            base=np.repeat(sample[still], k), start=np.zeros(k * len(still), np.int64),
+            end=np.tile(np.arange(1, k + 1), len(still)),
+            vector=c.displacement[:, still].transpose(1, 0, 2).reshape(-1, 3),
+            covariance=c.covariance[:, still].transpose(1, 0, 2, 3).reshape(-1, 3, 3), freedom=final.freedom,
+        )
+    )  # fmt: skip
+    stay = np.array([verdict[b] == STABLE for b in found.base.tolist()], bool)
+    parts.append(
+        _Found(
+            base=found.base[stay], start=found.start[stay], end=found.end[stay], vector=found.vector[stay],
+            covariance=found.covariance[stay], freedom=found.freedom,
+        )
+    )  # fmt: skip
+    base, start, end, vector, C = (
+        np.concatenate([getattr(p, name) for p in parts]) for name in ("base", "start", "end", "vector", "covariance")
+    )
+    order = np.lexsort((end, base))
+    base, start, end, vector, C = base[order], start[order], end[order], vector[order], C[order]
+    F, p = _tests(vector, C, final.freedom)
+    words = [verdict[b] for b in base.tolist()]
+    rows = np.bincount(base, minlength=len(dated.bases))[base]
+    words = [UNCLEAR if w == MOVED and q * r >= 0.05 else w for w, q, r in zip(words, p.tolist(), rows, strict=True)]
+    shift = np.sqrt(detectable_noncentrality(alpha, 3, POWER))
+    least = shift * np.sqrt(np.maximum(np.linalg.eigvalsh(C)[:, -1], 0))
+    tested = {b: j for j, b in enumerate(sample.tolist())}
+    assert c.detectable_before is not None
+    before = np.array([c.detectable_before[tested[b]] if b in tested else np.nan for b in base.tolist()])
+    own = np.array([c.detectable[tested[b]] if b in tested else np.nan for b in base.tolist()])
+    metres = 0.001 if result.adjusted.length_unit == "mm" else 1.0
+    at = dated.at[base, start]
+    xyz = np.where((at >= 0)[:, None], metres * result.adjusted.points.xyz[at], np.nan)
+    return Displacements(
+        point=tuple(dated.bases[b] for b in base.tolist()), start=start, end=end, xyz=xyz, vector=vector, covariance=C,
+        F=F, p_value=p, verdict=tuple(words), detectable=np.where(np.isfinite(own), own, least),
+        detectable_before=before,
+    )  # fmt: skip

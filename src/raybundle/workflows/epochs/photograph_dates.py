@@ -1,0 +1,70 @@
+"""The date of each photograph: as it is given, by the folder that it lies in, or by the day on which it was taken."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+
+from raybundle.errors import InputError
+from raybundle.io.photos.photo import Photo
+
+_DATE = re.compile(r"(\d{4})[-_.]?(\d{2})[-_.]?(\d{2})")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Source:
+    """Photographs that were added together."""
+
+    path: Path
+    """folder or file"""
+    date: str = ""
+    """YYYY-MM-DD; empty: each photograph has its own"""
+
+
+def date_of(text: str) -> str:
+    """The date YYYY-MM-DD that a text begins with, as 20260501, 2026-05-01 or 2026_05_01; empty: none."""
+    found = _DATE.match(text)
+    if found is None:
+        return ""
+    try:
+        return date(int(found[1]), int(found[2]), int(found[3])).isoformat()
+    except ValueError:
+        return ""
+
+
+def given_date(text: str) -> str:
+    """A date that somebody gave; raises InputError for what is none."""
+    found = date_of(text) if _DATE.fullmatch(text) else ""
+    if not found:
+        raise InputError("epochs.no_date_text", text=text)
+    return found
+
+
+def folders_of(source: Source) -> list[Source]:
+    """The sub-folders that are called by dates, each with its own; a source without such folders as it is."""
+    if source.date or not source.path.is_dir():
+        return [source]
+    parts = [Source(path=p, date=d) for p in sorted(source.path.iterdir()) if p.is_dir() and (d := date_of(p.name))]
+    own = Source(path=source.path, date=date_of(source.path.resolve().name))
+    return parts or [own]
+
+
+def dates_of(photos: Sequence[Photo], sources: Sequence[Source]) -> dict[str, str]:
+    """The date of each photograph by its name.
+
+    raises  InputError for photographs without a date
+    """
+    given = [(s.path.resolve(), s.date) for s in sources if s.date]
+    found: dict[str, str] = {}
+    for photo in photos:
+        path = photo.path.resolve()
+        mine = next((d for p, d in given if p in {path, path.parent}), "")
+        taken = photo.metadata.taken
+        found[photo.name] = mine or ("" if taken is None else taken.date().isoformat())
+    missing = [name for name, d in found.items() if not d]
+    if missing:
+        raise InputError("epochs.photographs_without_date", n=len(missing), names=missing)
+    return found

@@ -1,0 +1,198 @@
+"""What is written of displacements: displacements.csv and epochs.json."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raybundle.io.digits import PROBABILITY, SHORT, STD, TEST, Digits, by_sigma, reported
+from raybundle.io.tables import Column, read_table, write_table
+from raybundle.metrology.areas import AreaTest
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.statistics import correlation
+from raybundle.results.contents import clean
+from raybundle.workflows.epochs.movements import MOVED, Movements, exceeding
+
+DISPLACEMENTS, EPOCHS = "displacements.csv", "epochs.json"
+AXES = "XYZ"
+EXCEEDS = "p_exceeds_limit"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Limit:
+    """A displacement that must not be exceeded."""
+
+    length: float
+    """[m]"""
+    confidence: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Exceeded:
+    """A point or an area that moved by more than the limit."""
+
+    name: str
+    start: str
+    end: str
+    length: float
+    """[m]"""
+    probability: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Changes:
+    """What a further date changed of displacements that were delivered."""
+
+    count: int
+    """displacements that both results have"""
+    median: float
+    """of their changes, in their earlier standard deviations"""
+    largest: float
+    point: str
+    start: str
+    end: str
+    more_than_one: tuple[str, ...]
+    """points of which a displacement changed by more than one of its earlier standard deviations"""
+    verdicts: tuple[str, ...]
+    """points with another verdict than before"""
+
+
+def exceeded(m: Movements, limit: Limit) -> list[Exceeded]:
+    """Points and areas that moved significantly, and by more than the limit with the confidence asked for."""
+    d, names = m.displacements, m.dates.names
+    p = d.exceeds(limit.length)
+    moved = np.array([v == MOVED for v in d.verdict], bool)
+    found = [
+        Exceeded(name=d.point[k], start=names[d.start[k]], end=names[d.end[k]], length=float(d.length[k]),
+                 probability=float(p[k]))
+        for k in np.flatnonzero(moved & (p >= limit.confidence))
+    ]  # fmt: skip
+    for a in m.stability.congruence.areas:
+        q = exceeding(a.displacement, a.covariance, limit.length)
+        found += [
+            Exceeded(name=a.name, start=names[0], end=names[j + 1], length=float(np.linalg.norm(a.displacement[j])),
+                     probability=float(q[j]))
+            for j in np.flatnonzero(q >= limit.confidence)
+            if a.moved
+        ]  # fmt: skip
+    return sorted(found, key=lambda e: -e.length)
+
+
+def write_displacements(m: Movements, path: Path, limit: Limit | None) -> None:
+    """The table of all displacements; metres, as coordinates are."""
+    d, names = m.displacements, m.dates.names
+    std = d.std
+    rho = np.array([correlation(C)[[0, 0, 1], [1, 2, 2]] for C in d.covariance]).reshape(-1, 3)
+    columns: dict[str, Sequence[str] | Array] = {
+        "point": list(d.point), "from": [names[k] for k in d.start], "to": [names[k] for k in d.end],
+        **{a: d.xyz[:, k] for k, a in enumerate(AXES)},
+        **{f"d{a}": d.vector[:, k] for k, a in enumerate(AXES)},
+        **{f"sd{a}": std[:, k] for k, a in enumerate(AXES)},
+        **{f"r{a}": rho[:, k] for k, a in enumerate(("XY", "XZ", "YZ"))},
+        "length": d.length, "F": d.F, "p": d.p_value, "verdict": list(d.verdict),
+        "detectable_before": d.detectable_before, "detectable": d.detectable,
+    }  # fmt: skip
+    if limit is not None:
+        columns[EXCEEDS] = d.exceeds(limit.length)
+    rules: dict[str, Digits] = {
+        **{f"{h}{a}": by_sigma(std[:, k]) for k, a in enumerate(AXES) for h in ("", "d")},
+        **dict.fromkeys(("sdX", "sdY", "sdZ", "rXY", "rXZ", "rYZ"), STD),
+        "length": by_sigma(std.max(axis=1, initial=0)),
+        "F": TEST, "p": PROBABILITY, "detectable_before": STD, "detectable": STD, EXCEEDS: PROBABILITY,
+    }  # fmt: skip
+    write_table(path, columns, {n: r for n, r in rules.items() if n in columns})
+
+
+def epochs_json(m: Movements, limit: Limit | None, changes: Changes | None) -> dict[str, Any]:
+    """The contents of epochs.json."""
+    c, d, names = m.stability.congruence, m.displacements, m.dates.names
+    count = np.bincount(m.dates.of_image, minlength=len(names)).tolist()
+    moved = sorted({p for p, v in zip(d.point, d.verdict, strict=True) if v == MOVED})
+    return {
+        "dates": [{"date": n, "images": k} for n, k in zip(names, count, strict=True)],
+        "points": len(set(d.point)), "moved": moved,
+        "tested_together": len(c.ids), "significance": c.significance, "limit_of_one_test": m.limit,
+        "scale_free": c.scale, "degrees_of_freedom": c.freedom,
+        "all_points": {"F": c.before[0], "p": c.before[1]}, "points_that_stayed": {"F": c.after[0], "p": c.after[1]},
+        "areas": [_area(a, c.ids, names) for a in c.areas],
+        "cameras": [
+            {"camera": t.camera, "parameters": list(t.parameters), "F": t.F, "p": t.p_value, "shared": t.shared}
+            for t in m.stability.cameras
+        ],
+        "image_points_of_single_rays": m.single_rays,
+        **({} if limit is None else {
+            "limit": {
+                "length_m": limit.length, "confidence": limit.confidence,
+                "exceeded": [
+                    {"name": e.name, "from": e.start, "to": e.end, "length_m": e.length, "probability": e.probability}
+                    for e in exceeded(m, limit)
+                ],
+            }
+        }),
+        **({} if changes is None else {
+            "changes": {
+                "displacements": changes.count, "median_sigma": changes.median, "largest_sigma": changes.largest,
+                "point": changes.point, "from": changes.start, "to": changes.end,
+                "more_than_one_sigma": list(changes.more_than_one), "other_verdict": list(changes.verdicts),
+            }
+        }),
+    }  # fmt: skip
+
+
+def _area(a: AreaTest, ids: Sequence[str], names: Sequence[str]) -> dict[str, Any]:
+    return {
+        "name": a.name, "given": a.given, "points": [ids[k] for k in a.points.tolist()], "moved": a.moved, "F": a.F,
+        "p": a.p_value, "detectable_before_m": a.detectable_before, "detectable_m": a.detectable,
+        "displacements": [
+            {
+                "from": names[0], "to": names[j + 1], "d_m": a.displacement[j].tolist(),
+                "sigma_m": np.sqrt(np.diag(a.covariance[j])).tolist(), "covariance_m2": a.covariance[j].tolist(),
+            }
+            for j in range(len(a.displacement))
+        ],
+    }  # fmt: skip
+
+
+def write_epochs(contents: Mapping[str, Any], path: Path) -> None:
+    """Write epochs.json."""
+    path.write_text(json.dumps(clean(reported(dict(contents), SHORT)), indent=1) + "\n", encoding="utf-8")
+
+
+def read_displacements(path: Path) -> dict[tuple[str, str, str], tuple[Array, Array, str]]:
+    """Displacements (3,) and standard deviations (3,) [m] and verdicts of a result, by point and dates."""
+    texts, numbers = ("point", "from", "to", "verdict"), [f"{h}{a}" for h in ("d", "sd") for a in AXES]
+    more = (*AXES, "rXY", "rXZ", "rYZ", "length", "F", "p", "detectable_before", "detectable", EXCEEDS)
+    columns = [
+        *(Column(name=n, kind="text", empty=True) for n in texts),
+        *(Column(name=n, kind="number", empty=True, optional=n == EXCEEDS) for n in (*numbers, *more)),
+    ]
+    t = read_table(path, columns, least_rows=0, own=True)
+    values = t.numbers(*numbers)
+    keys = zip(t.text["point"], t.text["from"], t.text["to"], strict=True)
+    return {k: (v[:3], v[3:], w) for k, v, w in zip(keys, values, t.text["verdict"], strict=True)}
+
+
+def changes_of(m: Movements, before: Mapping[tuple[str, str, str], tuple[Array, Array, str]]) -> Changes | None:
+    """What became of displacements that were delivered before; None: both results have none in common."""
+    d, names = m.displacements, m.dates.names
+    rows: list[tuple[float, tuple[str, str, str], bool]] = []
+    for k, point in enumerate(d.point):
+        key = (point, names[d.start[k]], names[d.end[k]])
+        if key in before:
+            vector, sigma, verdict = before[key]
+            change = float(np.max(np.abs(d.vector[k] - vector) / np.maximum(sigma, 1e-300)))
+            rows.append((change, key, verdict != d.verdict[k]))
+    if not rows:
+        return None
+    largest = max(rows)
+    return Changes(
+        count=len(rows), median=float(np.median([r[0] for r in rows])), largest=largest[0], point=largest[1][0],
+        start=largest[1][1], end=largest[1][2],
+        more_than_one=tuple(dict.fromkeys(key[0] for change, key, _ in rows if change > 1)),
+        verdicts=tuple(dict.fromkeys(key[0] for _, key, other in rows if other)),
+    )  # fmt: skip

@@ -1,0 +1,150 @@
+"""Photographs of several dates in one adjustment: places of each date, what moved, tables."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.errors import InputError
+from raybundle.io.block.folder import read_block, write_block
+from raybundle.measuring.joint import Joint
+from raybundle.ties.match_weights import Matches, Weights, weighted
+from raybundle.workflows.epochs.cameras import cameras_by_dates
+from raybundle.workflows.epochs.dated_points import by_dates
+from raybundle.workflows.epochs.movements import MOVED, movements
+from raybundle.workflows.epochs.photograph_dates import Source, date_of, folders_of, given_date
+from raybundle.workflows.epochs.stability import weighted_apart
+from raybundle.workflows.epochs.tables import (
+    Limit,
+    changes_of,
+    epochs_json,
+    exceeded,
+    read_displacements,
+    write_displacements,
+)
+from tests.workflows.dated_network import DAYS, Plan, network
+
+
+@pytest.fixture(scope="module")
+def plan():
+    return Plan()
+
+
+@pytest.fixture(scope="module")
+def done(plan):
+    rng = np.random.default_rng(4)
+    which = np.array([3, 11, 20, 31])
+    ways = [np.stack([np.zeros(3), rng.normal(size=3)]) for _ in which]
+    truth, power = plan.drawn(which, [15.0] * 4, ways)
+    assert power.min() > 0.99
+    block, dates = network(5, plan.moves(truth))
+    return movements(block, dates), truth, which
+
+
+def test_relief_is_the_same_at_all_dates(done):
+    s = done[0].stability
+    result, k = s.result, s.tested[0]
+    a, b = s.dated.at[k, :2].tolist()
+    rough = np.zeros((len(result.adjusted.points), 3))
+    rough[a], rough[b] = (1.0, 0.0, 2.0), (0.5, 0.5, 2.5)
+    assert result.precision is not None
+    rougher = replace(result, precision=replace(result.precision, roughness=rough))
+
+    def difference(joint):
+        C = joint.of_points([a, b]).reshape(2, 3, 2, 3)
+        return C[0, :, 0] + C[1, :, 1] - C[0, :, 1] - C[1, :, 0]
+
+    smooth = difference(Joint.of(result))
+    assert np.allclose(difference(Joint.of(rougher, s.dated.place)), smooth, rtol=1e-6)
+    assert np.allclose(Joint.of(rougher, s.dated.place).of_differences(np.array([a]), np.array([b]))[0], smooth)
+    apart = Joint.of(rougher)
+    linked = np.array([s.dated.at[j, 0] for j in s.tested[:7]]), np.array([s.dated.at[j, 2] for j in s.tested[:7]])
+    for p, q, C in zip(*linked, apart.of_differences(*linked), strict=True):
+        D = np.hstack([-np.eye(3), np.eye(3)])
+        assert np.allclose(C, D @ apart.of_points([int(p), int(q)]) @ D.T, rtol=1e-6, atol=1e-12)
+    assert np.trace(difference(Joint.of(rougher))) > np.trace(smooth) + 10
+    own = Joint.of(rougher, s.dated.place).of_points([a])
+    assert np.trace(own) > 5
+
+
+def test_what_moved_is_no_noise_to_the_weights(plan):
+    rng = np.random.default_rng(8)
+    which = rng.choice(len(plan.ids), 12, replace=False)
+    truth, _ = plan.drawn(which, [60.0] * 12, list(rng.normal(size=(12, 2, 3))))
+    block, dates = network(6, plan.moves(truth))
+    o, n = block.observations, len(block.observations)
+    matches = Matches(
+        images=block.images.ids, image=o.image, xy_px=o.xy_px, grey=np.tile([0.01, 0.01, 0.0], (n, 1)),
+        level=np.zeros(n, int), reference=np.zeros(n, bool), feature=np.zeros(n, bool),
+    )  # fmt: skip
+    spoiled = Weights(factors=(0.0,) * 4, floors_px2=(4.0,) * 4)
+    given = weighted(block, [matches], spoiled)
+    assert (given.observations.cov_px2[:, 0] == 4).all()
+    found, weights = weighted_apart(given, dates, [matches], spoiled)
+    assert np.sqrt(found.observations.cov_px2[:, 0]).mean() == pytest.approx(0.3, rel=0.05)
+    assert weights.covariance(matches.grey, matches.level, matches.reference)[0, 0] == pytest.approx(0.09, rel=0.1)
+    assert movements(found, dates, patches=False).adjustment.sigma0 == pytest.approx(1.0, abs=0.05)
+
+
+def test_places_of_each_date_and_back():
+    block, dates = network(1)
+    apart = by_dates(block, dates)
+    spanning = int(apart.spanning.sum())
+    assert spanning > 40
+    assert f"2@{DAYS[0]}" in apart.block.points.ids
+    whole = by_dates(apart.block, dates, apart.bases)
+    assert set(whole.block.points.ids) <= set(block.points.ids)
+    assert len(whole.block.observations) == len(apart.block.observations)
+    assert not whole.spanning.any()
+
+
+def test_what_moved_is_found_with_its_size(plan, done):
+    m, truth, which = done
+    moved = {p for p, v in zip(m.displacements.point, m.displacements.verdict, strict=True) if v == MOVED}
+    assert {plan.ids[k] for k in which} <= moved
+    assert len(moved) <= len(which) + 1
+    d, place = m.displacements, {i: k for k, i in enumerate(plan.ids)}
+    e = np.array([d.vector[k] - truth[d.end[k] - 1, place[p]] for k, p in enumerate(d.point)])
+    x = np.einsum("ri,rij,rj->r", e, np.linalg.inv(d.covariance), e) / 3
+    assert 0.8 < x.mean() < 1.25
+    assert not m.adjustment.datum_defect or "29" not in m.adjustment.datum
+    assert f"{plan.ids[which[0]]}@{DAYS[2]}" in m.adjustment.given.points.ids
+    assert plan.ids[0] in m.adjustment.given.points.ids
+
+
+def test_tables_are_read_as_written(done, tmp_path):
+    m, _, _ = done
+    limit = Limit(length=1e-4, confidence=0.95)
+    write_displacements(m, tmp_path / "d.csv", limit)
+    read = read_displacements(tmp_path / "d.csv")
+    assert len(read) == len(m.displacements)
+    same = changes_of(m, read)
+    assert same.largest < 0.1
+    assert not same.verdicts
+    assert epochs_json(m, limit, same)["limit"]["exceeded"]
+    assert exceeded(m, limit)
+    assert not exceeded(m, replace(limit, length=1.0))
+
+
+def test_the_camera_of_all_dates_is_one_and_would_be_two(done):
+    block, dates = network(1)
+    assert [c.id for c in cameras_by_dates(block, dates).cameras] == [f"1@{d}" for d in DAYS]
+    (test,) = done[0].stability.cameras
+    assert test.shared
+    assert test.parameters == ("c", "x0", "y0", "K1")
+
+
+def test_a_block_keeps_its_dates(tmp_path):
+    block, dates = network(1)
+    days = tuple(dates.names[k] for k in dates.of_image)
+    write_block(replace(block, images=replace(block.images, date=days)), tmp_path / "b")
+    assert read_block(tmp_path / "b").images.date == days
+
+
+def test_dates_of_folders(tmp_path):
+    for name in ("2026-05-01", "20260601", "other"):
+        (tmp_path / name).mkdir()
+    assert [s.date for s in folders_of(Source(path=tmp_path))] == ["2026-05-01", "2026-06-01"]
+    assert date_of("2026_13_01") == ""
+    with pytest.raises(InputError, match=r"epochs\.no_date_text"):
+        given_date("May")
