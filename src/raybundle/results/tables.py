@@ -110,19 +110,18 @@ def result_table(adjustment: Adjustment, name: str) -> Columns:
     first, numbers, last = TABLES[name]
     assert tuple(columns) == (*first, *numbers, *last), name
     if name in DATED and adjustment.given.images.date is not None:
-        columns[DATE] = _dates(adjustment, name)
+        columns[DATE] = _dates(adjustment, name, adjustment.given.images.date)
     return columns
 
 
-def _dates(a: Adjustment, name: str) -> Sequence[str]:
+def _dates(a: Adjustment, name: str, dates: Sequence[str]) -> Sequence[str]:
     """The date of each image; of each point that was seen at one date, empty of others."""
-    dates = a.given.images.date or ()
     if name == "images":
         return dates
     seen: dict[int, set[str]] = {}
     o = a.given.observations
     for p, i in {*zip(o.point.tolist(), o.image.tolist(), strict=True)}:
-        seen.setdefault(p, set()).add(dates[i])
+        seen.setdefault(p, set()).add(dates[int(i)])
     return ["".join(seen[p]) if len(seen.get(p, ())) == 1 else "" for p in range(len(a.given.points))]
 
 
