@@ -15,7 +15,7 @@ import numpy as np
 
 from raybundle.errors import InputError, note
 from raybundle.io.reading.files import read_text
-from raybundle.io.reading.words import quoted
+from raybundle.io.reading.words import numbers_of, quoted
 from raybundle.io.scenes.base import Scene, SceneFormat, register
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import WGS84, Ellipsoid
@@ -83,10 +83,10 @@ def _keys(path: Path) -> tuple[dict[str, Array], str]:
             if value not in {"left", "right"}:
                 _fail(path, number, key, "value.not_supported", value=quoted(value), known=["left", "right"])
         elif key in COUNTS:
-            try:
-                found[key] = np.array([float(word) for word in value.split()])
-            except ValueError:
+            read = numbers_of(value.split())
+            if read is None:
                 _fail(path, number, key, "value.not_a_number", value=quoted(value))
+            found[key] = read
             if len(found[key]) != COUNTS[key] or not np.isfinite(found[key]).all():
                 _fail(path, number, key, "value.count", n=len(found[key]), needed=COUNTS[key])
             if key in POSITIVE and (found[key] <= 0).any():
