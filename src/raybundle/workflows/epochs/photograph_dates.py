@@ -30,7 +30,7 @@ def date_of(text: str) -> str:
     if found is None:
         return ""
     try:
-        return date(int(found[1]), int(found[2]), int(found[3])).isoformat()
+        return date.fromisoformat(f"{found[1]}-{found[2]}-{found[3]}").isoformat()
     except ValueError:
         return ""
 
