@@ -21,6 +21,7 @@ from threadpoolctl import threadpool_limits
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.workflows.dated_network import Plan, network
 
+from raybundle.metrology.congruence import SIGNIFICANCE
 from raybundle.workflows.epochs.movements import movements
 
 OUT = Path(__file__).with_name("results") / "epochs.json"
@@ -78,7 +79,7 @@ def case(plan: Plan, seconds: float, share: float, *, piece: bool) -> dict[str, 
         for k, point in enumerate(d.point):
             e = d.vector[k] - truth[d.end[k] - 1, place[point]]
             chi.append(float(e @ np.linalg.solve(d.covariance[k], e)) / 3)
-    band = binom.interval(BAND, runs, c.significance)
+    band = binom.interval(BAND, runs, SIGNIFICANCE)
     reach = float(norm.isf((1 - BAND) / 2)) * variance**0.5
     return {
         "runs": runs, "found": found, "expected": expected, "band_of_found": [expected - reach, expected + reach],
