@@ -789,7 +789,7 @@ def epochs(
     date: str | Sequence[str] = (),
     group: str | Sequence[str] = (),
     datum_points: str | Sequence[str] = (),
-    same_camera: Literal['test', 'yes', 'no'] = 'test',
+    shared_cameras: Literal['test', 'yes', 'no'] = 'test',
     significance: float = 0.05,
     limit: str = '',
     confidence: float = 0.99,
@@ -876,7 +876,7 @@ def epochs(
     date              Date of the photographs of add=, in the same order.  [default: names of sub-folders, then EXIF]
     group             Test points as a group: NAME:A,B,C, or NAME:FILE with an outline X,Y. May be repeated.
     datum_points      Known stable points.  [default: found by the test]
-    same_camera       Use one interior orientation of a camera for all dates. test: unless the dates contradict it.
+    shared_cameras    Use one interior orientation of a camera for all dates. test: unless the dates contradict it.
     significance      Probability that any stable point or area is reported as moved.
     limit             Displacement that must not be exceeded, e.g. 10mm. If it is, the exit status is 6.
     confidence        Probability with which limit= is exceeded.

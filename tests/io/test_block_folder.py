@@ -167,6 +167,7 @@ def rich_block() -> Block:
         ids=("a,b", 'say "x"', *block.images.ids[2:]),
         file=("übung.jpg", "a, b.jpg", *block.images.file[2:]),
         held=held,
+        date=tuple(f"2026-05-{1 + k % 2:02d}" for k in range(len(block.images))),
         interior={1: {"c": 20.123456789012345, "K1": -1.2345678901234567e-5}, 3: {"x0": 0.25, "y0": -0.125}},
         camera=np.where(np.arange(len(block.images)) == 3, 1, 0).astype(np.int32),
         frames={0: PixelFrame(turned=180, width_px=camera.width_px // 2, height_px=camera.height_px // 2)},

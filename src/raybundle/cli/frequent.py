@@ -10,6 +10,10 @@ OPTIONS: dict[str, tuple[str, ...]] = {
         "--out", "--control", "--check", "--scale-bar", "--positions", "--crs", "--calibration", "--feature-count",
         "--quick", "--accuracy-class",
     ),
+    "epochs": (
+        "--add", "--date", "--group", "--datum-points", "--limit", "--confidence", "--control", "--crs", "--quick",
+        "--pdf",
+    ),
     "adjust": (
         "--out", "--datum", "--estimate", "--variance-groups", "--reject", "--noise", "--accuracy-class", "--no-report",
         "--tables", "--verbose",

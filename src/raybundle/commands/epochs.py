@@ -49,7 +49,7 @@ class EpochsSettings(OrientSettings):
     datum_points: tuple[str, ...] = setting(
         (), "Known stable points.  [default: found by the test]", metavar="A,B,C,...", joined=True
     )
-    same_camera: Literal["test", "yes", "no"] = setting(
+    shared_cameras: Literal["test", "yes", "no"] = setting(
         "test", "Use one interior orientation of a camera for all dates. test: unless the dates contradict it."
     )
     significance: float = setting(
@@ -250,7 +250,7 @@ def with_movements(
     weights, adjusting = done.weights, replace(a.options, reject="snooping", estimate="given", datum="auto")
     if weights is not None and done.matches:
         block, weights = weighted_apart(block, Dates.of(of_image), done.matches, weights, adjusting, progress)
-    same = {"test": None, "yes": True, "no": False}[settings.same_camera]
+    same = {"test": None, "yes": True, "no": False}[settings.shared_cameras]
     found = movements(
         block, Dates.of(of_image), significance=settings.significance, groups=groups_of(settings.group, block),
         datum=settings.datum_points, same_cameras=same, progress=progress,
@@ -283,10 +283,9 @@ def groups_of(given: Sequence[str], block: Block) -> dict[str, tuple[str, ...]]:
             continue
         from matplotlib.path import Path as Polygon
 
-        from raybundle.io.tables import Column, read_table
+        from raybundle.io.outlines import read_outline
 
-        table = read_table(Path(points), [Column(name=n, kind="number") for n in "XY"], least_rows=3)
-        inside = Polygon(table.numbers("X", "Y")).contains_points(np.nan_to_num(block.points.xyz[:, :2]))
+        inside = Polygon(read_outline(Path(points))).contains_points(np.nan_to_num(block.points.xyz[:, :2]))
         found[name] = tuple(block.points.ids[k] for k in np.flatnonzero(inside))
     return found
 
