@@ -39,7 +39,7 @@ _CODES = {
     ),
     Severity.NOTE: (
         "attitudes attitudes_reading axes_fitted camera camera_joined check_points_open "
-        "control_file.system_given control_unchecked dropped "
+        "control_unchecked dropped "
         "given_rejected gps "
         "in_parts masks memory_exceeded model not_significant parallel_rays parts_joined photographs place "
         "positions_assumed read_out reduced_features rejected relative_positions "
