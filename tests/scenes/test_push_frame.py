@@ -1,7 +1,5 @@
 """Push-frame scenes and frames of ISDs, optical bars: image to ground to image."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -13,9 +11,9 @@ from raybundle.scenes.kinds.push_frame import PushFrameSensor
 from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.optical_bar import OpticalBar
 from raybundle.scenes.push_frame import PushFrame
+from tests.scenes.conftest import SENSORS
 
-ISDS = Path("/work/shared/data/sensors/pushframe")
-MISC = Path("/work/shared/data/sensors/misc")
+ISDS, MISC = SENSORS / "pushframe", SENSORS / "misc"
 PLACE = (15.0, 48.0, 300.0)
 BAR = """VERSION_4
 OPTICAL_BAR

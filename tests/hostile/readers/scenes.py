@@ -181,6 +181,12 @@ def product_seeds(top: Path) -> None:
     (place(top, 7) / "a.nitf").write_bytes(nitf(sicd(shapes[0])))
 
 
+def optical_bar_seeds(top: Path) -> None:
+    from tests.scenes.test_push_frame import bar
+
+    bar(place(top, 0))
+
+
 def read_a_scene(folder: Path) -> list[str]:
     from raybundle.io.scenes import read_scene
 
@@ -202,7 +208,7 @@ for _name, _seeds in (
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
     ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds),
     ("enmap", enmap_seeds), ("sentinel1", sentinel1_seeds), ("radar-isd", radar_isd_seeds),
-    ("radar-products", product_seeds),
+    ("radar-products", product_seeds), ("optical-bar", optical_bar_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
 
