@@ -68,6 +68,10 @@ def find(folder: Path, points: tuple[str, ...], reach: float | None, author: str
         warning("panels.missed", why=why, names=[n for n, w in missed.items() if w == why], least=LEAST_RAYS)
         for why in reasons
     ]
+    if done.unread is not None:
+        notices.append(warning("panels.files_not_read", details=(done.unread,)))
+    if done.lost:
+        notices.append(warning("panels.photographs_lost", n=len(done.lost), names=list(done.lost)))
     off = [note("panels.off", point=n, distance=d, unit=unit) for n, d in s.off.items() if n in missed]
     facts(found=marked, missed=missed, marks=done.marked)
     report(Summary(done=first, details=off, notices=notices))

@@ -13,13 +13,13 @@ from raybundle.block import Block, Role, Stations
 from raybundle.commands.marked_results import passed_on
 from raybundle.commands.marks import marks, open_journal
 from raybundle.commands.new_project import standing_folder
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, as_detail
 from raybundle.io.block.folder import read_block
 from raybundle.io.geo.control_systems import sigma_in_metres
 from raybundle.io.photos.photo import read_grey, read_photo
 from raybundle.measuring.actions.masks import photograph_files
 from raybundle.measuring.actions.verbs import Point, Put
-from raybundle.measuring.panel_search import FEWEST, LEAST_RAYS, PanelSearch, search_panels
+from raybundle.measuring.panel_search import FEWEST, LEAST_RAYS, PanelSearch, pixel_size, search_panels
 from raybundle.measuring.session import Session, block_folder
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array
@@ -43,6 +43,10 @@ class Panels:
     marked: int
     """new marks"""
     length_unit: str
+    unread: Message | None = None
+    """why the control files of the project were not read"""
+    lost: tuple[str, ...] = ()
+    """photographs that are missing or cannot be read"""
 
 
 def find_panels(
@@ -63,10 +67,14 @@ def find_panels(
     """
     project, state = standing_folder(folder) or Path(folder), marks(folder)
     block = read_block(block_folder(project))
-    given_points = {**_of_files(project), **_of_block(block), **_of_marks(state)}
+    files, unread = _of_files(project)
+    of_marks = _of_marks(state)
+    given_points = {**files, **_of_block(block), **of_marks}
     at = {n: g.xyz for n, g in given_points.items()}
     sigma = {n: float(np.nanmean(g.sigma)) for n, g in given_points.items()}
-    asked = tuple(points) or tuple(n for n in at if _rays(block, state, n) < LEAST_RAYS)
+    seen = _seen(block, state)
+    enough = {n for n in at if sum(p == n for _, p in seen) >= LEAST_RAYS}
+    asked = tuple(points) or tuple(n for n in at if n not in enough)
     unknown = [n for n in asked if n not in at]
     if unknown:
         raise InputError("panels.no_coordinates", point=unknown[0])
@@ -74,22 +82,28 @@ def find_panels(
         raise InputError("panels.no_control")
     session = Session.of_block(block, None)
     reach = reach or _reach(block, session, sigma)
-    files = photograph_files(block, photographs_of(project))
-    if not files:
+    photographs = photograph_files(block, photographs_of(project))
+    if not photographs:
         raise InputError("image.photograph_missing", image=block.images.ids[0], file=project)
+    lost: dict[str, None] = {}
 
     def picture(image: int) -> Array | None:
-        path = files.get(block.images.file[image])
-        return None if path is None else read_grey(read_photo(path))
+        path = photographs.get(block.images.file[image])
+        try:
+            if path is not None:
+                return read_grey(read_photo(path))
+        except InputError:  # it costs this photograph alone
+            pass
+        lost[block.images.ids[image]] = None
+        return None
 
-    given = {n: at[n] for n in at if n in asked or _rays(block, state, n) >= LEAST_RAYS}
+    given = {n: at[n] for n in at if n in asked or n in enough}
     search = search_panels(session, given, sigma, reach, picture, progress)
     marked = 0
     with open_journal(project) as journal:
-        seen = {(block.images.ids[i], block.points.ids[p]) for i, p in _observed(block)} | set(state.marks)
         for found in search.found:
             point = given_points[found.point]
-            if found.point in asked and found.point not in block.points.ids and found.point not in _of_marks(state):
+            if found.point in asked and found.point not in block.points.ids and found.point not in of_marks:
                 xyz, s = (
                     tuple(None if np.isnan(v) else float(v) for v in values) for values in (point.xyz, point.sigma)
                 )
@@ -105,7 +119,9 @@ def find_panels(
                     how=mark.kind, quality=mark.quality,
                 ), author=operator)  # fmt: skip
                 marked += 1
-    return Panels(search=search, asked=asked, marked=marked, length_unit=block.length_unit)
+    return Panels(
+        search=search, asked=asked, marked=marked, length_unit=block.length_unit, unread=unread, lost=tuple(lost)
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,10 +133,16 @@ class _GivenPoint:
     sigma: Array
 
 
-def _of_files(project: Path) -> dict[str, _GivenPoint]:
-    """Of the files that `orient` was given, in the frame of the block: check points without image points, too."""
-    from raybundle.commands.orient import settings_asked
+def _of_files(project: Path) -> tuple[dict[str, _GivenPoint], Message | None]:
+    """Of the files that `orient` was given, in the frame of the block, and why they are not read.
 
+    They hold check points without image points, too, which a block leaves out.
+    """
+    from raybundle.commands.orient import settings_asked
+    from raybundle.commands.record import run_of
+
+    if run_of(project) is None:  # begun by hand
+        return {}, None
     found: dict[str, _GivenPoint] = {}
     try:
         files = settings_asked(project).given().control
@@ -130,9 +152,9 @@ def _of_files(project: Path) -> dict[str, _GivenPoint]:
             for name, role, xyz, s in zip(c.ids, c.role.tolist(), local, sigma_in_metres(c), strict=True):
                 if role != Role.TIE and np.isfinite(xyz[:2]).all():
                     found[name] = _GivenPoint("check" if role == Role.CHECK else "control", xyz, s)
-    except InputError:  # begun by hand, or the files are gone: what the block holds is there
-        return {}
-    return found
+    except InputError as error:
+        return {}, as_detail(error)
+    return found, None
 
 
 def _of_block(block: Block) -> dict[str, _GivenPoint]:
@@ -155,26 +177,21 @@ def _of_marks(state: State) -> dict[str, _GivenPoint]:
     return found
 
 
-def _observed(block: Block) -> list[tuple[int, int]]:
+def _seen(block: Block, state: State) -> set[tuple[str, str]]:
+    """Image and point of all that is measured of named points."""
     o = block.observations
     named = np.asarray(block.points.role)[o.point] != Role.TIE
-    return list(zip(o.image[named].tolist(), o.point[named].tolist(), strict=True))
-
-
-def _rays(block: Block, state: State, name: str) -> int:
-    index = block.points.ids.index(name) if name in block.points.ids else -1
-    seen = {block.images.ids[i] for i, p in _observed(block) if p == index}
-    return len(seen | {image for image, point in state.marks if point == name})
+    rows = zip(o.image[named].tolist(), o.point[named].tolist(), strict=True)
+    return {(block.images.ids[i], block.points.ids[p]) for i, p in rows} | set(state.marks)
 
 
 def _reach(block: Block, session: Session, sigma: Mapping[str, float]) -> float:
     """How far panels may lie from their coordinates; raises InputError where nothing places the block."""
     rays = np.bincount(block.observations.point, minlength=len(block.points))
     if int((block.points.is_control.any(axis=1) & (rays > 1)).sum()) >= FEWEST:
-        distances = [sum(session.depths(i)) / 3 for i in np.flatnonzero(block.images.oriented).tolist()]
-        camera = block.cameras[0]
-        pixel = float(np.median(distances)) * camera.pixel_mm[0] / camera.values.get("c", np.nan)
-        return WITH_CONTROL_SIGMAS * max(sigma.values()) + LEAST_PX * (pixel if np.isfinite(pixel) else 0.0)
+        middle = np.nanmedian(block.points.xyz, axis=0)
+        pixels = [pixel_size(session, i, middle) for i in np.flatnonzero(block.images.oriented).tolist()]
+        return WITH_CONTROL_SIGMAS * max(sigma.values()) + LEAST_PX * float(np.median(pixels))
     if len(block.table(Stations)) or len(block.table(Coordinates)):
         return WITH_POSITIONS
     raise InputError("panels.not_placed", least=FEWEST)

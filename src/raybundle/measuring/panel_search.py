@@ -10,20 +10,22 @@ is accepted with three photographs and more, and where no other hypothesis that 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 import numpy as np
 
+from raybundle.errors import InputError
 from raybundle.measuring.frames import to_camera, to_file
 from raybundle.measuring.panel_candidates import KINDS, Place, measured_panel, panel_places
+from raybundle.measuring.position import rays_meeting
 from raybundle.measuring.session import Session
 from raybundle.measuring.snap import Found, Snapped
 from raybundle.measuring.views import ray, seen_in
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
-from raybundle.numerics.transform import similarity
-from raybundle.orientation.rays import intersect_linear
+from raybundle.numerics.transform import SimilarityTransform, similarity
 
 LEAST_RAYS = 3
 """Photographs in which an accepted point is measured"""
@@ -124,7 +126,7 @@ def search_panels(
         if len(marks[name]) < LEAST_RAYS:
             reasons[name] = "no_panel"
             continue
-        away = np.where(flat[name], h.xyz - fit.to_block(at[name]), np.nan)
+        away = np.where(flat[name], h.xyz - fit.by.points(at[name]), np.nan)
         found.append(FoundPanel(point=name, marks=marks[name], off=away))
     shifts = [accepted[f.point].xyz - at[f.point] for f in found]
     return PanelSearch(
@@ -154,7 +156,7 @@ def _candidates(
         for i, place in zip(rows.tolist(), seen_in(session, rows, xyz), strict=True):
             if not np.isfinite(place).all():
                 continue
-            camera, radius = b.cameras[int(b.images.camera[i])], reach / _pixel(session, i, xyz)
+            camera, radius = b.cameras[int(b.images.camera[i])], reach / pixel_size(session, i, xyz)
             if ((place > -radius) & (place < [camera.width_px + radius, camera.height_px + radius])).all():
                 areas.setdefault(i, []).append((name, place, min(max(radius, 4 * SAME_PX), MOST_PX)))
     found: dict[str, dict[int, list[Place]]] = {name: {} for name in at}
@@ -198,20 +200,22 @@ def _hypotheses(
     found: list[Hypothesis] = []
     keys: set[frozenset[tuple[int, int]]] = set()
     for i, k in combinations(images, 2):
-        for m, n in _meeting(b.images.centre[[i, k]], rays[i], rays[k], given, reach, _pixel(session, i, given)):
+        for m, n in _meeting(b.images.centre[[i, k]], rays[i], rays[k], given, reach, pixel_size(session, i, given)):
             if any((i, m) in key and (k, n) in key for key in keys):
                 continue
-            xyz, made = _met(session, [i, k], [rays[i][m], rays[k][n]]), dict[int, int]()
+            xyz, made = rays_meeting(session, [i, k], [rays[i][m], rays[k][n]]), dict[int, int]()
             for _ in range(2):  # with the two, then with all that show it
                 made = {} if xyz is None else _supported(session, xyz, xy, images)
-                xyz = _met(session, list(made), [rays[j][q] for j, q in made.items()]) if len(made) > 1 else None
+                xyz = (
+                    rays_meeting(session, list(made), [rays[j][q] for j, q in made.items()]) if len(made) > 1 else None
+                )
             key = frozenset(made.items())
             if xyz is None or len(made) < 2 or key in keys:
                 continue
             keys.add(key)
             found.append(Hypothesis(xyz=xyz, seen={j: places[j][q] for j, q in made.items()}))
     return _apart(
-        sorted(found, key=lambda h: (-len(h.seen), -h.worth)), SAME_PX * 4 * _pixel(session, images[0], given)
+        sorted(found, key=lambda h: (-len(h.seen), -h.worth)), SAME_PX * 4 * pixel_size(session, images[0], given)
     )
 
 
@@ -230,13 +234,6 @@ def _distinct(hs: Sequence[Hypothesis]) -> list[Hypothesis]:
     return [h for h in hs if h.mean_worth >= DISTINCT * most]
 
 
-def _met(session: Session, images: Sequence[int], rays: Sequence[Array]) -> Array | None:
-    centre, direction = session.block.images.centre[list(images)], np.array(rays)
-    xyz, _, ratio = intersect_linear(centre, direction, np.zeros(len(rays), np.int32), 1)
-    ahead = ((xyz - centre) * direction).sum(axis=1) > 0
-    return xyz[0] if ratio[0] > 1e-6 and ahead.all() else None
-
-
 def _supported(session: Session, xyz: Array, xy: Mapping[int, Array], images: Sequence[int]) -> dict[int, int]:
     """Image -> number of the place that lies where a point is seen."""
     seen = seen_in(session, np.array(images, np.int64), xyz)
@@ -249,7 +246,7 @@ def _supported(session: Session, xyz: Array, xy: Mapping[int, Array], images: Se
     return found
 
 
-def _pixel(session: Session, image: int, xyz: Array) -> float:
+def pixel_size(session: Session, image: int, xyz: Array) -> float:
     """Size of a pixel of an image at a place of the object, about."""
     camera = session.camera(image)
     middle = np.array([camera.width_px, camera.height_px]) / 2
@@ -276,15 +273,10 @@ def _meeting(
 
 @dataclass(frozen=True, slots=True)
 class _Fit:
-    """From given coordinates to the block."""
+    """From given coordinates to the block, and how far points scatter about it."""
 
-    scale: float
-    rotation: Array
-    translation: Array
+    by: SimilarityTransform
     spread: float
-
-    def to_block(self, xyz: Array) -> Array:
-        return self.scale * self.rotation @ xyz + self.translation
 
 
 def _consensus(
@@ -305,7 +297,7 @@ def _consensus(
         value = (len(agreed), float(sum(agreed.values())))
         if value > best[:2]:
             best = (*value, shift)
-    fit = _Fit(1.0, np.eye(3), np.array(best[2]), tolerance)
+    fit = _Fit(SimilarityTransform(translation=np.array(best[2])), tolerance)
     limit = tolerance
     for _ in range(8):
         taken = _taken(options, at, flat, fit, limit)
@@ -330,23 +322,23 @@ def _taken(
 
 
 def _away(h: Hypothesis, given: Array, known: Array, fit: _Fit) -> float:
-    return float(np.linalg.norm((h.xyz - fit.to_block(given))[known]))
+    return float(np.linalg.norm((h.xyz - fit.by.points(given))[known]))
 
 
 def _fitted(taken: Mapping[str, Hypothesis], at: Mapping[str, Array], flat: Mapping[str, Array], most: float) -> _Fit:
-    """Least squares with the taken hypotheses; a similarity from four points with three coordinates on."""
+    """The median shift of the taken hypotheses; a similarity from four points with three coordinates on."""
     source = np.array([at[n] for n in taken])
     target = np.array([h.xyz for h in taken.values()])
     known = np.array([flat[n] for n in taken])
+    by, free = SimilarityTransform(translation=np.median(target - source, axis=0)), 3
     if known.all() and len(taken) > FEWEST:
-        s = similarity(source, target)
-        fit = _Fit(s.scale, s.rotation, s.translation, 0.0)
-    else:
-        fit = _Fit(1.0, np.eye(3), np.median(target - source, axis=0), 0.0)
-    left = np.where(known, target - np.array([fit.to_block(x) for x in source]), np.nan)
-    redundant = max(3 * len(taken) - (7 if known.all() and len(taken) > FEWEST else 3), 1) / (3 * len(taken))
+        with suppress(InputError):  # control in one line, as along a road: the shift alone
+            s = similarity(source, target)
+            by, free = SimilarityTransform(scale=s.scale, rotation=s.rotation, translation=s.translation), 7
+    left = np.where(known, target - by.points(source), np.nan)
+    redundant = max(3 * len(taken) - free, 1) / (3 * len(taken))
     spread = 1.4826 * float(np.nanmedian(np.abs(left))) / np.sqrt(redundant)
-    return _Fit(fit.scale, fit.rotation, fit.translation, min(max(spread, 1e-9), most))
+    return _Fit(by, min(max(spread, 1e-9), most))
 
 
 def _accepted(

@@ -225,10 +225,13 @@ def _intersected(session: Session, point: str, rows: list[Row], more: list[int])
 
 def meeting(session: Session, rows: Sequence[Row]) -> Array | None:
     """Where the rays of some rows meet, approximately; None where they are parallel or meet behind a camera."""
-    b = session.block
-    direction = np.array([ray(session, r.image, r.xy) for r in rows])
-    centre = b.images.centre[[r.image for r in rows]]
-    xyz, _, ratio = intersect_linear(centre, direction, np.zeros(len(rows), np.int32), 1)
+    return rays_meeting(session, [r.image for r in rows], [ray(session, r.image, r.xy) for r in rows])
+
+
+def rays_meeting(session: Session, images: Sequence[int], rays: Sequence[Array]) -> Array | None:
+    """Where viewing directions (3,) of images meet, as `meeting`."""
+    centre, direction = session.block.images.centre[list(images)], np.array(rays)
+    xyz, _, ratio = intersect_linear(centre, direction, np.zeros(len(rays), np.int32), 1)
     ahead = ((xyz - centre) * direction).sum(axis=1) > 0
     return xyz[0] if ratio[0] > PARALLEL and ahead.all() else None
 

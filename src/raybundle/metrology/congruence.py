@@ -496,23 +496,23 @@ class _Family:
     sums: Array
     """(h, n)"""
     limits: Array
-    of_model: dict[int, Array]
+    of_model: list[tuple[_Model, Array]]
+    """the last model and the weights in it"""
 
     @classmethod
     def of(cls, areas: Sequence[Hypothesis], points: int, limits: Sequence[float]) -> _Family:
-        return cls(areas=tuple(areas), sums=sums_of(areas, points), limits=np.array(limits), of_model={})
+        return cls(areas=tuple(areas), sums=sums_of(areas, points), limits=np.array(limits), of_model=[])
 
     def weights(self, model: _Model) -> Array:
         """(h, 3 k, 3 k) of common displacements, if no point moved."""
-        if id(model) not in self.of_model:
-            self.of_model.clear()
+        if not self.of_model or self.of_model[0][0] is not model:
             each = model.rows(np.arange(model.points))
             found: list[Array] = []
             for a in self.areas:
                 some = model.weights[each[a.points]].sum(axis=0)
                 found.append(some[:, each[a.points]].sum(axis=1))
-            self.of_model[id(model)] = np.array(found).reshape(-1, each.shape[1], each.shape[1])
-        return self.of_model[id(model)]
+            self.of_model[:] = [(model, np.array(found).reshape(-1, each.shape[1], each.shape[1]))]
+        return self.of_model[0][1]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -24,3 +24,10 @@ panels-missed = Punkte ohne Signal: { LIST($names, most: 6) }. { $why ->
     .do = Von Hand messen oder die Koordinaten prüfen.
 
 panels-off = { $point }: { NUM($distance, digits: 3) } { $unit } von seiner Stelle.
+
+panels-files_not_read = Die Passpunktdateien des Projekts wurden nicht gelesen.
+    .why = Gesucht wurden nur Punkte des Blocks und der Messungen.
+    .do = Die Dateien zurücklegen oder Koordinaten mit raybundle mark control angeben.
+
+panels-photographs_lost = Aufnahmen fehlen oder sind nicht lesbar: { $n }, nicht durchsucht ({ LIST($names, most: 6) }).
+    .do = Die Aufnahmen zurücklegen und erneut suchen.

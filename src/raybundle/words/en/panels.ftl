@@ -40,3 +40,12 @@ panels-missed = Points without a panel: { LIST($names, most: 6) }. { $why ->
 # $distance = 1.73
 # $unit = "m"
 panels-off = { $point }: { NUM($distance, digits: 3) } { $unit } from its place.
+
+panels-files_not_read = The control files of the project were not read.
+    .why = Only points of the block and of marks were looked for.
+    .do = Put the files back, or give the coordinates by raybundle mark control.
+
+# $n = 2
+# $names = ["a.jpg", "b.jpg"]
+panels-photographs_lost = Photographs missing or not readable: { $n }, not searched ({ LIST($names, most: 6) }).
+    .do = Put the photographs back, and search again.

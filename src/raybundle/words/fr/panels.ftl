@@ -19,3 +19,7 @@ panels-missed = Points sans cible : { LIST($names, most: 6) }. { $why ->
     }
 
 panels-off = { $point } : { NUM($distance, digits: 3) } { $unit } de sa place.
+
+panels-files_not_read = Les fichiers de points d'appui du projet n'ont pas été lus.
+
+panels-photographs_lost = Photographies absentes ou illisibles : { $n } ({ LIST($names, most: 6) }).
