@@ -11,10 +11,9 @@ from raybundle.report.writing import write_report
 from tests.report.conftest import free
 
 ORDER = (
-    "front", "calibration", "result", "deviations", "length errors", "summary", "photographs", "accuracy", "precision",
-    "noise", "control",
-    "trajectories", "strips", "scenes", "panoramas", "interior orientation", "residuals", "reliability", "network",
-    "record", "tables", "settings", "processing",
+    "front", "calibration", "result", "displacements", "deviations", "length errors", "summary", "photographs",
+    "accuracy", "precision", "noise", "control", "trajectories", "strips", "scenes", "panoramas",
+    "interior orientation", "residuals", "reliability", "network", "record", "tables", "settings", "processing",
 )  # fmt: skip
 LOOKED_UP = {"record", "tables", "settings", "processing"}
 
@@ -59,6 +58,6 @@ def test_what_says_nothing_is_left_out():
     view = view_of(free())
     occasion = Occasion(view=view, reported=verdict(view))
     assert {c.name for c in chapters() if not c.make(occasion)} == {
-        "calibration", "deviations", "length errors", "photographs", "noise", "trajectories", "strips", "scenes",
-        "panoramas", "processing", "record",
+        "calibration", "displacements", "deviations", "length errors", "photographs", "noise", "trajectories", "strips",
+        "scenes", "panoramas", "processing", "record",
     }  # fmt: skip
