@@ -27,7 +27,7 @@ from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.simulate import measured
 from raybundle.scenes.corrections import Fixes
 from raybundle.scenes.kinds.linescan import LineSensor
-from raybundle.scenes.linescan import refraction_shift
+from raybundle.scenes.light import refraction_shift
 from raybundle.scenes.sensor import scene_camera, view_of
 from raybundle.scenes.trajectory import CorrectionModel
 from tests.truth.mixed_blocks import MonteCarlo, block_of, control_table

@@ -17,7 +17,7 @@ from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.simulate import measured
 from raybundle.scenes.corrections import Fixes, FixesAt, Pieces, bends
 from raybundle.scenes.kinds.linescan import LineSensor
-from raybundle.scenes.linescan import observe_line
+from raybundle.scenes.scan import observe_line
 from raybundle.scenes.sensor import scene_camera, view_of
 from raybundle.scenes.simulate import OrbitPlan, _quaternions, orbit_scene
 from raybundle.scenes.trajectory import CorrectionModel

@@ -10,7 +10,7 @@ from raybundle.io.reading.trees import read_json
 from raybundle.io.scenes import read_scene
 from raybundle.io.scenes.csm_distortion import undistorted
 from raybundle.numerics.geodesy import geocentric_from_geographic
-from raybundle.scenes.linescan import NO_CORRECTION
+from raybundle.scenes.scan import NO_CORRECTION
 from tests.conftest import DATA
 from tests.messages import refused
 

@@ -17,7 +17,7 @@ from raybundle.numerics.rotation import vector_from_rotation
 from raybundle.planning.simulate import measured
 from raybundle.scenes.corrections import Fixes
 from raybundle.scenes.kinds.linescan import LineSensor
-from raybundle.scenes.linescan import on_one_carrier
+from raybundle.scenes.scan import on_one_carrier
 from raybundle.scenes.sensor import scene_camera, view_of
 from raybundle.scenes.shared_trajectory import trajectory_of
 from raybundle.scenes.simulate import GM, OrbitPlan, orbit_scene

@@ -8,7 +8,8 @@ import pytest
 from raybundle.errors import InputError, NoConvergence, NotSolvable
 from raybundle.io.scenes import read_scene
 from raybundle.numerics.geodesy import geocentric_from_geographic
-from raybundle.scenes.linescan import C_LIGHT, apparent_direction, observe_line, refraction_shift
+from raybundle.scenes.light import C_LIGHT, apparent_direction, refraction_shift
+from raybundle.scenes.scan import observe_line
 from raybundle.scenes.trajectory import CorrectionModel, Trajectory, lagrange, rotation_from_quaternion
 from tests.scenes.conftest import make_scene
 

@@ -138,9 +138,12 @@ def _of_rpc(rpc: Rpc) -> list[Message]:
 def _of_rigorous(s: Scene, line: Rigorous) -> list[Message]:
     import numpy as np
 
+    from raybundle.scenes.kinds import scene_kinds
+
     size = np.array([line.width_px, line.height_px])
     h = 0.0 if s.rpc is None else float(s.rpc.ground_offset[2])
-    found = [note("scene.rigorous", seconds=line.seconds, height=h)]
+    kind = next(k.name for k in scene_kinds.values() if k.rigorous and isinstance(line, k.geometry))
+    found = [note("scene.rigorous", kind=kind, seconds=line.seconds, height=h)]
     for u, v in CORNERS:
         lon = lat = None
         with contextlib.suppress(NotSolvable):

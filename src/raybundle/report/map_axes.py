@@ -94,6 +94,14 @@ def system_words(frame: LocalFrame) -> str:
     return f"{name} ({code})" if code else name
 
 
+def origin_words(frame: LocalFrame) -> str:
+    """Where X, Y, Z of object space begin, and which way they point."""
+    x, y, z = frame.origin
+    degrees = "°" in dict(MapAxes(frame=frame).labels).values()
+    system = system_words(frame)
+    return phrase("report_control.origin", x=x, y=y, z=z, degrees=degrees, system=system)
+
+
 def height_words(frame: LocalFrame, *, measured: bool) -> str:
     """The reference of heights, as far as it is known.
 

@@ -7,7 +7,9 @@ from collections.abc import Mapping, Sequence
 from raybundle import __version__
 from raybundle.adjustment.result import Adjustment
 from raybundle.errors import phrase
+from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.report.languages.language import Language
+from raybundle.report.map_axes import origin_words
 from raybundle.results.tables import TABLES
 
 README = "README.txt"
@@ -34,10 +36,11 @@ COLUMNS: Mapping[str, str] = {
 WIDTH = 22
 
 
-def readme(adjustment: Adjustment, files: Sequence[str], language: Language) -> str:
+def readme(adjustment: Adjustment, files: Sequence[str], language: Language, frame: LocalFrame | None = None) -> str:
     """The text.
 
     files  names of what stands in the folder
+    frame  in which X, Y, Z are local
     """
     block = adjustment.adjusted
     unit = "none" if adjustment.free_scale else block.length_unit
@@ -47,7 +50,8 @@ def readme(adjustment: Adjustment, files: Sequence[str], language: Language) -> 
     for name in sorted(files):
         key = stems[name] if stems[name] in TABLES else name.replace(".", "_")
         lines.append(f"{name:{WIDTH}s}{language.text(phrase('result_readme.file', entry=key))}")
-    lines += ["", language.text(phrase("result_readme.rules", unit=unit)), ""]
+    lines += ["", language.text(phrase("result_readme.rules", unit=unit))]
+    lines += [""] if frame is None else [language.text(origin_words(frame)), ""]
     for names, key in COLUMNS.items():
         shown = ", ".join(n for n in names.split(", ") if n in there)
         if shown:

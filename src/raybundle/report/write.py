@@ -105,7 +105,7 @@ def write_result(
         names = [*(entry.name for entry in folder.iterdir() if not _empty(entry)), *(p.name for p in pages)]
         names += ["network.html"] * (report == "html")
         every = {entry.name for entry in folder.iterdir()} | set(names)
-        text = readme(adjustment, sorted(every), language_of(language, [adjustment.adjusted.name]))
+        text = readme(adjustment, sorted(every), language_of(language, [adjustment.adjusted.name]), frame)
         (folder / README).write_text(text, encoding="utf-8", newline="\n")
         if pages:
             from raybundle.report.writing import write_reports

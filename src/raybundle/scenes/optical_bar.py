@@ -17,7 +17,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
-from raybundle.scenes.linescan import ScanScene
+from raybundle.scenes.scan import ScanScene
 
 STEEPEST_RAD = 1.4
 """Angle of the sweep up to which tangents stand for it."""

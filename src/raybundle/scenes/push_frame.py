@@ -16,7 +16,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
-from raybundle.scenes.linescan import Points, ScanScene
+from raybundle.scenes.scan import Points, ScanScene
 from raybundle.scenes.trajectory import CorrectionModel
 
 COARSE = 24

@@ -23,7 +23,7 @@ from raybundle.io.scenes import read_scene
 from raybundle.io.scenes.base import Scene
 from raybundle.numerics.places import Place
 from raybundle.scenes.kinds.linescan import LineSensor
-from raybundle.scenes.linescan import on_one_carrier
+from raybundle.scenes.scan import on_one_carrier
 from raybundle.scenes.shared_trajectory import SharedTrajectory, trajectory_of
 from raybundle.scenes.trajectory import CorrectionModel
 

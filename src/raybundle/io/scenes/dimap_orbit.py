@@ -22,7 +22,8 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element
 from raybundle.io.scenes.base import element_text, numbers_of
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.linescan import EPOCH, LineScene
+from raybundle.scenes.linescan import LineScene
+from raybundle.scenes.scan import EPOCH
 from raybundle.scenes.trajectory import Trajectory
 
 ORBIT_M = (6.5e6, 5.0e7)

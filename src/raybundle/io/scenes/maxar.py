@@ -18,8 +18,9 @@ from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, ele
 from raybundle.io.scenes.maxar_detector import chosen_angle, read_mounting
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import WGS84
-from raybundle.scenes.linescan import EPOCH, LineScene
+from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.rpc import Rpc, rpc_of
+from raybundle.scenes.scan import EPOCH
 from raybundle.scenes.trajectory import Trajectory
 
 ORBIT_M = (WGS84.a + 1.0e5, 5.0e7)

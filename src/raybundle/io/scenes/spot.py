@@ -17,7 +17,8 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, element_text, register
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.linescan import EPOCH, LineScene
+from raybundle.scenes.linescan import LineScene
+from raybundle.scenes.scan import EPOCH
 from raybundle.scenes.trajectory import Trajectory, lagrange
 
 ORBIT_M = (6.5e6, 5.0e7)

@@ -19,6 +19,7 @@ from raybundle.observations import in_order, observation_kinds
 from raybundle.report.arrangement import LONG
 from raybundle.report.chapters import section
 from raybundle.report.figures.control import marked_images, marks_figure
+from raybundle.report.map_axes import MapAxes, origin_words
 from raybundle.report.parts import (
     Figure,
     Figures,
@@ -62,6 +63,8 @@ def control_section(view: View) -> Section:
     parts += _marks(view)
     if not parts:
         parts.append(Paragraph(text=phrase("report_control.none")))
+    elif isinstance(view.accuracy.axes, MapAxes):
+        parts.insert(0, Paragraph(text=origin_words(view.accuracy.axes.frame), note=True))
     parts += _components(view)
     return Section(anchor="control", title=phrase("report_control.title"), parts=tuple(parts))
 
@@ -222,15 +225,15 @@ def _row_units(view: View, g: ObservationGroup) -> list[tuple[float, str]]:
 
 def _quantities(view: View, g: ObservationGroup) -> tuple[list[str], list[Message]]:
     """What is observed in each row, and what is to be stated of logarithms."""
-    logarithms = {(c.id, r.name): s for c in view.given.parametrised for s, r in known_before(c).items() if r.logarithm}
-    if g.kind != "relation" or not logarithms:
+    if g.kind != "relation":
         return list(g.component), []
-    symbols = [logarithms.get((i.partition("/")[0], name)) for i, name in zip(g.ids, g.component, strict=True)]
+    known = {(c.id, r.name): (s, r.logarithm) for c in view.given.parametrised for s, r in known_before(c).items()}
+    found = [known.get((i.partition("/")[0], name)) for i, name in zip(g.ids, g.component, strict=True)]
     shown = [
-        name if s is None else phrase("report_control.known_before", symbol=s)
-        for s, name in zip(symbols, g.component, strict=True)
+        name if of is None else phrase("report_control.known_before", symbol=f"ln {of[0]}" if of[1] else of[0])
+        for of, name in zip(found, g.component, strict=True)
     ]
-    factors = list(dict.fromkeys(s for s in symbols if s is not None))
+    factors = list(dict.fromkeys(of[0] for of in found if of is not None and of[1]))
     return shown, [note("report_control.logarithms", symbols=factors)] if factors else []
 
 

@@ -8,7 +8,8 @@ from raybundle.adjustment.statistics.fields import Noise
 from raybundle.errors import Text, message_of_text, note, phrase
 from raybundle.report.chapters import section
 from raybundle.report.parts import Column, Paragraph, Part, Section, Table, number, table, text
-from raybundle.report.text.numbers import NONE, fixed, grouped, significant, unit_text
+from raybundle.report.text.numbers import NONE, fixed, grouped, significant
+from raybundle.report.text.words import printed
 from raybundle.report.view import View, key_of
 
 MOST = 60
@@ -66,7 +67,7 @@ def _ratio(value: float) -> str:
 def _parameters(view: View) -> Table | None:
     """Standard deviations of the parameters that images share, both ways."""
     rows = [
-        (key_of(i), p.symbol, unit_text(p.unit), p.std_white, p.std)
+        (key_of(i), p.symbol, *printed(view, p.unit), p.std_white, p.std)
         for i in view.adjustment.interior
         if i.image is None
         for p in i.parameters.values()
@@ -81,9 +82,9 @@ def _parameters(view: View) -> Table | None:
             number(phrase("label.ratio")),
         ),
         (
-            [r[0] for r in rows], [r[1] for r in rows], [r[2] for r in rows],
-            [significant(r[3], 2) for r in rows], [significant(r[4], 2) for r in rows],
-            [significant(r[4] / r[3], 2) for r in rows],
+            [r[0] for r in rows], [r[1] for r in rows], [unit for _, _, _, unit, *_ in rows],
+            *([significant(r[k] * r[2], 2) for r in rows] for k in (4, 5)),
+            [significant(r[5] / r[4], 2) for r in rows],
         ),
         most=MOST, rest="result.json",
     )  # fmt: skip

@@ -172,7 +172,9 @@ def _carried_table(view: View, carried: list[InteriorResult]) -> Table:
             text(phrase("label.status")),
         ),
         zip(*rows, strict=True),
-        note=Text.of(note("report_interior.t_note"), note("report_trajectories.separability")),
+        note=Text.of(
+            note("report_trajectories.shift"), note("report_interior.t_note"), note("report_trajectories.separability")
+        ),
         marked=marked,
     )  # fmt: skip
 

@@ -14,8 +14,9 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.geodesy import geographic_from_geocentric
 from raybundle.numerics.places import Place
 from raybundle.scenes.corrections import Fixes, FixesAt, Pieces, bends
-from raybundle.scenes.linescan import Carrier, LineScene, ScanScene, observe_line_at
+from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.observed import Observed
+from raybundle.scenes.scan import Carrier, ScanScene, observe_line_at
 from raybundle.scenes.sensor import PIXEL_MM, Key, SceneSensor
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 from raybundle.scenes.trajectory import AXES, MOUNT, CorrectionModel, Trajectory

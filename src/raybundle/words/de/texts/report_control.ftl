@@ -113,7 +113,7 @@ report_control-uncontrolled = Alle sind für das Datum nötig; keine andere Beob
 
 report_control-largest_rows = Die größten |w|
 
-report_control-known_before = vorher bekannt: ln { $symbol }
+report_control-known_before = vorher bekannt: { $symbol }
 
 report_control-logarithms = Beobachtet ist der natürliche Logarithmus von { $symbols } in mm, wovon ein Faktor vorher bekannt war.
     .why = σ und Verbesserung sind relativ: 0,01 ist etwa 1 %.
@@ -185,3 +185,9 @@ report_control-component_group = { $name ->
         [check_points] Kontrollpunkte
         *[other] { $other }
     }
+
+report_control-origin = X, Y, Z sind lokal: Ost, Nord, oben.
+    .why = Ihr Ursprung in { $system } ist { $degrees ->
+        [yes] { NUM($x, decimals: 7) }; { NUM($y, decimals: 7) }; { NUM($z, decimals: 3) }
+       *[no] { NUM($x, decimals: 3) }; { NUM($y, decimals: 3) }; { NUM($z, decimals: 3) }
+    }.

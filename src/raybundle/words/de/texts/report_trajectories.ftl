@@ -61,3 +61,6 @@ report_trajectories-motion = { $kind ->
     } während des Auslesens jedes Bildes, in der Reihenfolge des Bildverbands, und ihr σ.
 
 report_trajectories-motion_heading = Bewegung während des Auslesens
+
+report_trajectories-shift = Versatz: beobachtete minus ausgeglichene Position, in X, Y, Z.
+    .why = Mit Koordinaten einer Karte sind das Ost, Nord und oben.

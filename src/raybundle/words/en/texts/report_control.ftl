@@ -93,7 +93,7 @@ report_control-uncontrolled = All are needed to fix the datum; no other observat
 report_control-largest_rows = The largest |w|
 
 # $symbol = "c"
-report_control-known_before = known before: ln { $symbol }
+report_control-known_before = known before: { $symbol }
 
 # $symbols = ["c"]
 report_control-logarithms = Observed is the natural logarithm of { $symbols } in mm, of which a factor was known before.
@@ -172,3 +172,14 @@ report_control-component_group = { $name ->
         [check_points] check points
         *[other] { $other }
     }
+
+# $degrees = "no"
+# $system = "WGS 84 / UTM zone 32N (EPSG:32632)"
+# $x = 400039.7
+# $y = 5500031.3
+# $z = 300.8
+report_control-origin = X, Y, Z are local: east, north, up.
+    .why = Their origin in { $system } is { $degrees ->
+        [yes] { NUM($x, decimals: 7) }, { NUM($y, decimals: 7) }, { NUM($z, decimals: 3) }
+       *[no] { NUM($x, decimals: 3) }, { NUM($y, decimals: 3) }, { NUM($z, decimals: 3) }
+    }.

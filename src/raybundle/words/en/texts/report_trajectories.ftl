@@ -65,3 +65,6 @@ report_trajectories-motion = { $kind ->
     } during read-out of each image, in the order of the block, and its sigma.
 
 report_trajectories-motion_heading = Motion during read-out
+
+report_trajectories-shift = Shift: position as observed minus adjusted, along X, Y, Z.
+    .why = With coordinates of a map these are east, north and up.

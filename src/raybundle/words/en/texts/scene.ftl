@@ -37,9 +37,16 @@ scene-pixel = Pixel on the ground: { $x } m in x, { $y } m in y.
 # $y = 8.3
 scene-stated_bias = Stated bias: { $bias_m } m (68 %), { $x }, { $y } px.
 
+# $kind = "linescan"
 # $seconds = 3.2
 # $height = 500.0
-scene-rigorous = Rigorous model: { NUM($seconds, digits: 4) } s, corners at height { $height } m.
+scene-rigorous = Rigorous model: { $kind ->
+        [linescan] line scanner
+        [push_frame] push-frame camera
+        [optical_bar] optical-bar camera
+        [range_doppler] radar
+       *[other] { $kind }
+    }, { NUM($seconds, digits: 4) } s, corners at height { $height } m.
 
 # $x = 35170.0
 # $y = 0.0
