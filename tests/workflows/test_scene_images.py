@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, TiffImagePlugin, TiffTags
 
 from raybundle.errors import InputError, code_of, phrase
 from raybundle.io.photos.photo import find_photos
@@ -67,6 +67,23 @@ def test_what_cannot_be_used_costs_that_file(folder):
     assert (code_of(refused["float.tif"]), refused["float.tif"].message.values["bits"]) == ("tiff.pixel_format", [32])
     vendor = refused["vendor.ntf"].message.values
     assert (vendor["source"], vendor["target"]) == ("vendor.ntf", "vendor.tif")
+
+
+def test_maps_and_their_files_are_no_photographs(folder):
+    geotiff = {33550: (10.0, 10.0, 0.0), 33922: (0.0, 0.0, 0.0, 5e5, 5.3e6, 0.0)}
+    tags = TiffImagePlugin.ImageFileDirectory_v2()
+    for tag, values in geotiff.items():
+        tags.tagtype[tag] = TiffTags.DOUBLE
+        tags[tag] = values
+    Image.fromarray(PIXELS).save(folder / "LC09_B4.TIF", tiffinfo=tags)
+    (folder / "LC09_MTL.txt").write_text("GROUP = LANDSAT_METADATA_FILE\n")
+    (folder / "notes.txt").write_text("two photographs")
+    Image.fromarray((PIXELS >> 3).astype(np.uint8)).save(folder / "photo.jpg")
+    found = find_scenes([folder])
+    assert {name: code_of(reason) for name, reason in found.refused} == {
+        "LC09_B4.TIF": "scene.is_map", "LC09_MTL.txt": "scene.is_map",
+    }  # fmt: skip
+    assert [p.name for p in find_photos([folder], leave=found.files).photos] == ["photo.jpg"]
 
 
 def test_an_image_of_another_size_than_its_file_says(folder, monkeypatch):

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from raybundle.errors import InputError, Place, Text, phrase, text_of_error, without_file
+from raybundle.errors import InputError, Message, Place, Text, phrase, text_of_error, without_file
 from raybundle.io.photos.container import SUFFIXES, decode, kind_of, read_header
 from raybundle.io.photos.photo import LIMIT_PIXELS, shown
 from raybundle.io.photos.windows import Windows
 from raybundle.io.reading.files import as_utf8
 from raybundle.io.reading.tiff import is_tiff, tiff_tags
 from raybundle.io.scenes import Scene, read_scene, remarks_of, scene_formats
+from raybundle.io.scenes.products import product_of, raster_without_model
 from raybundle.matching.features import FeatureMethod, Features
 from raybundle.matching.refine import smoothed
 from raybundle.numerics.arrays import Array, Mask
@@ -102,6 +103,9 @@ def find_scenes(inputs: Sequence[Path]) -> FoundScenes:
     for path in _candidates(inputs):
         model = model_of(path)
         if model is None:
+            if is_tiff(path) and (product := raster_without_model(path)) is not None and product.code == "scene.is_map":
+                refused.append((shown(path).name, text_of_error(InputError(product))))
+                taken.add(path)
             continue
         taken |= {path, model}
         try:
@@ -116,6 +120,9 @@ def find_scenes(inputs: Sequence[Path]) -> FoundScenes:
         else:
             first[scene.sha256] = scene.name
             scenes.append(scene)
+    for path, product in _products(inputs):
+        refused.append((shown(path).name, text_of_error(InputError(product))))
+        taken.add(path)
     remarks = [Text.of(replace(r, place=Place(s.name))) for s in scenes for r in remarks_of(s.scene)]
     return FoundScenes(scenes=tuple(scenes), refused=tuple(refused), files=frozenset(taken), remarks=tuple(remarks))
 
@@ -130,6 +137,18 @@ def _candidates(inputs: Sequence[Path]) -> list[Path]:
             if known and not p.name.startswith(".") and p.is_file():
                 found[p] = None
     return list(found)
+
+
+def _products(inputs: Sequence[Path]) -> list[tuple[Path, Message]]:
+    """Files that are no images but belong to a product without the geometry of a scene, and what it is."""
+    found: list[tuple[Path, Message]] = []
+    for folder in (Path(p) for p in inputs if Path(p).is_dir()):
+        for p in sorted(folder.iterdir()):
+            if p.suffix.lower() not in SUFFIXES | LEFT_TO_OTHERS and p.is_file():
+                with p.open("rb") as file:
+                    product = product_of(p, file.read(HEAD_BYTES))
+                found += [] if product is None else [(p, product)]
+    return found
 
 
 def model_of(path: Path) -> Path | None:
