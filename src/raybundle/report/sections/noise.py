@@ -67,7 +67,7 @@ def _ratio(value: float) -> str:
 def _parameters(view: View) -> Table | None:
     """Standard deviations of the parameters that images share, both ways."""
     rows = [
-        (key_of(i), p.symbol, *printed(view, p.unit), p.std_white, p.std)
+        (key_of(i), p.symbol, printed(view, p.unit), p.std_white, p.std)
         for i in view.adjustment.interior
         if i.image is None
         for p in i.parameters.values()
@@ -82,9 +82,10 @@ def _parameters(view: View) -> Table | None:
             number(phrase("label.ratio")),
         ),
         (
-            [r[0] for r in rows], [r[1] for r in rows], [unit for _, _, _, unit, *_ in rows],
-            *([significant(r[k] * r[2], 2) for r in rows] for k in (4, 5)),
-            [significant(r[5] / r[4], 2) for r in rows],
+            [r[0] for r in rows], [r[1] for r in rows], [unit for _, _, (_, unit), *_ in rows],
+            [significant(white * factor, 2) for _, _, (factor, _), white, _ in rows],
+            [significant(std * factor, 2) for _, _, (factor, _), _, std in rows],
+            [significant(r[4] / r[3], 2) for r in rows],
         ),
         most=MOST, rest="result.json",
     )  # fmt: skip
