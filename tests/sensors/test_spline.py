@@ -23,6 +23,22 @@ SPLINE = sensor_models["spline"]
 compiled_only = pytest.mark.skipif(not native.available(), reason="the kernels are not compiled")
 
 
+def test_what_is_evaluated_is_the_stated_condition():
+    """The NumPy function of this model is written by hand."""
+    rng = np.random.default_rng(4)
+    image, points = rng.uniform(-12, 12, (2, 30)), np.stack([*rng.normal(0, 5, (2, 30)), rng.uniform(-20, 2, 30)])
+    values = (SPLINE.typical * rng.uniform(0.9, 1.1, (30, len(SPLINE.symbols)))).T
+    stated = np.stack(type(SPLINE).condition(*image, *points, *values))
+    np.testing.assert_allclose(SPLINE.condition_at(image, points, values), stated, rtol=0, atol=1e-12)
+
+
+def test_points_up_to_120_degrees_off_the_axis_are_seen():
+    off, turn = np.radians([0, 60, 119, 121, 180]), np.linspace(0, 6, 5)
+    ways = np.stack([np.sin(off) * np.cos(turn), np.sin(off) * np.sin(turn), -np.cos(off)])
+    for far in (0.1, 40.0):
+        assert SPLINE.in_front(far * ways).tolist() == [True, True, True, False, False]
+
+
 def second_is_spline(block):
     """Images in turn by the block's camera and by one of the spline model."""
     cameras = (block.cameras[0], replace(spline_camera(block.cameras[0], sigma_px=5), id="2"))
