@@ -16,7 +16,7 @@ from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 
 @pytest.fixture(scope="module")
 def result():
-    """Two strips; of one image the points are left that one other image shows, and two images stand at nearly the same place."""
+    """Two strips; one image keeps the points that one other shows, and two stand at nearly the same place."""
     scene = aerial_scene(AerialStrips(strips=2, images_per_strip=4, points_per_image=60, relief=150.0))
     centre = scene.centre.copy()
     centre[2] = centre[1] + [0.5, 0.3, 0.2]
@@ -112,7 +112,7 @@ def test_precision_of_the_whole(result):
 
 def test_far_points_do_not_make_the_extent(result):
     """Of many points the outermost 0.25 % at either end of an axis are left out."""
-    from raybundle.adjustment.statistics.network import _extent  # noqa: PLC2701
+    from raybundle.adjustment.statistics.network import _extent
 
     xyz = np.random.default_rng(2).uniform(-1, 1, (2000, 3)) * [40, 20, 10]
     assert _extent(xyz) == pytest.approx(2 * np.sqrt(40**2 + 20**2 + 10**2), rel=0.01)
