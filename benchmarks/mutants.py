@@ -49,7 +49,7 @@ SOURCE = ROOT / "src" / "raybundle"
 CORE = ["adjustment", "sensors", "observations", "surfaces/depths/refine.py"]
 SETTING = "RAYBUNDLE_MUTANT"
 """Environment variable that holds a mutant, for processes that tests begin"""
-BUDGET_S = 25.0
+BUDGET_S = 15.0
 """Seconds of tests tried for a mutant, as measured without it"""
 FEWEST, FIRST, MOST = 5, 8, 80
 """Tests tried whatever they take; those tried before all others are collected; no more than these"""
