@@ -58,7 +58,7 @@ BROKEN = 77
 """Exit status of a process that did not get as far as its tests"""
 LIMIT_S = 240.0
 """A mutant that takes longer never ends: it is caught"""
-ROUNDING = 1e-6
+ROUNDING = 2e-6
 """Smaller numbers are limits of rounding or guards of divisions"""
 
 BINARY = {ast.Add: "-", ast.Sub: "+", ast.Mult: "/", ast.Div: "*", ast.Pow: "*", ast.MatMult: "*", ast.FloorDiv: "/",

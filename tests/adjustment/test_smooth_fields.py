@@ -1,0 +1,91 @@
+"""Shapes of smooth fields by differences of projections, and the score test of one image's field by its definition."""
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.statistics.field_test import own_fields
+from raybundle.adjustment.statistics.fields import (
+    COLUMNS,
+    FOCUS,
+    OWN,
+    WithFields,
+    WithOwnInterior,
+    field_shapes,
+    smooth_px,
+)
+from raybundle.planning.synthetic_networks import brown_camera
+
+ZERO = dict.fromkeys(("x0", "y0", "K1", "K2", "K3", "P1", "P2"), 0.0)
+CAMERA = brown_camera(values={"c": 20.0, **ZERO}, size_px=(6000, 4000), pixel_mm=0.004, estimate=())
+HALF = 3000
+
+
+def points(count=40):
+    rng = np.random.default_rng(6)
+    return np.stack([*rng.uniform(-0.5, 0.5, (2, count)), -np.ones(count)])
+
+
+@pytest.mark.parametrize("symbol", OWN)
+def test_what_an_image_has_of_its_own_displaces_as_its_parameter_does(symbol):
+    """By one pixel: of c and K1 at half the longer side of the format, of the principal point everywhere."""
+    model, P = CAMERA.sensor, points()
+    values = dict(zip(model.symbols, CAMERA.parameters, strict=True))
+
+    def moved_px(to, of):
+        image, _ = model.project(of, np.array([{**values, symbol: to}[s] for s in model.symbols]))
+        start, _ = model.project(of, CAMERA.parameters)
+        return (image - start) / np.abs(CAMERA.pixel_mm[0])
+
+    edge = np.array([[HALF * CAMERA.pixel_mm[0] / 20.0], [0.0], [-1.0]])
+    step = {"c": 1e-4, "x0": 1e-4, "y0": 1e-4, "K1": 1e-8}[symbol]
+    to = values[symbol] + step
+    largest = moved_px(to, edge)[int(symbol == "y0"), 0]
+    x, y = model.project(P, CAMERA.parameters)[0]
+    found = WithOwnInterior(CAMERA).displacements(x, y)[:, COLUMNS + OWN.index(symbol)] / CAMERA.pixel_mm[0]
+    np.testing.assert_allclose(found, moved_px(to, P) / largest, atol=1e-3)
+
+
+def grid(side=200):
+    t = (np.arange(side) + 0.5) / side * 2 - 1
+    return (a.ravel() for a in np.meshgrid(t, t))
+
+
+def test_fields_are_orthogonal_and_fall_off_with_their_degree():
+    x, y = grid()
+    S = field_shapes(x, y)
+    degree = [1, 1, 2, 2, 2]
+    assert 2 * len(S) == COLUMNS
+    np.testing.assert_allclose(S @ S.T / len(x), np.diag(1 / np.square(degree)), atol=1e-3)
+    np.testing.assert_allclose(S.mean(axis=1), 0, atol=1e-4)
+    px = HALF * CAMERA.pixel_mm[0]
+    D = WithFields(CAMERA).displacements(x * px, y * px) / CAMERA.pixel_mm[0]
+    for tau, focus in ((0.3, 0.0), (0.0, 0.5), (0.4, 0.2)):
+        # the mean square over random fields is the sum of those of their columns
+        square = tau**2 * (D**2).mean(axis=2).sum() / 2 + focus**2 * ((D.transpose(0, 2, 1) @ FOCUS) ** 2).mean()
+        assert smooth_px(tau**2, focus**2) == pytest.approx(np.sqrt(square), rel=1e-3)
+    along = D.transpose(0, 2, 1) @ FOCUS
+    np.testing.assert_allclose(along, np.stack([x, y]), atol=1e-12)
+
+
+@pytest.mark.parametrize("rank", [COLUMNS, 6])
+def test_the_score_test_of_a_field_is_the_square_sum_that_it_would_take(rank):
+    """T = s' M^+ s / sigma0^2; the rms of the field by one step is that of its displacements over the format."""
+    rng = np.random.default_rng(rank)
+    variance, images = 0.7, np.array([4, 9])
+    A = [rng.normal(size=(40, rank)) @ rng.normal(size=(rank, COLUMNS)) * 5 for _ in images]
+    M = np.zeros((2 * COLUMNS, 2 * COLUMNS))
+    scores, fields = np.zeros(2 * COLUMNS), []
+    for k, a in enumerate(A):
+        at = slice(COLUMNS * k, COLUMNS * (k + 1))
+        M[at, at] = a.T @ a
+        b = rng.normal(size=COLUMNS) * 30
+        scores[at] = M[at, at] @ b
+        fields.append(np.linalg.pinv(M[at, at], rcond=1e-9) @ scores[at])
+    x, y = grid()
+    S = field_shapes(x, y)
+    for found, image, a, b in zip(own_fields(images, M, scores, variance), images, A, fields, strict=True):
+        assert found.image == image
+        assert found.directions == rank
+        assert found.square == pytest.approx(b @ a.T @ a @ b / variance, rel=1e-6)
+        moved = np.stack([b[::2] @ S, b[1::2] @ S])
+        assert found.rms_px == pytest.approx(np.sqrt((moved**2).sum(axis=0).mean()), rel=5e-3)
