@@ -9,15 +9,15 @@ tests begin.  An own script, as mutmut and cosmic-ray run either the whole suite
 package without its compiled part.
 
 Tests of a mutant: of all that ran its block of statements, in themselves, in fixtures or by importing it, and passed,
-first those in
-files that name the module, then those of the same package, then the rest, commands among them; within each the
-quickest, one case of each function before its further cases, until BUDGET_S seconds are full.
+first those in files that name the module, then those of the same package, then the rest, commands among them; within
+each the quickest, one case of each function before its further cases, until BUDGET_S seconds are full.  Where none ran
+it within the process, those of files that name the module, or begin processes of their own.
 
 Left out by rule, as nothing that can be observed follows or as it stands for another mutant already:
 - messages, texts, annotations, signatures, assertions, and what is raised;
 - numbers below ROUNDING by half of them: limits of rounding and guards of divisions;
-- `<` for `<=` between fractions (one side states a decimal number other than zero, divides, or takes a root): equal
-  values have no probability;
+- `<` for `<=` between fractions (a side states a decimal number other than zero, divides, takes a root or is
+  float()): equal values have no probability;
 - the negated condition where a mutant of its only comparison or its `not` is the same;
 - a number in `initial=` of a maximum, which stands for none at all, and in the shape of an array without elements.
 """
@@ -140,9 +140,10 @@ def numbers(node):
 
 
 def fractional(node):
-    """Whether an expression states a decimal number other than zero, divides, or takes a root."""
+    """Whether an expression states a decimal number other than zero, divides, takes a root, or is a `float()`."""
     return any(
-        (isinstance(part, ast.Constant) and isinstance(part.value, float) and part.value != 0)
+        (isinstance(part, ast.Call) and isinstance(part.func, ast.Name) and part.func.id == "float")
+        or (isinstance(part, ast.Constant) and isinstance(part.value, float) and part.value != 0)
         or (isinstance(part, ast.BinOp) and isinstance(part.op, ast.Div))
         or (isinstance(part, ast.Attribute) and part.attr in {"sqrt", "hypot", "norm", "median"})
         for part in ast.walk(node)
@@ -328,18 +329,22 @@ def files_of(package):
 def chosen_tests(table, file, line):
     """Tests that are worth trying, best first."""
     key = f"{file.relative_to(ROOT)} {block_of(file, line)}"
-    ran = table["tests"] if key in table.get("imported", []) else table["blocks"].get(key, [])
+    ran = table["tests"] if key in table["imported"] else table["blocks"].get(key, [])
     module = ".".join(file.relative_to(SOURCE.parent).with_suffix("").parts)
     parent, _, name = module.rpartition(".")
     named = re.compile(rf"{re.escape(module)}\b|from {re.escape(parent)} import [^\n]*\b{name}\b")
     package = module.split(".")[1].rstrip("s")
-    seconds = table["seconds"]
+    seconds, texts = table["seconds"], table["texts"]
+    for test in () if texts else table["tests"]:
+        path = test.partition("::")[0]
+        texts[path] = texts.get(path) or (ROOT / path).read_text(encoding="utf-8")
+    if not ran:
+        alone = [p for p, words in texts.items() if named.search(words) or ("subprocess" in words and package in p)]
+        ran = [test for test in table["tests"] if test.partition("::")[0] in alone]
 
     def rank(test):
         path = test.partition("::")[0]
-        if path not in table["texts"]:
-            table["texts"][path] = (ROOT / path).read_text(encoding="utf-8")
-        near = 0 if named.search(table["texts"][path]) else 1 if path.split("/")[1].rstrip("s") == package else 2
+        near = 0 if named.search(texts[path]) else 1 if path.split("/")[1].rstrip("s") == package else 2
         return near, seconds[test]
 
     ordered, cases = sorted(ran, key=rank), {}
