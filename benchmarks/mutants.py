@@ -53,7 +53,9 @@ BUDGET_S = 15.0
 """Seconds of tests tried for a mutant, as measured without it"""
 FEWEST, FIRST, MOST = 5, 8, 80
 """Tests tried whatever they take; those tried before all others are collected; no more than these"""
-ARGUMENTS = ("-x", "-q", "-p", "no:cacheprovider", "-W", "ignore::pytest.PytestAssertRewriteWarning")
+PLAIN = ("-q", "-p", "no:cacheprovider", "-o", "python_files=test_*.py")
+"""Arguments of pytest, which compiles modules called `..._test.py` itself unless it is told otherwise"""
+ARGUMENTS = ("-x", *PLAIN, "-W", "ignore::pytest.PytestAssertRewriteWarning")
 BROKEN = 77
 """Exit status of a process that did not get as far as its tests"""
 LIMIT_S = 240.0
@@ -306,9 +308,7 @@ def make_map(args):
     files = [file for package in args.packages for file in files_of(package)]
     sys.meta_path.insert(0, Finder(files, recorder.change))
     with tempfile.TemporaryDirectory() as place:
-        pytest.main(
-            ["-p", "no:cacheprovider", f"--basetemp={place}/t", *args.arguments, *args.tests], plugins=[recorder]
-        )
+        pytest.main([*PLAIN, f"--basetemp={place}/t", *args.arguments, *args.tests], plugins=[recorder])
     table = {"seconds": {}, "tests": {}, "imported": []}
     if Path(args.map).exists():
         table = json.loads(Path(args.map).read_text(encoding="utf-8"))
@@ -465,7 +465,7 @@ def main():
     mapped.add_argument("map")
     mapped.add_argument("tests", nargs="+")
     mapped.add_argument("--packages", nargs="+", default=CORE)
-    mapped.add_argument("--arguments", nargs="*", default=["-q", "-m", "not bench and not long"], help="of pytest")
+    mapped.add_argument("--arguments", nargs="*", default=["-m", "not bench and not long"], help="of pytest")
     tried = ways.add_parser("try")
     tried.add_argument("map")
     tried.add_argument("result")
