@@ -9,9 +9,10 @@ tests begin.  An own script, as mutmut and cosmic-ray run either the whole suite
 package without its compiled part.
 
 Tests of a mutant: of all that ran its block of statements, in themselves, in fixtures or by importing it, and passed,
-first those in files that name the module, then those of the same package, then the rest, commands among them; within
-each the quickest, one case of each function before its further cases, until BUDGET_S seconds are full.  Where none ran
-it within the process, those of files that name the module, or begin processes of their own.
+first those that ran the least run block within the same statement (a condition decides on that); those in files that
+name the module, those of the same package, then the rest, commands among them; within each the quickest, one case of
+each function before its further cases, until BUDGET_S seconds are full.  Where none ran it within the process, those of
+files that name the module, or begin processes of their own.
 
 Left out by rule, as nothing that can be observed follows or as it stands for another mutant already:
 - messages, texts, annotations, signatures, assertions, and what is raised;
@@ -234,14 +235,16 @@ def blocks(tree):
     yield from outer(tree)
 
 
-def block_of(file, line):
-    """Key of the innermost block that holds a line."""
-    held = [
-        (body[-1].end_lineno - body[0].lineno, key)
-        for key, body in blocks(ast.parse(file.read_text(encoding="utf-8")))
-        if body[0].lineno <= line <= body[-1].end_lineno
-    ]
-    return min(held)[1]
+def blocks_of(file, line):
+    """Key of the innermost block that holds a line, and those of the blocks within its statement there."""
+    every = list(blocks(ast.parse(file.read_text(encoding="utf-8"))))
+    name, body = min(
+        ((key, body) for key, body in every if body[0].lineno <= line <= body[-1].end_lineno),
+        key=lambda held: held[1][-1].end_lineno - held[1][0].lineno,
+    )
+    at = next(statement for statement in body if line <= statement.end_lineno)
+    within = [key for key, inner in every if at.lineno < inner[0].lineno and inner[-1].end_lineno <= at.end_lineno]
+    return name, [key for key in within if key != name]
 
 
 class Recorder:
@@ -328,7 +331,10 @@ def files_of(package):
 
 def chosen_tests(table, file, line):
     """Tests that are worth trying, best first."""
-    key = f"{file.relative_to(ROOT)} {block_of(file, line)}"
+    own, within = blocks_of(file, line)
+    key = f"{file.relative_to(ROOT)} {own}"
+    ran_within = [found for w in within if (found := table["blocks"].get(f"{file.relative_to(ROOT)} {w}"))]
+    seldom = frozenset(min(ran_within, key=len, default=()))
     ran = table["tests"] if key in table["imported"] else table["blocks"].get(key, [])
     module = ".".join(file.relative_to(SOURCE.parent).with_suffix("").parts)
     parent, _, name = module.rpartition(".")
@@ -345,7 +351,7 @@ def chosen_tests(table, file, line):
     def rank(test):
         path = test.partition("::")[0]
         near = 0 if named.search(texts[path]) else 1 if path.split("/")[1].rstrip("s") == package else 2
-        return near, seconds[test]
+        return test not in seldom, near, seconds[test]
 
     ordered, cases = sorted(ran, key=rank), {}
     for test in ordered:
