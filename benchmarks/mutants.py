@@ -52,7 +52,7 @@ SETTING = "RAYBUNDLE_MUTANT"
 """Environment variable that holds a mutant, for processes that tests begin"""
 BUDGET_S = 15.0
 """Seconds of tests tried for a mutant, as measured without it"""
-FEWEST, FIRST, MOST = 5, 8, 80
+FEWEST, FIRST, MOST = 5, 8, 120
 """Tests tried whatever they take; those tried before all others are collected; no more than these"""
 PLAIN = ("-q", "-p", "no:cacheprovider", "-o", "python_files=test_*.py")
 """Arguments of pytest, which compiles modules called `..._test.py` itself unless it is told otherwise"""
@@ -353,10 +353,11 @@ def chosen_tests(table, file, line):
         near = 0 if named.search(texts[path]) else 1 if path.split("/")[1].rstrip("s") == package else 2
         return test not in seldom, near, seconds[test]
 
-    ordered, cases = sorted(ran, key=rank), {}
-    for test in ordered:
+    cases = {}
+    for test in sorted(ran, key=rank):
         cases.setdefault(test.partition("[")[0], []).append(test)
-    ordered.sort(key=lambda t: cases[t.partition("[")[0]].index(t) > 0)
+    further = {test for function in cases.values() for test in function[1:]}
+    ordered = sorted(ran, key=lambda test: (*rank(test)[:2], test in further, seconds[test]))
     spent, chosen = 0.0, []
     for test in ordered[:MOST]:
         spent += seconds[test]
