@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from raybundle.adjustment.system.defects import of_unknown, unknown_name
+from raybundle.adjustment.system.defects import named_unknown
 from tests.native.cases import CASES
 from tests.native.test_kernels import setting
 
@@ -20,7 +20,7 @@ def test_each_unknown_is_called_by_what_it_moves(case):
         step = np.zeros(int(system.offsets[-1]))
         step[unknown] = 1e-3
         moved = system.updated(state, step, still)
-        said, words = of_unknown(system, unknown), unknown_name(system, unknown)
+        said, words = named_unknown(system, unknown)
         images, axes = np.nonzero(moved.centre != state.centre)
         turned = np.flatnonzero((moved.rotation != state.rotation).any(axis=(1, 2)))
         rows, places = np.nonzero(moved.interior != state.interior)
