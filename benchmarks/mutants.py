@@ -16,7 +16,8 @@ files that name the module, or begin processes of their own.
 
 Left out by rule, as nothing that can be observed follows or as it stands for another mutant already:
 - messages, texts, annotations, signatures, assertions, and what is raised;
-- numbers below ROUNDING by half of them: limits of rounding and guards of divisions;
+- numbers below ROUNDING by half of them, and arguments `tol`, `rtol`, `atol`, `rcond`: limits of rounding and guards
+  of divisions;
 - `<` for `<=` between fractions (a side states a decimal number other than zero, divides, takes a root or is
   float()): equal values have no probability;
 - the negated condition where a mutant of its only comparison or its `not` is the same;
@@ -68,6 +69,7 @@ BINARY = {ast.Add: "-", ast.Sub: "+", ast.Mult: "/", ast.Div: "*", ast.Pow: "*",
           ast.Mod: "*"}  # fmt: skip
 COMPARED = {ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "==", ast.Is: "is not",
             ast.IsNot: "is", ast.In: "not in", ast.NotIn: "in"}  # fmt: skip
+UNSEEN = ("initial", "tol", "rtol", "atol", "rcond")
 PASSED_OVER = ("Message", "Text", "phrase", "cast", "TypeVar", "fault", "warning", "note", "annotation")
 
 
@@ -95,7 +97,7 @@ def mutants(file):
             called = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
             if called in PASSED_OVER or (called in {"zeros", "empty", "full"} and 0 in numbers(node.args[0])):
                 return
-        if isinstance(node, ast.JoinedStr) or (isinstance(node, ast.keyword) and node.arg == "initial"):
+        if isinstance(node, ast.JoinedStr) or (isinstance(node, ast.keyword) and node.arg in UNSEEN):
             return
         if isinstance(node, ast.BinOp) and type(node.op) in BINARY and not text(node):
             old = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**", ast.MatMult: "@",

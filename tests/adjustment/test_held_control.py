@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
+from scipy.stats import f
 
 from raybundle import adjust
 from raybundle.adjustment.blunders.control_tests import ControlTests, control_tests
@@ -199,3 +200,29 @@ def test_larger_errors_of_all_are_preferred_where_their_likelihood_is_larger(T, 
             let_go=lambda chosen, share=share: (T * variance, k, None) if len(chosen) == n else (share * few, of, None),
         )  # fmt: skip
         assert ControlTests._all_as_well(tests, [1, 5]) is (as_well if few > 0 else not as_well)
+
+
+def test_what_each_of_two_wrong_points_explains_is_what_adjustments_without_it_show():
+    block = observed(control=8)
+    names = control_names(block)
+    wrong = (names[2], names[5])
+    block = moved(moved(block, wrong[0], [4e-4, 0, 1e-4]), wrong[1], [0, -3e-4, 2e-4])
+    result = adjust(block, OPTIONS)
+    found = {p.name: p for p in ControlTests(result).contradiction.wrong}
+    assert set(found) == set(wrong)
+    both = adjust(let_go(let_go(block, wrong[0]), wrong[1]), OPTIONS)
+    left = both.weighted_square_sum / both.redundancy
+    tests = result.observations + 3 * len(names)  # of held coordinates as of all others
+    for name, other in (wrong, wrong[::-1]):
+        alone = adjust(let_go(block, other), OPTIONS)
+        point, k = found[name], block.points.ids.index(name)
+        assert point.w == pytest.approx(
+            np.sqrt((alone.weighted_square_sum - both.weighted_square_sum) / left), rel=1e-2
+        )
+        assert point.limit == pytest.approx(
+            np.sqrt(3 * f.isf(OPTIONS.significance / tests, 3, both.redundancy)), rel=1e-2
+        )
+        first = adjust(let_go(block, name), OPTIONS)
+        assert point.square == pytest.approx(result.weighted_square_sum - first.weighted_square_sum, rel=1e-2)
+        np.testing.assert_allclose(point.shift, both.adjusted.points.xyz[k] - block.points.xyz[k], rtol=1e-2, atol=3e-6)
+    assert not {*found[wrong[0]].others, *found[wrong[1]].others}
