@@ -1,12 +1,35 @@
 """What an open datum is called: by the motions of the object that leave everything observed as it is."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from raybundle.adjustment.system.datum import ABOUT_LINE, NAMES, open_names, point_generators
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system.assemble import assemble
+from raybundle.adjustment.system.datum import (
+    ABOUT_LINE,
+    NAMES,
+    analyse,
+    middle_and_extent,
+    node_generators,
+    open_names,
+    point_generators,
+)
+from raybundle.adjustment.system.normals import Normals
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.observations.alignment import Planes
+from tests.adjustment.test_moving_sensors import observed, two_camera_rig
+from tests.native.cases import block_of
 
 X = np.random.default_rng(4).normal(size=(6, 3)) * 30
+
+
+def test_the_unit_of_generators_is_the_median_distance_from_the_middle():
+    centre, extent = middle_and_extent(np.array([[7.0, 5, 5], [3, 5, 5], [5, 9, 5], [5, 1, 5], [5, 5, 90]]))
+    assert centre.tolist() == [5, 5, 5]
+    assert extent == 4
+    assert middle_and_extent(np.ones((3, 3)))[1] == 1
 
 
 def basis_of(*generators):
@@ -53,3 +76,53 @@ def test_several_mixtures_are_counted():
     (name,) = open_names(basis_of(*rng.normal(size=(2, 7))))
     assert name.startswith("2 combinations of ")
     assert all(n in name for n in NAMES)
+
+
+def free_rig():
+    truth = two_camera_rig()
+    points = replace(
+        truth.points, role=np.zeros_like(truth.points.role), sigma=np.full_like(truth.points.sigma, np.nan)
+    )
+    return replace(observed(truth), points=points)
+
+
+def with_planes():
+    """Of a plane the unknowns move with the object."""
+    block = block_of(scale_bars=2)
+    planes = Planes(figure=("wall",) * 5, point=np.array([1, 4, 8, 11, 14], np.int32), sigma=np.full(5, 1e-2))
+    return block.having(planes)
+
+
+@pytest.mark.parametrize(
+    ("made", "defect"),
+    [(block_of, 7), (lambda: block_of(scale_bars=2), 6), (free_rig, 7), (with_planes, 6)],
+    ids=["frames", "bars", "rig", "planes"],
+)
+def test_what_is_open_changes_no_residual(made, defect):
+    """Residuals along each generator stay, by differences; offsets of a rig and figures move with the points."""
+    block = made()
+    free = {c.id: tuple(c.estimate) for c in block.parametrised}
+    system = assemble(block, AdjustmentOptions(), np.zeros(len(block.observations), bool), free)
+    state = system.initial_state()
+    normals = Normals.of(system, 1)
+    normals.reduce(state)
+    datum = analyse(system, state, AdjustmentOptions())
+    assert datum.defect == defect
+    nodes = node_generators(system, state, datum)
+    points = point_generators(state.xyz, datum.centre, datum.extent) @ datum.basis
+    retained = np.flatnonzero(system.point_node >= 0)
+
+    def change(step, shift):
+        """Derivative of all residuals in this direction."""
+        shift = shift.copy()
+        shift[retained] = step[system.offsets[system.point_node[retained]][:, None] + np.arange(3)]
+        ends = []
+        for sign in (-1e-6, 1e-6):
+            moved = system.updated(state, sign * step, sign * shift)
+            ends.append(np.concatenate([normals.residuals(moved)[0].ravel(), normals.extra(moved).residual]))
+        return np.abs(ends[1] - ends[0]).max() / 2e-6
+
+    for k in range(defect):
+        assert change(nodes[:, k], points[:, :, k]) < 1e-4 * change(0.9 * nodes[:, k], points[:, :, k])
+    flat = np.concatenate([nodes, points.reshape(-1, defect)])
+    assert np.linalg.matrix_rank(flat / np.linalg.norm(flat, axis=0)) == defect

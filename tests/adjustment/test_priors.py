@@ -16,13 +16,13 @@ from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene
 from tests.native.cases import block_of
 
 
-@pytest.mark.parametrize("variance", [0.25, 1.0, 4.0])
+@pytest.mark.parametrize("variance", [0.0, 0.25, 4.0])
 @pytest.mark.parametrize(("share", "status"), [(0.49, "estimated"), (0.51, "not determinable")])
 def test_from_half_of_the_added_standard_deviation_on_it_is_that_which_shows(share, status, variance):
     interior = adjust_block(block_of(control=6), AdjustmentOptions(jobs=1)).interior[0]
     observed = replace(interior.parameters["c"], status="observed")
     interior = replace(interior, parameters={**interior.parameters, "c": observed})
-    added = {("1", "c"): observed.std / np.sqrt(variance) / share, ("2", "x0"): 1e-9}
+    added = {("1", "c"): observed.std / np.sqrt(variance or 1.0) / share, ("2", "x0"): 1e-9}
     found = determined_by_network(interior, added, variance).parameters
     assert found["c"].status == status
     assert found["x0"].status == interior.parameters["x0"].status
