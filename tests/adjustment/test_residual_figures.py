@@ -145,6 +145,18 @@ def test_means_of_cells(result):
     assert each.values["share"] == pytest.approx(means.rms_px / overall)
 
 
+@pytest.mark.parametrize(("number", "told"), [(399, 0), (400, 1)])
+def test_of_fewer_than_400_image_points_nothing_is_stated_by_cells(result, number, told):
+    s = result.image_observations
+    keep = np.flatnonzero(s.used)[:number]
+    reasons = tuple(
+        None if k in set(keep.tolist()) else Rejection(kind=RejectionKind.GIVEN) for k in range(len(s.used))
+    )
+    v = 9 * np.abs(s.residuals_px)
+    few = replace(result, image_observations=replace(s, rejected=reasons, residuals_px=v, w=9 * np.abs(s.w)))
+    assert len(systematic_notices(few)) == told
+
+
 def test_what_images_have_in_common_is_tested_between_images():
     """Hotelling: (n - 2) / (2 (n - 1)) T^2 is F(2, n - 2); each image's points of a cell count as one observation."""
     rng = np.random.default_rng(1)
