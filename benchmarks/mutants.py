@@ -9,7 +9,7 @@ tests begin.  An own script, as mutmut and cosmic-ray run either the whole suite
 package without its compiled part.
 
 Tests of a mutant: of all that ran its block of statements, in themselves, in fixtures or by importing it, and passed,
-first those that ran the least run block within the same statement (a condition decides on that); those in files that
+first some that ran the least run block within the same statement (a condition decides on that); those in files that
 name the module, those of the same package, then the rest, commands among them; within each the quickest, one case of
 each function before its further cases, until BUDGET_S seconds are full.  Where none ran it within the process, those of
 files that name the module, or begin processes of their own.
@@ -53,8 +53,9 @@ SETTING = "RAYBUNDLE_MUTANT"
 """Environment variable that holds a mutant, for processes that tests begin"""
 BUDGET_S = 15.0
 """Seconds of tests tried for a mutant, as measured without it"""
-FEWEST, FIRST, MOST = 5, 8, 120
-"""Tests tried whatever they take; those tried before all others are collected; no more than these"""
+FEWEST, FIRST, SELDOM, MOST = 5, 8, 10, 120
+"""Tests tried whatever they take; those tried before all others are collected; those that go into what a condition
+decides on; no more than these"""
 PLAIN = ("-q", "-p", "no:cacheprovider", "-o", "python_files=test_*.py")
 """Arguments of pytest, which compiles modules called `..._test.py` itself unless it is told otherwise"""
 ARGUMENTS = ("-x", *PLAIN, "-W", "ignore::pytest.PytestAssertRewriteWarning")
@@ -353,13 +354,14 @@ def chosen_tests(table, file, line):
     def rank(test):
         path = test.partition("::")[0]
         near = 0 if named.search(texts[path]) else 1 if path.split("/")[1].rstrip("s") == package else 2
-        return test not in seldom, near, seconds[test]
+        return near, seconds[test]
 
     cases = {}
     for test in sorted(ran, key=rank):
         cases.setdefault(test.partition("[")[0], []).append(test)
     further = {test for function in cases.values() for test in function[1:]}
-    ordered = sorted(ran, key=lambda test: (*rank(test)[:2], test in further, seconds[test]))
+    ordered = sorted(ran, key=lambda test: (rank(test)[0], test in further, seconds[test]))
+    ordered = list(dict.fromkeys([*sorted(seldom, key=rank)[:SELDOM], *ordered]))
     spent, chosen = 0.0, []
     for test in ordered[:MOST]:
         spent += seconds[test]
