@@ -51,9 +51,9 @@ SOURCE = ROOT / "src" / "raybundle"
 CORE = ["adjustment", "sensors", "observations", "surfaces/depths/refine.py"]
 SETTING = "RAYBUNDLE_MUTANT"
 """Environment variable that holds a mutant, for processes that tests begin"""
-BUDGET_S = 15.0
+BUDGET_S = 25.0
 """Seconds of tests tried for a mutant, as measured without it"""
-FEWEST, FIRST, SELDOM, MOST = 5, 8, 10, 120
+FEWEST, FIRST, SELDOM, MOST = 5, 8, 10, 150
 """Tests tried whatever they take; those tried before all others are collected; those that go into what a condition
 decides on; no more than these"""
 PLAIN = ("-q", "-p", "no:cacheprovider", "-o", "python_files=test_*.py")
