@@ -10,6 +10,8 @@ from raybundle.adjustment.system.assemble import assemble
 from raybundle.adjustment.system.datum import (
     ABOUT_LINE,
     NAMES,
+    Datum,
+    _observed_rows,
     analyse,
     middle_and_extent,
     node_generators,
@@ -17,8 +19,9 @@ from raybundle.adjustment.system.datum import (
     point_generators,
 )
 from raybundle.adjustment.system.normals import Normals
-from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.numerics.rotation import angles_from_rotation, rotation_from_vector
 from raybundle.observations.alignment import Planes
+from raybundle.observations.attitude import Attitudes
 from tests.adjustment.test_moving_sensors import observed, two_camera_rig
 from tests.native.cases import block_of
 
@@ -126,3 +129,39 @@ def test_what_is_open_changes_no_residual(made, defect):
         assert change(nodes[:, k], points[:, :, k]) < 1e-4 * change(0.9 * nodes[:, k], points[:, :, k])
     flat = np.concatenate([nodes, points.reshape(-1, defect)])
     assert np.linalg.matrix_rank(flat / np.linalg.norm(flat, axis=0)) == defect
+
+
+def with_attitudes():
+    block = block_of(station_sigma=1e-3)
+    attitudes = Attitudes(
+        image=np.arange(3, dtype=np.int32), angles=angles_from_rotation(block.images.rotation[:3]),
+        sigma=np.full((3, 3), 1e-3),
+    )  # fmt: skip
+    return block.having(attitudes)
+
+
+@pytest.mark.parametrize("made", [lambda: block_of(station_sigma=1e-3, scale_bars=1), with_attitudes])
+def test_what_observations_fix_is_how_they_change_as_the_object_moves(made):
+    block = made()
+    free = {c.id: tuple(c.estimate) for c in block.parametrised}
+    system = assemble(block, AdjustmentOptions(), np.zeros(len(block.observations), bool), free)
+    state, normals = system.initial_state(), Normals.of(system, 1)
+    normals.reduce(state)
+    centre, extent = middle_and_extent(state.xyz)
+    rows, sigma = _observed_rows(system, state, centre, extent)
+    every = np.ones(len(block.points), bool)
+    all_of_them = Datum(kind="inner", basis=np.eye(7), centre=centre, extent=extent, carriers=every)
+    nodes, points = node_generators(system, state, all_of_them), point_generators(state.xyz, centre, extent)
+    parts = [p for p in system.extra.parts if p.kind.carries_datum and p.kind.name != "control"]
+    mine = np.concatenate([p.positions for p in parts])
+    unit = np.concatenate([np.full(len(p.rows), extent if p.kind.unit == "length" else 1.0) for p in parts])
+    np.testing.assert_allclose(sigma * unit, system.extra.sigma[mine])
+    retained = np.flatnonzero(system.point_node >= 0)
+    for k in range(7):
+        ends = []
+        for step in (-1e-6, 1e-6):
+            shift = points[:, :, k].copy()
+            shift[retained] = nodes[system.offsets[system.point_node[retained]][:, None] + np.arange(3), k]
+            moved = system.updated(state, step * nodes[:, k], step * shift)
+            ends.append(normals.standardised(moved).residual[mine] * system.extra.sigma[mine])
+        np.testing.assert_allclose(rows[:, k], (ends[1] - ends[0]) / 2e-6 / unit, atol=1e-5)
