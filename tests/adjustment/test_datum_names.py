@@ -19,9 +19,11 @@ from raybundle.adjustment.system.datum import (
     point_generators,
 )
 from raybundle.adjustment.system.normals import Normals
+from raybundle.block import Instrument
 from raybundle.numerics.rotation import angles_from_rotation, rotation_from_vector
 from raybundle.observations.alignment import Planes
 from raybundle.observations.attitude import Attitudes
+from raybundle.platforms import instrument_models
 from tests.adjustment.test_moving_sensors import observed, two_camera_rig
 from tests.native.cases import block_of
 
@@ -140,7 +142,21 @@ def with_attitudes():
     return block.having(attitudes)
 
 
-@pytest.mark.parametrize("made", [lambda: block_of(station_sigma=1e-3, scale_bars=1), with_attitudes])
+def with_instruments():
+    """Stations by an antenna with a shift, attitudes by an IMU with a misalignment, neither known."""
+    block = with_attitudes()
+    gnss = Instrument(id="gnss", model="antenna", values=zeros("antenna"), estimate=("sx", "sy", "sz"))
+    ins = Instrument(id="ins", model="imu", values=zeros("imu"), estimate=("bx", "by", "bz"))
+    stations = replace(block.stations, antenna=np.zeros(len(block.stations), np.int32))
+    attitudes = replace(block.attitudes, imu=np.ones(len(block.attitudes), np.int32))
+    return replace(block, instruments=(gnss, ins)).having(stations).having(attitudes)
+
+
+def zeros(model):
+    return dict.fromkeys(instrument_models[model].symbols, 0.0)
+
+
+@pytest.mark.parametrize("made", [lambda: block_of(station_sigma=1e-3, scale_bars=1), with_attitudes, with_instruments])
 def test_what_observations_fix_is_how_they_change_as_the_object_moves(made):
     block = made()
     free = {c.id: tuple(c.estimate) for c in block.parametrised}
@@ -157,6 +173,19 @@ def test_what_observations_fix_is_how_they_change_as_the_object_moves(made):
     unit = np.concatenate([np.full(len(p.rows), extent if p.kind.unit == "length" else 1.0) for p in parts])
     np.testing.assert_allclose(sigma * unit, system.extra.sigma[mine])
     retained = np.flatnonzero(system.point_node >= 0)
+    instruments = [
+        system.offsets[row.node] + row.start + i
+        for row in system.interior for i in range(len(row.free)) if row.instrument >= 0 and row.node >= 0
+    ]  # fmt: skip
+    by_instruments = np.zeros((len(mine), len(instruments)))
+    for j, unknown in enumerate(instruments):
+        step = 1e-6 * (np.arange(len(nodes)) == unknown)
+        ends = [
+            normals.standardised(system.updated(state, s, np.zeros_like(state.xyz))).residual[mine]
+            for s in (-step, step)
+        ]
+        by_instruments[:, j] = (ends[1] - ends[0]) * system.extra.sigma[mine] / 2e-6 / unit
+    changed = np.zeros((len(mine), 7))
     for k in range(7):
         ends = []
         for step in (-1e-6, 1e-6):
@@ -164,4 +193,5 @@ def test_what_observations_fix_is_how_they_change_as_the_object_moves(made):
             shift[retained] = nodes[system.offsets[system.point_node[retained]][:, None] + np.arange(3), k]
             moved = system.updated(state, step * nodes[:, k], step * shift)
             ends.append(normals.standardised(moved).residual[mine] * system.extra.sigma[mine])
-        np.testing.assert_allclose(rows[:, k], (ends[1] - ends[0]) / 2e-6 / unit, atol=1e-5)
+        changed[:, k] = (ends[1] - ends[0]) / 2e-6 / unit
+    np.testing.assert_allclose(rows, changed - by_instruments @ np.linalg.pinv(by_instruments) @ changed, atol=1e-5)
