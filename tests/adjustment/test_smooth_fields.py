@@ -2,16 +2,23 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import minimize
+from scipy.stats import multivariate_normal
 
 from raybundle.adjustment.statistics.field_test import own_fields
 from raybundle.adjustment.statistics.fields import (
     COLUMNS,
     FOCUS,
     OWN,
+    Scores,
     WithFields,
     WithOwnInterior,
+    _cost,
+    _falls,
+    _floor_and_fields,
     field_shapes,
     smooth_px,
+    variance_components,
 )
 from raybundle.planning.synthetic_networks import brown_camera
 
@@ -89,3 +96,64 @@ def test_the_score_test_of_a_field_is_the_square_sum_that_it_would_take(rank):
         assert found.square == pytest.approx(b @ a.T @ a @ b / variance, rel=1e-6)
         moved = np.stack([b[::2] @ S, b[1::2] @ S])
         assert found.rms_px == pytest.approx(np.sqrt((moved**2).sum(axis=0).mean()), rel=5e-3)
+
+
+def drawn(phi, tau_square, focus_square, seed=0, n=120, images=8):
+    """Scores whose covariance is phi I + tau^2 diag(weight) + focus^2 B B'."""
+    rng = np.random.default_rng(seed)
+    weight, B = rng.uniform(1, 400, n), rng.normal(0, 6, (n, images))
+    C = np.diag(phi + tau_square * weight) + focus_square * B @ B.T
+    return Scores(y=np.linalg.cholesky(C) @ rng.normal(size=n), weight=weight, B=B)
+
+
+@pytest.mark.parametrize("focus_square", [0.0, 0.01, 0.3])
+def test_the_cost_is_minus_twice_the_log_likelihood(focus_square):
+    samples = [drawn(1.5, 0.02, min(focus_square, 0.1), seed) for seed in (1, 2)]
+    expected = 0.0
+    for s in samples:
+        C = np.diag(1.4 + 0.03 * s.weight) + focus_square * s.B @ s.B.T
+        expected -= 2 * multivariate_normal(np.zeros(len(s.y)), C).logpdf(s.y) + len(s.y) * np.log(2 * np.pi)
+    assert _cost(samples, 1.4, 0.03, focus_square) == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("focus_square", [0.0, 0.02])
+def test_a_little_of_a_wandering_focus_is_tried_where_it_makes_the_cost_less(focus_square):
+    for seed in range(6):
+        samples = [drawn(1.2, 0.02, focus_square, seed)]
+        slope = (_cost(samples, 1.2, 0.02, 1e-7) - _cost(samples, 1.2, 0.02, 0.0)) / 1e-7
+        assert _falls(samples, 1.2, 0.02) is bool(slope < 0)
+
+
+@pytest.mark.parametrize("seed", [0, 2, 5, 6, 13, 20])
+def test_floor_and_fields_are_where_the_likelihood_is_largest(seed):
+    s = drawn(1.8, 0.05, 0.0, seed, n=300)
+    phi, tau_square = _floor_and_fields(s.weight, s.y**2)
+    at = minimize(
+        lambda t: _cost([s], max(np.exp(t[0]), 1.0), np.exp(t[1]), 0.0), np.log([phi, tau_square]),
+        method="Nelder-Mead", options={"xatol": 1e-5, "fatol": 1e-6},
+    )  # fmt: skip
+    assert _cost([s], phi, tau_square, 0.0) == pytest.approx(at.fun, abs=2e-3)
+    np.testing.assert_allclose([phi, tau_square], [max(np.exp(at.x[0]), 1.0), np.exp(at.x[1])], rtol=0.02)
+
+
+def test_white_noise_has_no_fields_and_blunders_count_in_part():
+    s = drawn(1.0, 0.0, 0.0, 3, n=400)
+    phi, tau_square = _floor_and_fields(s.weight, s.y**2)
+    assert phi == pytest.approx(max(1.0, np.mean(s.y**2)), rel=0.05)
+    assert tau_square * np.median(s.weight) < 0.2
+    found = variance_components([s])
+    assert (found.directions, found.chi_square) == (400, pytest.approx(np.mean(s.y**2)))
+    assert found.focus_square == 0
+    # one of them at a hundred standard deviations counts as thirty variances
+    y = s.y.copy()
+    y[7] = 100.0
+    assert variance_components([Scores(y=y, weight=s.weight, B=s.B)]).phi < phi + 0.2
+
+
+def test_the_parts_of_smooth_errors_are_found():
+    """Mean over 5 draws of 2 samples, within three standard deviations of their mean."""
+    found = [variance_components([drawn(1.5, 0.05, 0.2, 10 + 2 * k + j, n=160) for j in range(2)]) for k in range(5)]
+    for name, truth, spread in (("phi", 1.5, 0.9), ("tau_square", 0.05, 0.02), ("focus_square", 0.2, 0.12)):
+        assert np.mean([getattr(c, name) for c in found]) == pytest.approx(truth, abs=3 * spread / np.sqrt(5))
+    none = variance_components([Scores(y=np.zeros(0), weight=np.zeros(0), B=np.zeros((0, 3)))])
+    assert (none.phi, none.tau_square, none.focus_square, none.directions) == (1.0, 0.0, 0.0, 0)
