@@ -17,6 +17,7 @@ from raybundle.adjustment.statistics.fields import (
     _falls,
     _floor_and_fields,
     field_shapes,
+    independent_scores,
     smooth_px,
     variance_components,
 )
@@ -157,3 +158,24 @@ def test_the_parts_of_smooth_errors_are_found():
         assert np.mean([getattr(c, name) for c in found]) == pytest.approx(truth, abs=3 * spread / np.sqrt(5))
     none = variance_components([Scores(y=np.zeros(0), weight=np.zeros(0), B=np.zeros((0, 3)))])
     assert (none.phi, none.tau_square, none.focus_square, none.directions) == (1.0, 0.0, 0.0, 0)
+
+
+@pytest.mark.parametrize(("images", "sampled"), [(3, None), (6, 2), (40, 2)])
+def test_scores_have_the_covariance_that_is_stated_of_them(images, sampled):
+    """y = W s with s of the covariance phi s0^2 M + M cov(fields) M, of all images or of some among all."""
+    rng = np.random.default_rng(images)
+    variance, phi, tau_square, focus_square = 0.6, 1.4, 0.03, 0.2
+    F, A = rng.normal(size=(900, COLUMNS * images)), rng.normal(size=(900, 30))
+    F[:, 5] = A[:, 0]  # a direction that the unknowns absorb
+    M = F.T @ (F - A @ np.linalg.lstsq(A, F, rcond=None)[0])
+    field = tau_square * np.eye(COLUMNS) + focus_square * np.outer(FOCUS, FOCUS)
+    chosen = np.arange(COLUMNS * (sampled or images))
+    across = M[chosen]
+    of_scores = phi * variance * M[np.ix_(chosen, chosen)] + across @ np.kron(np.eye(images), field) @ across.T
+    mine = M[np.ix_(chosen, chosen)]
+    found = [independent_scores(mine, e, variance, across if sampled else None) for e in np.eye(len(chosen))]
+    W = np.stack([s.y for s in found], axis=1)
+    assert len(W) == len(chosen) - 1
+    s = found[0]
+    stated = phi * np.eye(len(W)) + tau_square * np.diag(s.weight) + focus_square * s.B @ s.B.T
+    np.testing.assert_allclose(stated, W @ of_scores @ W.T, rtol=1e-6, atol=1e-6 * np.abs(stated).max())
