@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from raybundle.adjustment.system.defects import named_unknown
+from raybundle.adjustment.system.defects import named_unknown, shares
 from tests.native.cases import CASES
 from tests.native.test_kernels import setting
 
@@ -42,3 +42,20 @@ def test_each_unknown_is_called_by_what_it_moves(case):
             first = max(u for u in retained if u <= unknown)
             assert (said.kind, said.name) == ("point", block.points.ids[retained[first]])
             assert words.values == {"point": said.name, "axis": "XYZ"[unknown - first]}
+
+
+@pytest.mark.parametrize("case", ["scale bars", "interior orientation per image", "held images, observed c"])
+def test_shares_of_objects_are_those_of_their_unknowns(case):
+    """Of a space of drawn vectors, by the names of the unknowns; together they are its dimension."""
+    normals, _ = setting(CASES[case](), compiled=True, threads=1)
+    N = int(normals.system.offsets[-1])
+    vectors = np.linalg.qr(np.random.default_rng(2).normal(size=(N, 4)))[0]
+    expected = {}
+    for unknown, row in enumerate(vectors):
+        of = named_unknown(normals.system, unknown)[0]
+        key = of.kind, of.name, of.symbol, of.image
+        expected[key] = expected.get(key, 0.0) + float(row @ row)
+    found = shares(normals, vectors)
+    assert {(u.kind, u.name, u.symbol, u.image): u.share for u in found} == pytest.approx(expected)
+    assert sum(u.share for u in found) == pytest.approx(4)
+    assert [round(u.share, 2) for u in found] == sorted((round(u.share, 2) for u in found), reverse=True)
