@@ -337,12 +337,14 @@ def _floor_and_fields(weight: Array, square: Array) -> tuple[float, float]:
     scale = float(np.median(weight))
     least, most = np.array([0.0, np.log(1e-6)]), np.array([top, top + np.log(1e3)])
     low, high, steps = least, most, np.linspace(0, 1, GRID)
+    fields = np.inf, 1.0, 0.0
     for _ in range(CLOSINGS):
         a, b = (low[k] + (high[k] - low[k]) * steps for k in (0, 1))
         phi = np.exp(a)[:, None] * np.ones(GRID)
         tau_square = np.exp(b) * np.ones((GRID, 1)) / scale
         found = cost(phi, tau_square)
         i, j = np.unravel_index(int(found.argmin()), found.shape)
+        fields = float(found[i, j]), float(phi[i, j]), float(tau_square[i, j])
         middle, at = np.array([a[i], b[j]]), np.array([i, j])
         leaves = ((at == 0) & (middle > least)) | ((at == GRID - 1) & (middle < most))
         width = (high - low) / 2 if leaves.any() else (high - low) / (GRID - 1) * 2
@@ -350,9 +352,9 @@ def _floor_and_fields(weight: Array, square: Array) -> tuple[float, float]:
             break
         low, high = np.maximum(middle - width, [0.0, -np.inf]), middle + width
     bare = _floor_alone(square)
-    if float(cost(np.array(bare), np.array(0.0))) <= float(found[i, j]) + PRECISION:
+    if float(cost(np.array(bare), np.array(0.0))) <= fields[0] + PRECISION:
         return bare, 0.0
-    return float(phi[i, j]), float(tau_square[i, j])
+    return fields[1:]
 
 
 def _floor_alone(square: Array) -> float:
