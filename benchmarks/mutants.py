@@ -319,8 +319,10 @@ def make_map(args):
     if Path(args.map).exists():
         table = json.loads(Path(args.map).read_text(encoding="utf-8"))
     table["imported"] = sorted({*table.get("imported", []), *(recorder.keys[i] for i in recorder.imported)})
+    again = {test.partition("::")[0] for test in recorder.tests}
+    for name in ("tests", "seconds"):  # what these files held before may be gone
+        table[name] = {test: v for test, v in table[name].items() if test.partition("::")[0] not in again}
     for test, ran in recorder.tests.items():
-        table["tests"].pop(test, None)
         table["seconds"][test] = round(recorder.seconds.get(test, 9.0), 3)
         if test not in recorder.failed:
             table["tests"][test] = [recorder.keys[i] for i in ran]
@@ -412,13 +414,6 @@ def attempt(stated, tests):
                 time.sleep(0.05)
         lines = said.read_text(encoding="utf-8", errors="replace").splitlines()
         failed = [line for line in lines if line.startswith(("FAILED", "ERROR"))]
-        gone = {
-            test for test in tests for line in failed if line.startswith("ERROR: not found") and line.endswith(test)
-        }
-        if gone and all(
-            line.startswith("ERROR: not found") for line in failed
-        ):  # tests that have changed since the map was made
-            return attempt(stated, [test for test in tests if test not in gone])
         if os.waitstatus_to_exitcode(status) == BROKEN:
             raise RuntimeError("\n".join(lines[-20:]))
         return status != 0, failed[0] if failed else f"exit {os.waitstatus_to_exitcode(status)}"
