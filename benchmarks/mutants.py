@@ -54,10 +54,10 @@ SETTING = "RAYBUNDLE_MUTANT"
 BUDGET_S = 25.0
 """Seconds of tests tried for a mutant, as measured without it"""
 FEWEST, FIRST, SELDOM, MOST = 5, 8, 10, 150
-"""Tests tried whatever they take; those tried before all others are collected; those that go into what a condition
+"""Tests tried whatever they take; tried before all others are collected; of such as enter what a condition
 decides on; no more than these"""
 PLAIN = ("-q", "-p", "no:cacheprovider", "-o", "python_files=test_*.py")
-"""Arguments of pytest, which compiles modules called `..._test.py` itself unless it is told otherwise"""
+"""Arguments of pytest, which else compiles modules called `..._test.py` itself"""
 ARGUMENTS = ("-x", *PLAIN, "-W", "ignore::pytest.PytestAssertRewriteWarning")
 BROKEN = 77
 """Exit status of a process that did not get as far as its tests"""
@@ -177,7 +177,7 @@ class Compiled(importlib.machinery.SourceFileLoader):
 
 
 class Finder(importlib.abc.MetaPathFinder):
-    """Modules of the package whose file is among those watched."""
+    """Modules of the package of which the file is watched."""
 
     def __init__(self, files, change):
         self.files, self.change = frozenset(files), change
@@ -376,7 +376,7 @@ def chosen_tests(table, file, line):
 def attempt(stated, tests):
     """Whether a test notices the mutant, and which: in a process of its own, few tests before more are collected."""
     with tempfile.TemporaryDirectory() as place:
-        said = Path(place) / "said"
+        output = Path(place) / "output"
         (Path(place) / "sitecustomize.py").write_text(
             f"import os, sys\nsys.path.insert(0, {str(ROOT / 'benchmarks')!r})\nimport mutants\n"
             f"del sys.path[0]\nmutants.install(os.environ[{SETTING!r}])\n"
@@ -388,7 +388,7 @@ def attempt(stated, tests):
                 os.setsid()
                 os.chdir(ROOT)
                 for stream in (1, 2):
-                    os.dup2(os.open(said, os.O_CREAT | os.O_WRONLY | os.O_APPEND), stream)
+                    os.dup2(os.open(output, os.O_CREAT | os.O_WRONLY | os.O_APPEND), stream)
                 os.environ.update({SETTING: stated, "PYTHONPATH": place})
                 install(stated)
                 for number, part in enumerate((tests[:FIRST], tests[FIRST:])):
@@ -412,7 +412,7 @@ def attempt(stated, tests):
                 return True, "too long"
             else:
                 time.sleep(0.05)
-        lines = said.read_text(encoding="utf-8", errors="replace").splitlines()
+        lines = output.read_text(encoding="utf-8", errors="replace").splitlines()
         failed = [line for line in lines if line.startswith(("FAILED", "ERROR"))]
         if os.waitstatus_to_exitcode(status) == BROKEN:
             raise RuntimeError("\n".join(lines[-20:]))

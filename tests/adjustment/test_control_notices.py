@@ -1,4 +1,4 @@
-"""What is stated of control: wrong points before those that may be, and control that fits too well."""
+"""What is stated of control: wrong points before possibly wrong ones, and control that fits too well."""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -19,14 +19,14 @@ def wrong(name, others=(), w=6.0):
     return WrongPoint(name=name, w=w, shift=np.array([1.0, 2.0, 3.0]), square=40.0, limit=5.0, others=others)
 
 
-def said(found, *notices):
+def stated(found, *notices):
     result = SimpleNamespace(notices=notices, given=SimpleNamespace(length_unit="m"))
     return control_notices(result, found)
 
 
 def test_what_is_located_stands_before_what_is_not():
     found = Contradiction(wrong=(wrong("A", w=9.0), wrong("B", ("C",)), wrong("D")), swayed=("S",))
-    located, open_one = said(found)
+    located, open_one = stated(found)
     assert (located.data.code, located.ids) == ("control_suspect", ("A", "D"))
     assert [m.code for m in located.details] == ["control_suspect.point"] * 2 + ["control_suspect.swayed"]
     first = located.details[0].values
@@ -37,21 +37,21 @@ def test_what_is_located_stands_before_what_is_not():
 
 def test_a_group_is_named_once_and_not_where_a_notice_names_it_already():
     found = Contradiction(wrong=(wrong("A", ("B",)), wrong("B", ("A",)), wrong("D")))
-    assert [n.ids for n in said(found)] == [("D",), ("A", "B")]
+    assert [n.ids for n in stated(found)] == [("D",), ("A", "B")]
     before = not_located(("B", "E"), 6.0, 5.0)
-    assert [n.ids for n in said(found, before)] == [("D",)]
-    assert [n.ids for n in said(found, replace(before, code="other"))] == [("D",), ("A", "B")]
-    assert [n.ids for n in said(found, not_located(("D", "E"), 6.0, 5.0))] == [("A", "B")]
-    (last,) = said(Contradiction(unexplained=("A", "D")))
+    assert [n.ids for n in stated(found, before)] == [("D",)]
+    assert [n.ids for n in stated(found, replace(before, code="other"))] == [("D",), ("A", "B")]
+    assert [n.ids for n in stated(found, not_located(("D", "E"), 6.0, 5.0))] == [("A", "B")]
+    (last,) = stated(Contradiction(unexplained=("A", "D")))
     assert (last.data.code, last.ids, last.values["n"]) == ("control_suspect.unexplained", ("A", "D"), 2)
-    assert not said(Contradiction())
+    assert not stated(Contradiction())
 
 
 @pytest.mark.parametrize("redundancy", [LEAST - 0.01, LEAST + 0.01, 40.0])
 def test_control_fits_too_well_from_one_percent_on(redundancy):
     """The sum of squares is that low by chance in one case of a hundred; a kind of noise alone states it."""
 
-    def said_of(wider, *, kind="fields", groups=False):
+    def stated_of(wider, *, kind="fields", groups=False):
         own = VarianceComponent(
             kind=NAMES["control"], group="all", count=9, redundancy=redundancy, ratio=2.0 / wider, significant=False
         )
@@ -63,12 +63,12 @@ def test_control_fits_too_well_from_one_percent_on(redundancy):
         )  # fmt: skip
 
     at = np.sqrt(redundancy / chi2(redundancy).ppf(0.01))
-    assert bool(said_of(1.001 * at)) is (redundancy >= LEAST)
-    assert not said_of(0.999 * at)
-    assert not said_of(1.001 * at, kind="white")
-    assert not said_of(1.001 * at, groups=True)
+    assert bool(stated_of(1.001 * at)) is (redundancy >= LEAST)
+    assert not stated_of(0.999 * at)
+    assert not stated_of(1.001 * at, kind="white")
+    assert not stated_of(1.001 * at, groups=True)
     if redundancy >= LEAST:
-        assert said_of(1.001 * at)[0].values["wider"] == pytest.approx(1.001 * at)
+        assert stated_of(1.001 * at)[0].values["wider"] == pytest.approx(1.001 * at)
 
 
 @pytest.mark.parametrize("sigma0", [0.5, 1.2, 1.5, 3.0])

@@ -13,7 +13,7 @@ LINKED = SimpleNamespace(links={"vx": "flight"}, moves_along=False)
 PLAIN = SimpleNamespace(links={}, moves_along=False)
 
 
-def said(apart_deg, elsewhere, sensors=(LINES, PLAIN), camera=(0, 0, 1), points=20):
+def stated(apart_deg, elsewhere, sensors=(LINES, PLAIN), camera=(0, 0, 1), points=20):
     """Of two images that see the same points and a third that sees some of them."""
     turn = np.radians([0.0, apart_deg, 90.0])[: len(camera)]
     rotation = rotation_from_vector(np.stack([turn, 0 * turn, 0 * turn], axis=1))
@@ -27,16 +27,16 @@ def said(apart_deg, elsewhere, sensors=(LINES, PLAIN), camera=(0, 0, 1), points=
     return line_notices(SimpleNamespace(given=given))
 
 
-@pytest.mark.parametrize(("apart", "elsewhere", "told"), [(4.9, 9, True), (5.1, 9, False), (4.9, 10, False)])
-def test_one_direction_and_less_than_half_of_the_points_elsewhere(apart, elsewhere, told):
-    found = said(apart, elsewhere)
-    assert [n.ids for n in found] == ([("camera 0",)] if told else [])
+@pytest.mark.parametrize(("apart", "elsewhere", "due"), [(4.9, 9, True), (5.1, 9, False), (4.9, 10, False)])
+def test_one_direction_and_less_than_half_of_the_points_elsewhere(apart, elsewhere, due):
+    found = stated(apart, elsewhere)
+    assert [n.ids for n in found] == ([("camera 0",)] if due else [])
     assert not found or found[0].values == {"n": 1, "limit_deg": 5.0}
 
 
 def test_cameras_of_one_trajectory_stand_under_its_name():
-    assert not said(1.0, 0, sensors=(LINKED, LINKED), camera=(0, 1, 1)), "the third looks elsewhere"
-    (notice,) = said(1.0, 0, sensors=(LINKED, LINKED, PLAIN), camera=(0, 1, 2))
+    assert not stated(1.0, 0, sensors=(LINKED, LINKED), camera=(0, 1, 1)), "the third looks elsewhere"
+    (notice,) = stated(1.0, 0, sensors=(LINKED, LINKED, PLAIN), camera=(0, 1, 2))
     assert notice.ids == ("flight",)
-    assert not said(1.0, 0, sensors=(PLAIN, PLAIN))
-    assert not said(1.0, 0, sensors=(SimpleNamespace(links={}, moves_along=True, groups=()), PLAIN))
+    assert not stated(1.0, 0, sensors=(PLAIN, PLAIN))
+    assert not stated(1.0, 0, sensors=(SimpleNamespace(links={}, moves_along=True, groups=()), PLAIN))

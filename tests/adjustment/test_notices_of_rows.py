@@ -1,4 +1,4 @@
-"""Notices of points, image points and the fit: each names what it is about, at its limit and not before."""
+"""Notices of points, image points and the fit: each names its objects, at its limit and not before."""
 
 from dataclasses import replace
 
@@ -69,12 +69,12 @@ def test_points_that_lost_their_rays_are_named(result):
 def test_image_points_beyond_the_format_are_named_from_six_sigma_and_half_a_pixel(result, axis, side):
     o, camera = result.given.observations, result.given.cameras[0]
     sigma = np.sqrt(o.cov_px2[7, axis])
-    for more, told in ((-0.01, False), (0.01, True)):
+    for more, due in ((-0.01, False), (0.01, True)):
         xy = o.xy_px.copy()
         edge = 0.0 if side < 0 else (camera.width_px, camera.height_px)[axis]
         xy[7, axis] = edge + side * (0.5 + 6 * sigma + more)
         found = _outside(replace(result, given=replace(result.given, observations=replace(o, xy_px=xy))))
-        assert bool(found) is told
+        assert bool(found) is due
     values = found[0].values
     assert values["n"] == 1
     assert values["point"] == result.given.points.ids[o.point[7]]

@@ -16,7 +16,7 @@ FAULT = Severity.FAULT
 
 
 def square_sums(**wrong):
-    """Of images whose mean squares are one, but for some: number -> ratio of standard deviations."""
+    """Of images with mean squares of one, but for some: number -> ratio of standard deviations."""
     T = np.full(N, float(DIRECTIONS))
     for name, ratio in wrong.items():
         T[int(name[1:])] *= ratio**2
@@ -57,7 +57,7 @@ class Images(SimpleNamespace):
         return len(self.ids)
 
 
-def said(rms, notices=(), camera=None):
+def stated(rms, notices=(), camera=None):
     """Notices of fields of which image 4 has four times the others' mean square, each image with this rms."""
     T = square_sums(i4=4.0)
     fields = [OwnField(image=k, square=T[k], directions=DIRECTIONS, rms_px=rms) for k in range(N)]
@@ -72,13 +72,13 @@ def said(rms, notices=(), camera=None):
 
 
 def test_a_field_is_a_fault_from_one_percent_of_half_the_longer_side_on():
-    (notice,) = said(30.1)
+    (notice,) = stated(30.1)
     assert notice.ids == ("e",)
     values = {"image": "e", "camera": "0", "ratio": 4.0, "limit": 3.0, "rms_px": 30.1, "limit_px": 30.0}
     assert notice.values == pytest.approx(values)
-    assert not said(29.9)
-    assert not said(30.1, notices=(SimpleNamespace(severity=FAULT, code="control_suspect", ids=()),))
-    assert not said(30.1, notices=(SimpleNamespace(severity=FAULT, code="image_contradicts", ids=("e",)),))
-    assert said(30.1, notices=(SimpleNamespace(severity=FAULT, code="image_contradicts", ids=("a",)),))
-    assert said(30.1, camera=np.arange(N) % 2)[0].values["camera"] == "0"
-    assert said(30.1, camera=(np.arange(N) + 1) % 2)[0].values["camera"] == "1"
+    assert not stated(29.9)
+    assert not stated(30.1, notices=(SimpleNamespace(severity=FAULT, code="control_suspect", ids=()),))
+    assert not stated(30.1, notices=(SimpleNamespace(severity=FAULT, code="image_contradicts", ids=("e",)),))
+    assert stated(30.1, notices=(SimpleNamespace(severity=FAULT, code="image_contradicts", ids=("a",)),))
+    assert stated(30.1, camera=np.arange(N) % 2)[0].values["camera"] == "0"
+    assert stated(30.1, camera=(np.arange(N) + 1) % 2)[0].values["camera"] == "1"

@@ -1,4 +1,4 @@
-"""Which parameter is held next: of those that an error names or that nothing shows, the least needed."""
+"""Which parameter is held next: the least needed of what an error names or nothing shows."""
 
 from dataclasses import replace
 
@@ -56,7 +56,7 @@ def held(state, found):
     }
 
 
-def test_the_least_needed_of_those_that_an_error_names_is_held_where_it_was_known():
+def test_the_least_needed_of_what_an_error_names_is_held_where_it_was_known():
     block = two_cameras(block_of(control=6), "brown")
     state = state_of(block, {"1": FREE, "2": FREE})
     task = task_of(state)

@@ -1,4 +1,4 @@
-"""Points whose rays were rejected together come back where most of them meet."""
+"""Points that lost all their rays come back where most of these meet."""
 
 from dataclasses import replace
 
@@ -44,7 +44,7 @@ def with_reasons(result, kinds):
 
 
 def brought_back(result, skip=()):
-    """By the adjusted block, whose image points are those of the result."""
+    """By the adjusted block, with the image points of the result."""
     block = replace(result.adjusted, observations=result.given.observations)
     return reintersected(result, block, set(skip))
 

@@ -145,8 +145,8 @@ def test_means_of_cells(result):
     assert each.values["share"] == pytest.approx(means.rms_px / overall)
 
 
-@pytest.mark.parametrize(("number", "told"), [(399, 0), (400, 1)])
-def test_of_fewer_than_400_image_points_nothing_is_stated_by_cells(result, number, told):
+@pytest.mark.parametrize(("number", "due"), [(399, 0), (400, 1)])
+def test_of_fewer_than_400_image_points_nothing_is_stated_by_cells(result, number, due):
     s = result.image_observations
     keep = np.flatnonzero(s.used)[:number]
     reasons = tuple(
@@ -154,7 +154,7 @@ def test_of_fewer_than_400_image_points_nothing_is_stated_by_cells(result, numbe
     )
     v = 9 * np.abs(s.residuals_px)
     few = replace(result, image_observations=replace(s, rejected=reasons, residuals_px=v, w=9 * np.abs(s.w)))
-    assert len(systematic_notices(few)) == told
+    assert len(systematic_notices(few)) == due
 
 
 def test_what_images_have_in_common_is_tested_between_images():

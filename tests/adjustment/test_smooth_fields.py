@@ -100,7 +100,7 @@ def test_the_score_test_of_a_field_is_the_square_sum_that_it_would_take(rank):
 
 
 def drawn(phi, tau_square, focus_square, seed=0, n=120, images=8):
-    """Scores whose covariance is phi I + tau^2 diag(weight) + focus^2 B B'."""
+    """Scores of the covariance phi I + tau^2 diag(weight) + focus^2 B B'."""
     rng = np.random.default_rng(seed)
     weight, B = rng.uniform(1, 400, n), rng.normal(0, 6, (n, images))
     C = np.diag(phi + tau_square * weight) + focus_square * B @ B.T

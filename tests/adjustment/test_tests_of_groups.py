@@ -69,17 +69,17 @@ def test_images_and_control_of_which_most_was_rejected_are_named(result):
     control = np.flatnonzero(block.points.is_control.any(axis=1) & (block.ray_count > 3))
     mine = np.flatnonzero(o.image == 1)
     half = len(mine) // 2
-    for number, told in ((half, False), (half + 1, True)):
+    for number, due in ((half, False), (half + 1, True)):
         lost = np.zeros(len(o), bool)
         lost[mine[:number]] = True
         found = [n for n in rejected_group_notices(with_blunders(result, lost)) if n.code == "image_contradicts"]
-        assert [n.ids for n in found] == ([(block.images.ids[1],)] if told else [])
+        assert [n.ids for n in found] == ([(block.images.ids[1],)] if due else [])
     few = with_blunders(result, lost & (o.image < 0))
     assert not rejected_group_notices(few)
-    for points, told in ((control[:1], True), (control[:2], True)):
+    for points, due in ((control[:1], True), (control[:2], True)):
         lost = np.isin(o.point, points) & (o.image > 0)
         found = [n for n in rejected_group_notices(with_blunders(result, lost)) if n.code == "control_contradicts"]
-        assert [n.ids for n in found] == ([tuple(block.points.ids[k] for k in points)] if told else [])
+        assert [n.ids for n in found] == ([tuple(block.points.ids[k] for k in points)] if due else [])
 
 
 def test_a_joint_covariance_of_several_things_is_that_of_each_pair(result):

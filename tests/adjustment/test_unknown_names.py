@@ -20,28 +20,28 @@ def test_each_unknown_is_called_by_what_it_moves(case):
         step = np.zeros(int(system.offsets[-1]))
         step[unknown] = 1e-3
         moved = system.updated(state, step, still)
-        said, words = named_unknown(system, unknown)
+        stated, words = named_unknown(system, unknown)
         images, axes = np.nonzero(moved.centre != state.centre)
         turned = np.flatnonzero((moved.rotation != state.rotation).any(axis=(1, 2)))
         rows, places = np.nonzero(moved.interior != state.interior)
         if len(images):
-            assert (said.kind, said.name) == ("image", block.images.ids[images[0]])
-            assert words.values == {"image": said.name, "part": PARTS[axes[0]]}
+            assert (stated.kind, stated.name) == ("image", block.images.ids[images[0]])
+            assert words.values == {"image": stated.name, "part": PARTS[axes[0]]}
         elif len(turned):
-            assert (said.kind, said.name) == ("image", block.images.ids[turned[0]])
+            assert (stated.kind, stated.name) == ("image", block.images.ids[turned[0]])
             change = moved.rotation[turned[0]] @ state.rotation[turned[0]].T - np.eye(3)
             axis = int(np.abs([change[2, 1], change[0, 2], change[1, 0]]).argmax())
-            assert words.values == {"image": said.name, "part": PARTS[3 + axis]}
+            assert words.values == {"image": stated.name, "part": PARTS[3 + axis]}
         elif len(rows):
             row = system.interior[rows[0]]
             symbol = row.model.symbols[places[0]]
             of_image = "" if row.image < 0 else block.images.ids[row.image]
-            assert (said.kind, said.name, said.symbol, said.image) == ("parameter", "1", symbol, of_image)
+            assert (stated.kind, stated.name, stated.symbol, stated.image) == ("parameter", "1", symbol, of_image)
             assert words.values == {"symbol": symbol, "camera": f"1/{of_image}" if of_image else "1"}
         else:
             first = max(u for u in retained if u <= unknown)
-            assert (said.kind, said.name) == ("point", block.points.ids[retained[first]])
-            assert words.values == {"point": said.name, "axis": "XYZ"[unknown - first]}
+            assert (stated.kind, stated.name) == ("point", block.points.ids[retained[first]])
+            assert words.values == {"point": stated.name, "axis": "XYZ"[unknown - first]}
 
 
 @pytest.mark.parametrize("case", ["scale bars", "interior orientation per image", "held images, observed c"])
