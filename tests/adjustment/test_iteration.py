@@ -74,7 +74,7 @@ def test_it_ends_where_others_do_and_soon(start, most):
     assert found.step < 1e-6
 
 
-def test_it_says_where_it_did_not_end():
+def test_where_it_did_not_end_it_has_not_converged():
     found = solve(Curve(), np.array([5.0, 4.0, -2.0]), AdjustmentOptions(tolerance=1e-8, max_iterations=2))
     assert not found.converged
     assert found.iterations == 2
@@ -116,7 +116,7 @@ def test_the_gain_is_what_a_step_brought_over_what_it_promised():
     assert _gain(100.0, 100.0 * (1 + 5e-11), 1e-10) == -1.0
 
 
-def test_the_share_done_is_told_by_orders_of_magnitude():
+def test_the_share_done_is_by_orders_of_magnitude():
     assert _share(1e2, 1e2, 1e-4) == 0
     assert _share(1e2, 1e-1, 1e-4) == pytest.approx(0.5)
     assert _share(1e2, 1e-5, 1e-4) == 1

@@ -44,7 +44,7 @@ def test_from_three_times_the_others_on_and_by_no_chance():
     assert not named(square_sums(i4=9.0), may=np.arange(N) != 4)
 
 
-def test_a_third_at_most_each_against_those_that_are_not_named():
+def test_a_third_at_most_each_against_the_others():
     three = square_sums(i2=5.0, i7=6.0, i11=4.5)
     assert [w.image for w in named(three)] == [7, 2, 11]
     assert [w.ratio for w in named(three)] == pytest.approx([6.0, 5.0, 4.5])

@@ -169,6 +169,16 @@ def test_which_points_may_have_an_image_where_none_was_measured(model):
     assert model.in_front(behind_and_centre).tolist() == [all_round] * points.shape[1] + [False]
 
 
+def test_what_a_panorama_sees_begins_at_its_eccentricity():
+    """The projection centre stands before the axis by e: what is nearer to the axis lies behind it."""
+    model = sensor_models["panorama"]
+    turn = np.linspace(-3, 3, 7)
+    image = np.stack([turn * model.typical[0], np.zeros(7)])
+    ahead = model.typical[model.symbols.index("e")] * np.stack([np.sin(turn), np.zeros(7), -np.cos(turn)])
+    assert [model.in_front(f * ahead, image, model.typical).any() for f in (-2.0, -0.5, 0.5)] == [False] * 3
+    assert model.in_front(1.5 * ahead, image, model.typical).all()
+
+
 @models
 def test_the_residual_is_the_way_to_the_projection(model):
     """To first order -B^-1 g at a nearby point leads to the projection, with the weights' B (Gauss-Helmert)."""
