@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from raybundle import AdjustmentOptions, InputError, adjust
+from raybundle.adjustment.estimation import reject_single_rays
+from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 
@@ -95,3 +97,18 @@ def test_a_parameter_is_observed_at_its_default_where_the_camera_gives_no_value(
     told = adjust(block.with_cameras(observed)).interior[0].parameters["A"]
     zero = replace(observed, values={**values, "A": 0.0})
     assert told.value == pytest.approx(adjust(block.with_cameras(zero)).interior[0].parameters["A"].value, abs=1e-12)
+
+
+def test_the_last_ray_of_a_point_leaves_with_the_others_but_not_of_control():
+    block, m = BLOCK, len(BLOCK.observations)
+    o, control = block.observations, block.points.is_control.any(axis=1)
+    mask = np.random.default_rng(2).random(m) < 0.6
+    given = tuple(Rejection(kind=RejectionKind.GIVEN) if k else None for k in mask)
+    reasons, lost = reject_single_rays(block, given, mask)
+    left = {p: [k for k in range(m) if o.point[k] == p and not mask[k]] for p in range(len(block.points))}
+    lone = {rows[0] for p, rows in left.items() if len(rows) == 1 and not control[p]}
+    assert any(len(rows) == 1 and control[p] for p, rows in left.items())
+    assert {k for k in range(m) if lost[k] and not mask[k]} == lone
+    assert lost[mask].all()
+    assert {k for k, r in enumerate(reasons) if r is not None and r.kind is RejectionKind.SINGLE_RAY} == lone
+    assert [r for r, k in zip(reasons, mask, strict=True) if k] == [r for r in given if r]

@@ -1,12 +1,15 @@
 """Held control that is wrong is named: by the force that holds it, and where nothing fits, by leaving it out."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.optimize import minimize_scalar
+from scipy.stats import f
 
 from raybundle import adjust
-from raybundle.adjustment.blunders.control_tests import control_tests
+from raybundle.adjustment.blunders.control_tests import ControlTests, control_tests
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Role, Stations
 from raybundle.planning.simulate import Survey, simulate
@@ -180,3 +183,46 @@ def test_projection_centres_in_another_datum_are_told_from_wrong_control():
     assert told.variant == "centres"
     assert told.details[2].values["axis"] == "Z"
     assert told.details[2].values["apart"] == pytest.approx(40.0, abs=0.1)
+
+
+@pytest.mark.parametrize("T", [30.0, 120.0, 900.0])
+@pytest.mark.parametrize("n", [8, 90])
+def test_larger_errors_of_all_are_preferred_where_their_likelihood_is_larger(T, n):
+    """Errors of f times the size in k directions against gross ones of two points; a parameter costs ln k (Schwarz)."""
+    k, of, variance, freedom = 3 * n, 6, 1.7, 400
+    best = minimize_scalar(lambda f: k * np.log(f**2) + T / f**2, bounds=(0.05, 50), method="bounded")
+    fall = T - best.fun - np.log(k)  # of -2 ln L by one factor for all
+    few = variance * (fall + of * np.log(k) + 2 * np.log(n * (n - 1) / 2))
+    for share, as_well in ((0.999, True), (1.001, False)):
+        tests = SimpleNamespace(
+            _seen=range(n), count=n, result=SimpleNamespace(weighted_square_sum=T * variance + freedom * variance,
+                                                            redundancy=freedom + k),
+            let_go=lambda chosen, share=share: (T * variance, k, None) if len(chosen) == n else (share * few, of, None),
+        )  # fmt: skip
+        assert ControlTests._all_as_well(tests, [1, 5]) is (as_well if few > 0 else not as_well)
+
+
+def test_what_each_of_two_wrong_points_explains_is_what_adjustments_without_it_show():
+    block = observed(control=8)
+    names = control_names(block)
+    wrong = (names[2], names[5])
+    block = moved(moved(block, wrong[0], [4e-4, 0, 1e-4]), wrong[1], [0, -3e-4, 2e-4])
+    result = adjust(block, OPTIONS)
+    found = {p.name: p for p in ControlTests(result).contradiction.wrong}
+    assert set(found) == set(wrong)
+    both = adjust(let_go(let_go(block, wrong[0]), wrong[1]), OPTIONS)
+    left = both.weighted_square_sum / both.redundancy
+    tests = result.observations + 3 * len(names)  # of held coordinates as of all others
+    for name, other in (wrong, wrong[::-1]):
+        alone = adjust(let_go(block, other), OPTIONS)
+        point, k = found[name], block.points.ids.index(name)
+        assert point.w == pytest.approx(
+            np.sqrt((alone.weighted_square_sum - both.weighted_square_sum) / left), rel=1e-2
+        )
+        assert point.limit == pytest.approx(
+            np.sqrt(3 * f.isf(OPTIONS.significance / tests, 3, both.redundancy)), rel=1e-2
+        )
+        first = adjust(let_go(block, name), OPTIONS)
+        assert point.square == pytest.approx(result.weighted_square_sum - first.weighted_square_sum, rel=1e-2)
+        np.testing.assert_allclose(point.shift, both.adjusted.points.xyz[k] - block.points.xyz[k], rtol=1e-2, atol=3e-6)
+    assert not {*found[wrong[0]].others, *found[wrong[1]].others}

@@ -1,15 +1,17 @@
 """Control points with the coordinates of another one: a fault where photographs show two, else a caution."""
 
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
 
 from raybundle import adjust
-from raybundle.adjustment.blunders.identical_control import identical_control, identical_notices
+from raybundle.adjustment.blunders.identical_control import _largest_scale, identical_control, identical_notices
 from raybundle.errors import NotSolvable
 from tests.adjustment.test_held_control import OPTIONS, control_names, observed
 from tests.messages import with_details
+from tests.native.cases import block_of
 
 
 def copied(block, names, *, onto, by=0.0):
@@ -91,3 +93,18 @@ def test_standard_deviations_as_large_as_the_distances_are_no_copied_lines():
     copy, rest = identical_notices(copied(loose, names[1:2], onto=names[0]))
     assert (copy.severity, set(copy.ids)) == ("fault", set(names[:2]))
     assert rest.severity == "warning"
+
+
+def test_the_largest_scale_is_that_of_two_points_far_enough_apart_in_one_photograph():
+    block = block_of(control=8)
+    rows, o, xyz = np.arange(0, len(block.points), 2), block.observations, block.points.xyz
+    scales = {}
+    for i in range(len(block.images)):
+        mine = [k for k in np.flatnonzero(o.image == i) if o.point[k] in rows]
+        for a, b in combinations(mine, 2):
+            length = np.linalg.norm(xyz[o.point[a]] - xyz[o.point[b]])
+            scales[i, a, b] = length, np.linalg.norm(o.xy_px[a] - o.xy_px[b]) / length
+    for least in (0.0, np.median([length for length, _ in scales.values()])):
+        expected = max(scale for length, scale in scales.values() if length > least)
+        assert _largest_scale(block, rows, least) == pytest.approx(expected)
+    assert _largest_scale(block, rows, 1e9) == 0

@@ -77,6 +77,7 @@ def blocks():
         (AdjustmentOptions()),
     )
     yield "stations", simulate(SCENE, Survey(station_sigma=1e-3, scale_bars=1, **near)).observed, AdjustmentOptions()
+    yield "stations alone", simulate(SCENE, Survey(station_sigma=1e-3, **near)).observed, AdjustmentOptions()
     placed = simulate(SCENE, Survey(control=4, control_sigma=(1e-3,) * 3, station_sigma=1e-3, **near)).observed
     shift = Instrument(
         id="1", model="antenna", estimate=("sx", "sy", "sz"),
@@ -249,7 +250,9 @@ def test_points_of_many_and_of_few_rays_have_the_same_influences(name, monkeypat
     np.testing.assert_allclose(points[taken], other_points[taken], rtol=1e-7, atol=1e-9 * points[taken].max())
 
 
-@pytest.mark.parametrize("name", ["free", "bars", "weighted control", "held control", "stations", "two cameras"])
+@pytest.mark.parametrize(
+    "name", ["free", "bars", "weighted control", "held control", "stations", "stations alone", "two cameras"]
+)
 def test_the_nodes_alone_are_answered_as_with_points(name):
     spread = adjusted(name).handle.work.spread
     assert spread.phi > 1

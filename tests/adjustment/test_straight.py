@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle import adjust
+from raybundle.adjustment.blunders.collinear_points import any_in_line
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block import Stations
 from raybundle.errors import RankDefect
@@ -50,3 +51,18 @@ def test_an_observed_position_tells_where_an_image_stands():
     n = len(block.images)
     stations = Stations(image=np.arange(n, dtype=np.int32), xyz=block.images.centre, sigma=np.full((n, 3), 1e-3))
     assert adjust(block.having(stations), OPTIONS).converged
+
+
+@pytest.mark.parametrize(("beside", "asked"), [(0.09, True), (0.11, False)])
+def test_points_within_a_tenth_of_their_length_are_asked_whether_they_lie_on_a_line(beside, asked):
+    """Standard deviations across over those along; a point far off, as at infinity, is left out."""
+    block = block_of(0.0)
+    t = np.linspace(-1, 1, len(block.points))
+    across = np.where(np.arange(len(t)) % 2, 1, -1) * beside * t.std()
+    xyz = np.stack([t, across, np.zeros(len(t))], axis=1) @ np.linalg.qr(np.arange(9.0).reshape(3, 3) ** 2)[0]
+    used = np.ones(len(block.observations), bool)
+    assert any_in_line(replace(block, points=replace(block.points, xyz=xyz)), used) is asked
+    xyz[3] *= 1e4
+    assert any_in_line(replace(block, points=replace(block.points, xyz=xyz)), used) is asked
+    one = used & (block.observations.image == 2)
+    assert any_in_line(replace(block, points=replace(block.points, xyz=xyz)), one) is asked

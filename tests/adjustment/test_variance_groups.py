@@ -5,9 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.stats import chi2
 
 from raybundle import AdjustmentOptions, adjust
-from raybundle.adjustment.decision.variance_groups import chance_to_see
+from raybundle.adjustment.decision.variance_groups import _contradicts, chance_to_see
+from raybundle.adjustment.records.figures import VarianceComponent
+from raybundle.adjustment.statistics.components import LEAST
 from raybundle.block import Distances
 from raybundle.errors import InputError
 from raybundle.planning.simulate import Survey, simulate
@@ -184,3 +187,18 @@ def test_control_that_fits_better_than_sigma0_states_is_a_remark(control, stated
         assert found[0].values["wider"] == pytest.approx(result.sigma0 / 1.14, rel=0.05)
         grouped = adjust(block, AdjustmentOptions(jobs=1, noise="fields", variance_groups=True))
         assert "control_precise" not in {n.code for n in grouped.notices}
+
+
+@pytest.mark.parametrize("redundancy", [0.3, 0.7, 3.0, 40.0])
+def test_a_stated_standard_deviation_is_contradicted_at_one_percent_two_sided(redundancy):
+    """Of wrong values from a redundancy of one half on, of ones that fit too well where there is enough of it."""
+    law = chi2(redundancy)
+    component = VarianceComponent(
+        kind="control", group="all", count=9, redundancy=redundancy, ratio=1.0, significant=False
+    )
+    low, high = (np.sqrt(law.ppf(p) / redundancy) for p in (0.005, 0.995))
+    assert _contradicts(1.001 * high, component) is (redundancy >= 0.5)
+    assert not _contradicts(0.999 * high, component)
+    assert _contradicts(0.999 * low, component) is (redundancy >= LEAST)
+    assert not _contradicts(1.001 * low, component)
+    assert not _contradicts(9.0, None)

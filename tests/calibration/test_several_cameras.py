@@ -1,5 +1,7 @@
 """Photographs of several cameras that were taken for one are named; those of one camera are not."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -56,3 +58,13 @@ def test_what_a_single_image_asks_for_is_what_it_has():
     groups = groups_of(own)
     assert sorted(map(len, groups.images)) == sorted(np.bincount(of).tolist())
     assert groups.probability < 0.01
+
+
+def test_what_images_ask_for_does_not_depend_on_the_stated_precision():
+    block, _ = mixed(TWO, 1)
+    o = block.observations
+    (own,), (other,) = (
+        own_interiors(adjusted(replace(block, observations=replace(o, cov_px2=o.cov_px2 * f)))) for f in (1.0, 9.0)
+    )
+    np.testing.assert_allclose(other.difference_px, own.difference_px, rtol=1e-3, atol=1e-4)
+    np.testing.assert_allclose(other.covariance, own.covariance, rtol=1e-2, atol=1e-3 * np.abs(own.covariance).max())

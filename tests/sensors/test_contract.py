@@ -150,6 +150,35 @@ def test_start_and_in_front_take_one_value_or_one_for_each_point(model):
     assert by_point.shape == (2, 3, points.shape[1])
 
 
+alone = pytest.mark.parametrize("model", [m for m in sensor_models.values() if not isinstance(m, Carried)], ids=str)
+
+
+@alone
+def test_the_first_guess_is_the_image_that_nothing_distorts(model):
+    values = np.where([p.symbol == "w" for p in model.parameters], 1e-6, model.defaults)
+    points = scene(model)
+    np.testing.assert_allclose(model.start(points, values), model.project(points, values)[0], rtol=0, atol=1e-9)
+
+
+@alone
+def test_which_points_may_have_an_image_where_none_was_measured(model):
+    points = scene(model)
+    assert model.in_front(points).all()
+    behind_and_centre = np.column_stack([-points, np.zeros(3)])
+    all_round = model.name in {"fisheye", "kannala_brandt", "panorama", "spherical"}
+    assert model.in_front(behind_and_centre).tolist() == [all_round] * points.shape[1] + [False]
+
+
+def test_what_a_panorama_sees_begins_at_its_eccentricity():
+    """The projection centre stands before the axis by e: what is nearer to the axis lies behind it."""
+    model = sensor_models["panorama"]
+    turn = np.linspace(-3, 3, 7)
+    image = np.stack([turn * model.typical[0], np.zeros(7)])
+    ahead = model.typical[model.symbols.index("e")] * np.stack([np.sin(turn), np.zeros(7), -np.cos(turn)])
+    assert [model.in_front(f * ahead, image, model.typical).any() for f in (-2.0, -0.5, 0.5)] == [False] * 3
+    assert model.in_front(1.5 * ahead, image, model.typical).all()
+
+
 @models
 def test_the_residual_is_the_way_to_the_projection(model):
     """To first order -B^-1 g at a nearby point leads to the projection, with the weights' B (Gauss-Helmert)."""

@@ -15,12 +15,51 @@ from raybundle.numerics import native
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.sensors import sensor_models
+from raybundle.sensors.spline import _basis
 from tests.native.cases import block_of, close, correlated
 from tests.native.test_adjustments import both
 from tests.native.test_kernels import blocks_agree, setting
 
 SPLINE = sensor_models["spline"]
 compiled_only = pytest.mark.skipif(not native.available(), reason="the kernels are not compiled")
+
+
+def test_what_is_evaluated_is_the_stated_condition():
+    """The NumPy function of this model is written by hand."""
+    rng = np.random.default_rng(4)
+    image, points = rng.uniform(-12, 12, (2, 30)), np.stack([*rng.normal(0, 5, (2, 30)), rng.uniform(-20, 2, 30)])
+    values = (SPLINE.typical * rng.uniform(0.9, 1.1, (30, len(SPLINE.symbols)))).T
+    stated = np.stack(type(SPLINE).condition(*image, *points, *values))
+    np.testing.assert_allclose(SPLINE.condition_at(image, points, values), stated, rtol=0, atol=1e-12)
+
+
+def test_points_up_to_120_degrees_off_the_axis_are_seen():
+    off, turn = np.radians([0, 60, 119, 121, 180]), np.linspace(0, 6, 5)
+    ways = np.stack([np.sin(off) * np.cos(turn), np.sin(off) * np.sin(turn), -np.cos(off)])
+    for far in (0.1, 40.0):
+        assert SPLINE.in_front(far * ways).tolist() == [True, True, True, False, False]
+
+
+@pytest.mark.parametrize("count", [12, 9])
+def test_splines_add_up_to_one_and_their_slopes_are_differences_to_half_a_cell_beyond_the_field(count):
+    cell = 1 / (count - 3)
+    t = np.linspace(-0.5 - 1.5 * cell, 0.5 + 1.5 * cell, 400)
+    first, value, slope = _basis(t, count)
+    np.testing.assert_allclose(value.sum(axis=0), 1, atol=1e-12)
+    assert first.min() == 0
+    assert first.max() == count - 4
+    knots = np.random.default_rng(0).normal(size=count)
+
+    def curve(t):
+        first, value, _ = _basis(t, count)
+        return (value * knots[first + np.arange(4)[:, None]]).sum(axis=0)
+
+    found = (slope * knots[first + np.arange(4)[:, None]]).sum(axis=0)
+    inside = np.abs(np.abs(t) - 0.5 - cell / 2) > 1e-4
+    np.testing.assert_allclose(found[inside], ((curve(t + 1e-6) - curve(t - 1e-6)) / 2e-6)[inside], atol=1e-5)
+    beyond = np.abs(t) > 0.5 + 0.51 * cell
+    assert not found[beyond].any()
+    np.testing.assert_allclose(curve(t[beyond]), curve(np.sign(t[beyond]) * (0.5 + cell / 2)))
 
 
 def second_is_spline(block):

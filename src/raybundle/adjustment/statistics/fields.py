@@ -38,6 +38,8 @@ FOCUS = np.zeros(COLUMNS)
 FOCUS[[2 * TERMS.index((1, 0)), 2 * TERMS.index((0, 1)) + 1]] = 1 / np.sqrt(3)
 """Coefficients of a change of scale that displaces by a pixel at half the longer side of the format."""
 GRID = 21
+CLOSINGS = 60
+"""Grids at most: six close in from everywhere, the others follow a valley."""
 PRECISION = 1e-3
 """Of the logarithms of phi and tau^2, and of twice the log-likelihood."""
 SIGNIFICANT = 5.41
@@ -329,26 +331,30 @@ def _floor_and_fields(weight: Array, square: Array) -> tuple[float, float]:
         w = phi[..., None] + tau_square[..., None] * weight
         return np.sum(np.log(w) + np.minimum(square / w, MOST), axis=-1)
 
-    # the surface may have two valleys and the borders phi = 1, tau = 0 count: a grid that closes in on its least value
+    # the surface may have two valleys and the borders phi = 1, tau = 0 count: a grid that closes in on its least value,
+    # and follows a valley that leaves it before it does
     top = np.log(max(float(square.max()), 2.0))
     scale = float(np.median(weight))
-    low, high = np.array([0.0, np.log(1e-6)]), np.array([top, top + np.log(1e3)])
-    steps = np.linspace(0, 1, GRID)
-    while True:
+    least, most = np.array([0.0, np.log(1e-6)]), np.array([top, top + np.log(1e3)])
+    low, high, steps = least, most, np.linspace(0, 1, GRID)
+    fields = np.inf, 1.0, 0.0
+    for _ in range(CLOSINGS):
         a, b = (low[k] + (high[k] - low[k]) * steps for k in (0, 1))
         phi = np.exp(a)[:, None] * np.ones(GRID)
         tau_square = np.exp(b) * np.ones((GRID, 1)) / scale
         found = cost(phi, tau_square)
         i, j = np.unravel_index(int(found.argmin()), found.shape)
-        width = (high - low) / (GRID - 1) * 2
+        fields = float(found[i, j]), float(phi[i, j]), float(tau_square[i, j])
+        middle, at = np.array([a[i], b[j]]), np.array([i, j])
+        leaves = ((at == 0) & (middle > least)) | ((at == GRID - 1) & (middle < most))
+        width = (high - low) / 2 if leaves.any() else (high - low) / (GRID - 1) * 2
         if width.max() < PRECISION:
             break
-        middle = np.array([a[i], b[j]])
         low, high = np.maximum(middle - width, [0.0, -np.inf]), middle + width
     bare = _floor_alone(square)
-    if float(cost(np.array(bare), np.array(0.0))) <= float(found[i, j]) + PRECISION:
+    if float(cost(np.array(bare), np.array(0.0))) <= fields[0] + PRECISION:
         return bare, 0.0
-    return float(phi[i, j]), float(tau_square[i, j])
+    return fields[1:]
 
 
 def _floor_alone(square: Array) -> float:

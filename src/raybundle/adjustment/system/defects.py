@@ -220,9 +220,9 @@ def explain(normals: Normals, state: State, weak: Sequence[int], failed: int) ->
     lost: list[Undetermined] = []
     untouched = np.flatnonzero(~(normals.diagonal > 0))
     if len(untouched):
-        lost = [of_unknown(system, int(u)) for u in untouched]
-        each = [unknown_name(system, int(u)) for u in untouched[:SHOWN]]
-        reasons.append(message("rank.no_observation", n=len(untouched), details=each))
+        named = [named_unknown(system, int(u)) for u in untouched]
+        lost = [of for of, _ in named]
+        reasons.append(message("rank.no_observation", n=len(named), details=[words for _, words in named[:SHOWN]]))
     elif weak:
         names = [block.points.ids[p] for p in sorted(set(weak))]
         lost = [Undetermined(kind="point", name=n) for n in names]
@@ -230,48 +230,30 @@ def explain(normals: Normals, state: State, weak: Sequence[int], failed: int) ->
     else:
         lost, reasons = null_space(normals)
     if not reasons and failed >= 0:
-        lost = [of_unknown(system, failed)]
-        reasons.append(unknown_name(system, failed))
+        of, words = named_unknown(system, failed)
+        lost, reasons = [of], [words]
     return RankDefect("rank.not_determined", details=reasons, undetermined=lost)
 
 
-def of_unknown(system: System, unknown: int) -> Undetermined:
-    """The object that a scalar unknown of the nodes belongs to."""
+def named_unknown(system: System, unknown: int) -> tuple[Undetermined, Message]:
+    """The object that a scalar unknown of the nodes belongs to, and the unknown in words."""
     block = system.block
     node = int(np.searchsorted(system.offsets, unknown, side="right") - 1)
     local = unknown - int(system.offsets[node])
     images = np.flatnonzero(system.image_node == node)
     if len(images) and system.exterior_free[images[0]] and local < 6:
-        return Undetermined(kind="image", name=block.images.ids[images[0]])
+        image = block.images.ids[images[0]]
+        part = ("X", "Y", "Z", "rotation_x", "rotation_y", "rotation_z")[local]
+        return Undetermined(kind="image", name=image), message("unknown.image", image=image, part=part)
     for row in system.interior:
         if row.node == node and row.start <= local < row.start + len(row.free):
-            return _of_parameter(block, row, row.free[local - row.start])
+            found = _of_parameter(block, row, row.free[local - row.start])
+            return found, message("unknown.parameter", symbol=found.symbol, camera=row.key(block))
     points = np.flatnonzero(system.point_node == node)
     if len(points):
-        return Undetermined(kind="point", name=block.points.ids[points[0]])
-    return Undetermined(kind="other", name=f"unknown {unknown}")
-
-
-def unknown_name(system: System, unknown: int) -> Message:
-    """A scalar unknown of the nodes."""
-    block = system.block
-    node = int(np.searchsorted(system.offsets, unknown, side="right") - 1)
-    local = unknown - int(system.offsets[node])
-    images = np.flatnonzero(system.image_node == node)
-    if len(images):
-        image = int(images[0])
-        if system.exterior_free[image] and local < 6:
-            part = ("X", "Y", "Z", "rotation_x", "rotation_y", "rotation_z")[local]
-            return message("unknown.image", image=block.images.ids[image], part=part)
-    for row in system.interior:
-        if row.node == node and row.start <= local < row.start + len(row.free):
-            return message(
-                "unknown.parameter", symbol=row.model.symbols[row.free[local - row.start]], camera=row.key(block)
-            )
-    points = np.flatnonzero(system.point_node == node)
-    if len(points):
-        return message("unknown.point", point=block.points.ids[points[0]], axis="XYZ"[local])
-    return message("unknown.other", number=unknown)
+        point = block.points.ids[points[0]]
+        return Undetermined(kind="point", name=point), message("unknown.point", point=point, axis="XYZ"[local])
+    return Undetermined(kind="other", name=f"unknown {unknown}"), message("unknown.other", number=unknown)
 
 
 def null_vectors(normals: Normals, count: int = 6) -> tuple[Array, Array]:

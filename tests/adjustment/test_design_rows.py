@@ -1,0 +1,61 @@
+"""Rows of the design matrix that queries ask for, against differences of the residuals that are adjusted."""
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.evaluation.joint_cofactors import design_rows
+from raybundle.adjustment.evaluation.queries import design_row
+from tests.native.cases import block_of, correlated, held_images, per_image, single_image_camera
+from tests.native.test_kernels import setting
+from tests.sensors.test_spline import BLOCKS as SPLINES
+
+BLOCKS = {
+    "brown": lambda: block_of(control=6),
+    "correlated": lambda: correlated(block_of("fisheye", control=5, control_sigma=(1e-4, 0.0, 1e-4))),
+    "per image": lambda: per_image(block_of(control=8)),
+    "single image": lambda: single_image_camera(block_of(control=8, scale_bars=1)),
+    "held images": lambda: held_images(block_of()),
+    "splines": SPLINES["with another model"],
+}
+
+
+@pytest.mark.parametrize("name", BLOCKS)
+def test_rows_are_derivatives(name):
+    normals, state = setting(BLOCKS[name](), compiled=True, threads=1)
+    system = normals.system
+    normals.reduce(state)
+    rng = np.random.default_rng(3)
+    rows = np.sort(rng.choice(len(system.rows), 8, replace=False))
+    by_point, columns, by_node = design_rows(system, state, rows)
+    o = system.block.observations
+    N = int(system.offsets[-1])
+    A = np.zeros((len(rows), 2, N + 1))
+    k = np.arange(len(rows))[:, None]
+    for axis in range(2):
+        np.add.at(A[:, axis], (k, np.where(columns >= 0, columns, N)), by_node[:, axis])
+    A = A[..., :N]
+    still = np.zeros_like(state.xyz)
+    asked = np.unique(columns[columns >= 0])
+    for unknown in rng.permutation(asked)[:24]:
+        size = 1e-2 / np.sqrt(normals.diagonal[unknown])
+        step = np.zeros(N)
+        step[unknown] = size
+        up, down = (normals.residuals(system.updated(state, s, still))[0][rows] for s in (step, -step))
+        difference = (up - down) / (2 * size)
+        np.testing.assert_allclose(A[:, :, unknown], difference, atol=1e-4 * np.abs(difference).max())
+    nothing = np.setdiff1d(np.arange(N), asked)
+    assert not A[:, :, nothing].any()
+    for n, row in enumerate(rows.tolist()):
+        point = int(o.point[system.rows[row]])
+        for axis in np.flatnonzero(~system.held[point] & (system.point_node[point] < 0)):
+            step = still.copy()
+            step[point, axis] = 1e-5
+            up, down = (normals.residuals(system.updated(state, np.zeros(N), s))[0][row] for s in (step, -step))
+            np.testing.assert_allclose(by_point[n, :, axis], (up - down) / 2e-5, rtol=1e-4, atol=1e-2)
+        for axis in range(2):
+            at, values, of, by = design_row(system, state, row, axis)
+            alone = np.zeros(N)
+            alone[at] = values
+            np.testing.assert_allclose(alone, A[n, axis], rtol=1e-6, atol=1e-6 * np.abs(alone).max())
+            np.testing.assert_allclose(by, np.where(system.held[of], 0, by_point[n, axis]), rtol=1e-6, atol=1e-6)
+            assert of == point
