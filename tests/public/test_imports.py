@@ -1,5 +1,6 @@
 """Modules import downward only: no circle, imports for types and within functions included."""
 
+import ast
 import re
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -31,3 +32,13 @@ def test_no_module_imports_itself_by_way_of_others():
         TopologicalSorter(found).prepare()
     except CycleError as error:
         raise AssertionError(" -> ".join(error.args[1])) from None
+
+
+def test_modules_that_a_package_lists_are_there():
+    lost = []
+    for path in SOURCE.rglob("__init__.py"):
+        text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+        there = {p.stem for p in path.parent.iterdir()}
+        listed = re.findall(r"^(\w+) {2,}\S", text, re.MULTILINE)
+        lost += [f"{path.parent.name}: {name}" for name in listed if name not in there]
+    assert not lost

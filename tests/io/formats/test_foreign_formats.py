@@ -16,6 +16,7 @@ from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.pictures.undistort import undistorted_block
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
+from raybundle.sensors import sensor_models
 
 BOTH = sorted(n for n, f in formats.items() if f.read and f.write)
 WRITTEN = sorted(n for n, f in formats.items() if f.write)
@@ -170,11 +171,13 @@ def test_a_camera_without_distortion_is_exact(name, tmp_path):
         assert camera_difference_px(exact.cameras[0], other.cameras[0]) < 1e-8
 
 
+@pytest.mark.parametrize("model", sorted(n for n, m in sensor_models.items() if m.all_round))
 @pytest.mark.parametrize("name", WRITTEN)
-def test_fisheyes_are_written_or_refused_by_name(name, block, tmp_path):
+def test_fisheyes_are_written_or_refused_by_name(name, model, block, tmp_path):
     needs(name)
-    values = {"c": 12.0, "x0": 0.01, "y0": 0.02, "K1": 1e-4, "K2": 0.0, "K3": 0.0, "P1": 0.0, "P2": 0.0}
-    fish = replace(block, cameras=(replace(block.cameras[0], model="fisheye", values=values),))
+    values = {**dict.fromkeys(sensor_models[model].symbols, 0.0), "c": 12.0, "x0": 0.01, "y0": 0.02}
+    values |= {s: 1e-3 for s in ("k1",) if s in values} | {s: 1e-4 for s in ("K1",) if s in values}
+    fish = replace(block, cameras=(replace(block.cameras[0], model=model, values=values, estimate="auto"),))
     if name in {"opf", "bundler"}:
         with pytest.raises(InputError, match=r"camera\.not_in_format"):
             write_format(name, exported(fish), target(tmp_path, name))
@@ -182,7 +185,7 @@ def test_fisheyes_are_written_or_refused_by_name(name, block, tmp_path):
     write_format(name, exported(fish), target(tmp_path, name))
     if name in BOTH:
         other = read_format(name, target(tmp_path, name)).block
-        assert other.cameras[0].model == "fisheye"
+        assert other.cameras[0].sensor.all_round
         assert camera_difference_px(fish.cameras[0], other.cameras[0]) < 0.05
 
 

@@ -1,6 +1,7 @@
 """Decisions: which observations are blunders, which parameters of the interior orientation are worth estimating.
 
-Every decision is listed with its reason; nothing is decided that the options do not ask for.
+Every decision is listed with its reason; nothing is decided that the options do not ask for.  The order of the phases
+is here; what is rejected is decided in `blunder_rejection`, against the limit `critical_tau` of `result_figures`.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ def write(export: Export, path: Path) -> Draft:
     fitted: list[tuple[float, float, float]] = []
     deviations: list[tuple[str, str, float]] = []
     for camera in s.cameras:
-        if camera.model == "fisheye":
+        if camera.sensor.all_round:
             raise InputError("camera.not_in_format", camera=camera.id, kind="fisheye", format="bundle.out")
         fit = forward_fit(camera, ("fx", "k1", "k2"), centred=True)
         fitted.append((fit.camera.fx, fit.camera.k1, fit.camera.k2))

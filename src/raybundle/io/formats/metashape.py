@@ -74,7 +74,7 @@ def _sensors(s: Scene) -> tuple[list[str], list[tuple[str, str, float]]]:
     lines: list[str] = []
     deviations: list[tuple[str, str, float]] = []
     for k, camera in enumerate(s.cameras):
-        kind = "fisheye" if camera.model == "fisheye" else "frame"
+        kind = "fisheye" if camera.sensor.all_round else "frame"
         fit = forward_fit(
             camera, terms_for(camera, TERMS), projection="equidistant" if kind == "fisheye" else "central"
         )

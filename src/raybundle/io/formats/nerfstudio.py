@@ -68,7 +68,7 @@ ANGLE_SHARE = 0.01
 
 
 def _camera_out(camera: Camera) -> tuple[dict[str, Any], str, float]:
-    if camera.model == "fisheye":
+    if camera.sensor.all_round:
         fit = forward_fit(camera, terms_for(camera, FISHEYE), projection="equidistant")
         forward, name, deviation = fit.camera, "OPENCV_FISHEYE", fit.deviation_px
     else:

@@ -65,7 +65,7 @@ def write(export: Export, path: Path) -> Draft:
     deviations: list[tuple[str, str, float]] = []
     cameras: dict[str, dict[str, Any]] = {}
     for camera in s.cameras:
-        fisheye = camera.model == "fisheye"
+        fisheye = camera.sensor.all_round
         terms = terms_for(camera, FISHEYE if fisheye else BROWN)
         fit = forward_fit(camera, terms, projection="equidistant" if fisheye else "central")
         kind = "fisheye_opencv" if fisheye else "brown"

@@ -73,7 +73,7 @@ def uid(name: str) -> int:
 def write(export: Export, folder: Path) -> Draft:
     """Write project.opf with camera list, input and calibrated cameras, reference frame and tracks."""
     s = scene(export)
-    fisheyes = [c.id for c in s.cameras if c.model == "fisheye"]
+    fisheyes = [c.id for c in s.cameras if c.sensor.all_round]
     if fisheyes:
         raise InputError("camera.not_in_format", camera=fisheyes[0], kind="fisheye", format="OPF")
     deviations: list[tuple[str, str, float]] = []

@@ -291,7 +291,7 @@ def _names(files: Sequence[Path]) -> list[str]:
 
 
 def shown(path: Path) -> Path:
-    """The path as it can be shown and written (`raybundle.numerics.readable`)."""
+    """The path as it can be shown and written (`raybundle.readable`)."""
     return readable_path(path)
 
 

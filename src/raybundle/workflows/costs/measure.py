@@ -31,6 +31,7 @@ from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, aerial_scene, brown_camera, look_at
 from raybundle.workflows.costs.adjustment import KEPT, KINDS, operations
 from raybundle.workflows.costs.constants import REVISION, Constants, Sweep, processor, shipped, version
+from raybundle.workflows.costs.photographs import FEATURES
 from raybundle.workflows.costs.recording import CountingFolder, Recording, TaskRecord
 
 SWEEP_OF = {
@@ -50,8 +51,8 @@ CHILD = 0.8
 """Of a front the part that each of its children touches"""
 FRONT = (600, 1200)
 """Own and boundary unknowns of the front that is eliminated: as high in the tree of a flight of 10 000 images"""
-PHOTO_PX, PHOTO_FEATURES = (1200, 900), 10_000
-"""Of the made photographs: format, and features at most, as by default of `raybundle orient`"""
+PHOTO_PX = (1200, 900)
+"""Format of the made photographs"""
 FLAT = ("x0", "y0", "K1", "K2", "K3", "P1", "P2")
 SIGNATURES = (500, 2000, 2048)
 """Signatures that are compared with how many others, and their length"""
@@ -254,7 +255,7 @@ def _matched() -> _Matched:
     method = feature_method("rootsift")
     grey = _photographs()
     height, width = grey[0].shape
-    count = feature_number(width, height, PHOTO_FEATURES)
+    count = feature_number(width, height, FEATURES)
     found: list[Features] = []
     seconds: list[float] = []
     for picture in grey:

@@ -14,9 +14,10 @@ from raybundle.ties.windows import LARGEST, SHARE, SMALLEST
 from raybundle.workflows.costs.constants import Constants
 from raybundle.workflows.costs.cutting import reach_of
 from raybundle.workflows.costs.stages import MESSAGE, Asked, StageCost, Work, moving, wall_of
+from raybundle.workflows.orienting.options import OrientOptions
 
-FEATURES = 10_000
-"""Of a photograph at most, as by default of `raybundle orient`"""
+FEATURES = OrientOptions().feature_count
+"""Of a photograph at most, where nobody states it"""
 USED = 0.8
 """Of the features of a photograph those that become image points: 0.82 and 0.49 in made flights of 80 and 300"""
 FEATURE_BYTES = 128 + 32
