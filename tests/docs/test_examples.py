@@ -86,7 +86,7 @@ PAGES = [
 
 
 LONG = {
-    "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "accuracy-class", "calibrate",
+    "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "accuracy-class", "buckets", "calibrate",
     "calibration-report", "calibrations-elsewhere", "cluster", "detect-targets", "drawing-sheet", "epochs", "exchange",
     "facade", "first-photographs", "gis-and-cad", "gnss-ins", "gnss-ins-in-python", "heights", "install",
     "large-blocks", "line-scanner", "masks", "measure-a-part", "measure-by-hand", "measure-targets", "merge-blocks",
