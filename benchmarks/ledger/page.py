@@ -75,7 +75,8 @@ def page(sets: Sequence[LedgerSet], results: Mapping[str, Result]) -> str:
         "## Would a wrong standard deviation be noticed?\n",
         ALARM.format(needed=coordinates_needed()),
         alarm_table(results),
-        "## Rows that hold\n", _table(passed),
+        "## Groups that hold\n",
+        "Module, n, chi-square; all figures: `benchmarks/results/ledger/SET.json`.\n", _brief(passed),
         "## Peers on the same observations\n",
         "Standard deviations of peers by their documented calls.\n",
         peer_table(),
@@ -117,9 +118,8 @@ def _table(rows: Sequence[tuple[LedgerSet, Result, Group]], *, method: bool = Fa
         f"|---|---|---|{peer[1]}---:|---:|---:|---:|---:|---:|---:|---:|---:|",
     ]
     for one, _, g in rows:
-        label = f"{g['module']}{': ' + g['label'] if g['label'] else ''}{' (flagged)' if g['flagged'] else ''}"
         cells = [
-            one.name, one.truth["means"], label, *([g["method"]] if method else []), str(g["n"]),
+            one.name, one.truth["means"], _label(g), *([g["method"]] if method else []), str(g["n"]),
             _with_interval(g["chi_square"], g["chi_square_interval"]), _figure(g["robust_chi_square"]),
             *(f"{100 * g['coverage'][k]:.1f}" for k in ("68", "95", "99.7")), _percent(g["beyond_5"]),
             f"{g['sigma_median']:.2g} {g['unit']}" if g["unit"] else "", "" if g["spearman"] is None
@@ -127,6 +127,20 @@ def _table(rows: Sequence[tuple[LedgerSet, Result, Group]], *, method: bool = Fa
         ]  # fmt: skip
         lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines) + "\n"
+
+
+def _brief(rows: Sequence[tuple[LedgerSet, Result, Group]]) -> str:
+    """A row a set: each of its groups with n and chi-square."""
+    cells: dict[str, list[str]] = {}
+    for one, _, g in rows:
+        figures = f"{g['n']}, {_figure(g['chi_square'])}"
+        cells.setdefault(f"{one.name} | {one.truth['means']}", []).append(f"{_label(g)}: {figures}")
+    lines = ["| set | truth | groups |", "|---|---|---|"]
+    return "\n".join([*lines, *(f"| {name} | {'; '.join(found)} |" for name, found in cells.items())]) + "\n"
+
+
+def _label(g: Group) -> str:
+    return f"{g['module']}{': ' + g['label'] if g['label'] else ''}{' (flagged)' if g['flagged'] else ''}"
 
 
 def _reasons(rows: Sequence[tuple[LedgerSet, str]]) -> str:

@@ -10,6 +10,7 @@ import click
 import numpy as np
 import pytest
 from tests.cli.walk import commands
+from tests.docs.samples import with_tests
 
 import raybundle as rb
 from raybundle.cli.command import Command, Group, facts, shared_options
@@ -290,7 +291,7 @@ def test_groups_and_commands_are_of_one_kind():
 
 
 def test_the_page_shows_the_file_that_its_commands_use():
-    page = (Path(__file__).parents[2] / "docs" / "how-to" / "scripts.md").read_text()
+    page = with_tests(Path(__file__).parents[2] / "docs" / "how-to" / "scripts.md")
     shown = re.search(r"```toml\n(.*?)```", page, re.DOTALL)[1]
     used = re.search(r'write_text\(\n    """\n(.*?)"""', page, re.DOTALL)[1]
     assert shown == used

@@ -13,6 +13,15 @@ from tests.barriers import wait_for
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 PORTAL = REPOSITORY / "demo_data/portal"
+TEST = "<!-- test -->"
+"""Stands in a page for the next part (`# %%`) of tests/docs/pages/PAGE.py"""
+
+
+def with_tests(page):
+    """Text of a page with the parts of its file of tests."""
+    first, *others = page.read_text().split(TEST)
+    parts = (REPOSITORY / f"tests/docs/pages/{page.stem}.py").read_text().split("# %%")[1:] if others else []
+    return first + "".join(f"```python\n#{part}\n```{other}" for part, other in zip(parts, others, strict=True))
 
 
 def raybundle(folder, *words):

@@ -17,9 +17,9 @@ from raybundle.pipeline.stage import Means
 from tests.pipeline.graph import digest, done_by, tasks_of
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = (ROOT / "docs/how-to/cluster.md").read_text()
-SHELL = re.findall(r"^```bash\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
-YAML = re.findall(r"^```yaml\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
+FILES = ROOT / "docs/how-to/cluster-files"
+SHELL = [(FILES / name).read_text() for name in ("shards.sh", "orient.sh")]
+YAML = [(FILES / name).read_text() for name in ("compose.yaml", "kubernetes.yaml")]
 
 
 def understood(words):

@@ -3,8 +3,8 @@
 A command line may begin with environment variables; a line `# prints: TEXT` after it says what its output holds,
 `# exits: N` the exit status, where it is not 0.  `raybundle studio` is begun, shows its page and is ended.  A line
 `# not run: REASON` stands on the page below a command that only who has what it needs can run; such commands are few,
-and counted.  Blocks within an HTML comment are run, too: they hold the figures of pages whose readers want no Python.
-What a page takes for granted is made by `samples`.
+and counted.  Each line `<!-- test -->` stands for the next part (`# %%`) of tests/docs/pages/PAGE.py, which prepares
+or verifies what readers see.  What a page takes for granted is made by `samples`.
 """
 
 import itertools
@@ -21,7 +21,7 @@ import click
 import pytest
 
 from raybundle.cli.main import cli
-from tests.docs.samples import lay_out
+from tests.docs.samples import TEST, lay_out, with_tests
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 README = DOCS.parent / "README.md"
@@ -81,15 +81,17 @@ def shell(command):
 PAGES = [
     p
     for p in [*sorted(DOCS.rglob("*.md")), README]
-    if FENCE.search(p.read_text()) and "reference" not in p.relative_to(DOCS.parent).parts
+    if (FENCE.search(text := p.read_text()) or TEST in text) and "reference" not in p.relative_to(DOCS.parent).parts
 ]
 
 
 LONG = {
-    "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "accuracy-class", "calibrate",
+    "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "accuracy-class", "buckets",
+    "calibrate",
     "calibration-report", "calibrations-elsewhere", "cluster", "detect-targets", "drawing-sheet", "epochs", "exchange",
     "facade", "first-photographs", "gis-and-cad", "gnss-ins", "gnss-ins-in-python", "heights", "install",
-    "large-blocks", "line-scanner", "masks", "measure-a-part", "measure-by-hand", "measure-targets", "merge-blocks",
+    "large-blocks", "line-scanner", "masks", "measure-a-part", "measure-by-hand", "measure-from-nothing",
+    "measure-targets", "merge-blocks",
     "moved", "next-photograph", "orthorectify", "own-observation-kind", "own-unknowns", "photograph-lists",
     "plan-a-facade", "plan-a-flight", "plan-photographs", "predict-a-flight", "read-the-report", "recipes",
     "recording-sheet", "rectify", "results-in-python", "rtk-flight", "satellite-pair", "satellite-rpc",
@@ -143,7 +145,7 @@ def shared(tmp_path_factory):
 
 @pytest.mark.parametrize("page", RUN_PAGES)
 def test_page(page, tmp_path, shared):
-    text = page.read_text()
+    text = with_tests(page)
     for name in (n.strip() for found in SAMPLE.findall(text) for n in found.split(",")):
         lay_out(name, shared, tmp_path)
     script = [RUN]
@@ -277,6 +279,11 @@ def test_every_page_of_the_navigation_is_reached_from_the_index():
     linked = re.findall(r"\]\(([^)#\s]+\.md)", (DOCS / "index.md").read_text())
     told = [p for p in nav if p.split("/")[0] in {"tutorial", "how-to", "explanation"}]
     assert sorted(set(told) - set(linked)) == []
+
+
+def test_a_file_of_tests_has_its_page():
+    files = {p.stem for p in (DOCS.parent / "tests/docs/pages").glob("*.py")}
+    assert files == {p.stem for p in PAGES if TEST in p.read_text()}
 
 
 def test_the_index_shows_every_command_and_links_a_page_beside_it():

@@ -5,8 +5,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tests.docs.samples import with_tests
+
 HOW_TO = Path(__file__).resolve().parents[2] / "docs/how-to"
-TEXT = "".join((HOW_TO / f"{name}.md").read_text() for name in ("own-observation-kind", "your-own-platform"))
+TEXT = "".join(with_tests(HOW_TO / f"{name}.md") for name in ("own-observation-kind", "your-own-platform"))
 CODE = re.findall(r"^```python\n(.*?)^```", TEXT, re.MULTILINE | re.DOTALL)
 EVERYTHING = """
 import raybundle.adjustment.records.severity

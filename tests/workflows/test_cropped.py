@@ -9,7 +9,7 @@ from raybundle.workflows.orienting.cropped import cropped_notices
 
 
 def result(x0, std):
-    """An adjustment of two cameras, of which the second has this principal point [mm]."""
+    """An adjustment of an antenna and two cameras, of which the second has this principal point [mm]."""
     size = np.array([0.5, 0.4])
     cameras = [SimpleNamespace(id="whole", size_mm=size), SimpleNamespace(id="part", size_mm=size)]
     images = SimpleNamespace(ids=("a", "b", "c"), camera=np.array([0, 0, 1]), oriented=np.ones(3, bool))
@@ -17,6 +17,7 @@ def result(x0, std):
     interior = [
         SimpleNamespace(camera="whole", parameters={"x0": zero, "y0": zero}),
         SimpleNamespace(camera="part", parameters={"x0": off, "y0": zero}),
+        SimpleNamespace(camera="antenna", parameters={"sx": off}),
     ]
     return SimpleNamespace(adjusted=SimpleNamespace(cameras=cameras, images=images), interior=interior)
 

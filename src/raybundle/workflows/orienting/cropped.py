@@ -21,9 +21,11 @@ def cropped_notices(result: Adjustment) -> list[Notice]:
     """
     notices = list[Notice]()
     images = result.adjusted.images
+    cameras = {camera.id: (k, camera) for k, camera in enumerate(result.adjusted.cameras)}
     for interior in result.interior:
-        k = next(i for i, c in enumerate(result.adjusted.cameras) if c.id == interior.camera)
-        camera = result.adjusted.cameras[k]
+        if interior.camera not in cameras:  # an antenna or IMU
+            continue
+        k, camera = cameras[interior.camera]
         off = 0.0
         for symbol, side in zip(("x0", "y0"), camera.size_mm.tolist(), strict=True):
             p = interior.parameters.get(symbol)
