@@ -2,6 +2,7 @@
 
 import ast
 import re
+import tomllib
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -42,3 +43,12 @@ def test_modules_that_a_package_lists_are_there():
         listed = re.findall(r"^(\w+) {2,}\S", text, re.MULTILINE)
         lost += [f"{path.parent.name}: {name}" for name in listed if name not in there]
     assert not lost
+
+
+def test_the_architecture_page_has_the_layers():
+    contracts = tomllib.loads((SOURCE.parents[1] / "pyproject.toml").read_text("utf-8"))["tool"]["importlinter"]
+    layers = next(c["layers"] for c in contracts["contracts"] if c["containers"] == ["raybundle"])
+    page = (SOURCE.parents[1] / "docs/explanation/architecture.md").read_text("utf-8")
+    table = page.partition("| layer |")[2].partition("\n\n")[0]
+    shown = [name for row in table.splitlines()[2:] for name in re.findall(r"`(\w+)`", row.split("|")[1])]
+    assert sorted(shown) == sorted(re.findall(r"\w+", " ".join(layers[1:])))
