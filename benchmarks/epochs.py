@@ -46,7 +46,7 @@ def case(plan: Plan, seconds: float, share: float, *, piece: bool) -> dict[str, 
     `moved_area` is not called moved: stable points in an area with moved ones are counted for themselves.
     """
     n, place = len(plan.ids), {i: k for k, i in enumerate(plan.ids)}
-    found = expected = variance = apart = 0.0
+    found = expected = variance = apart = untested = 0.0
     alarms = runs = 0
     chi: list[float] = []
     began = time.process_time()
@@ -74,6 +74,7 @@ def case(plan: Plan, seconds: float, share: float, *, piece: bool) -> dict[str, 
         alarms += bool((c.moved & ~c.in_area & ~moved).any() or areas)
         apart += float((c.in_area & ~moved).sum())
         found += float(c.moved[moved].sum())
+        untested += float((c.untested & moved).sum()) if c.untested is not None else 0.0
         expected, variance = expected + float(power.sum()), variance + float((power * (1 - power)).sum())
         d = m.displacements
         for k, point in enumerate(d.point):
@@ -84,6 +85,7 @@ def case(plan: Plan, seconds: float, share: float, *, piece: bool) -> dict[str, 
     return {
         "runs": runs, "found": found, "expected": expected, "band_of_found": [expected - reach, expected + reach],
         "false_alarms": alarms, "band_of_false_alarms": [float(b) for b in band], "stable_points_in_areas": apart,
+        "moved_but_untested": untested,
         "chi_square": float(np.mean(chi)) if chi else None, "cpu_s": time.process_time() - began,
     }  # fmt: skip
 

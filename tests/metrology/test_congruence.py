@@ -8,6 +8,7 @@ from tests.metrology.measured_sets import TURN, drawn, free_covariance, places, 
 
 from raybundle.errors import InputError
 from raybundle.metrology.congruence import congruence, probability_to_find
+from raybundle.metrology.congruence_model import Factor
 
 
 class Epochs:
@@ -103,6 +104,57 @@ def test_points_that_are_known_to_stay_carry_the_datum():
     assert other.moved.tolist() == [False] * 8 + [True] * 4
     with pytest.raises(InputError, match=r"P77.*epochs\.datum_points_missing"):
         congruence(pair, datum=("P9", "P77"))
+
+
+class Doubts:
+    """Errors that explain displacements of some points, others with a small probability."""
+
+    def __init__(self, *explained, otherwise=1e-4):
+        self.explained, self.otherwise = explained, otherwise
+
+    def probability(self, point, *_):
+        return 0.5 if point in self.explained else self.otherwise
+
+    def detectable(self, point, *_):
+        return 1.0 if point in self.explained else 0.0
+
+
+def test_what_an_error_explains_is_neither_moved_nor_stable():
+    epochs, by = Epochs(30), {k: np.array([0, 0, 2e-3]) for k in (3, 7)}
+    done = congruence(epochs.draw(np.random.default_rng(2), by), errors=Doubts(3, otherwise=0.0))
+    assert np.flatnonzero(done.moved).tolist() == [7]
+    assert np.flatnonzero(done.untested).tolist() == [3]
+    assert not done.stayed[[3, 7]].any()
+    assert done.p_value[3] == 0.5
+    assert done.detectable[3] == 1.0
+    assert done.detectable[8] < 1e-3
+
+
+def test_an_error_does_not_explain_a_point_of_an_area_that_moved():
+    epochs = Epochs(30)
+    near = np.argsort(np.linalg.norm(epochs.xyz - epochs.xyz[4], axis=1))[:9]
+    slow = {k: np.array([0, 0, 6e-5]) for k in near}
+    pair = epochs.draw(np.random.default_rng(2), {**slow, near[0]: np.array([0, 0, 2e-3])})
+    done = congruence(pair, patches=True, errors=Doubts(*near))
+    assert done.areas
+    assert done.moved[near[0]]
+
+
+def test_errors_that_neighbours_share_enlarge_the_variance_of_patches():
+    epochs = Epochs(30)
+    near = np.argsort(np.linalg.norm(epochs.xyz - epochs.xyz[4], axis=1))[:9]
+    way = np.linalg.eigh(epochs.C[0][12:15, 12:15])[1][:, 0]
+    D = np.array([epochs.standard_shift(k, 1.0, np.random.default_rng(0)) for k in near])
+    pair = epochs.draw(np.random.default_rng(2), {k: 3.2 * np.linalg.norm(D, axis=1).mean() * way for k in near})
+    plain = congruence(pair, patches=True)
+    careful = congruence(pair, patches=True, factors={1: Factor(1.0, np.inf), 5: Factor(20.0, np.inf)})
+    assert plain.areas
+    assert not careful.areas
+    unsure = congruence(pair, patches=True, factors={1: Factor(1.0, 12.0)})
+    assert unsure.patch_sizes[0][1] > 1.3 * plain.patch_sizes[0][1]
+    (n, least, _), (m, larger, _) = plain.patch_sizes[0], careful.patch_sizes[0]
+    assert n == m == 5
+    assert larger == pytest.approx(20**0.5 * least)
 
 
 def test_three_epochs_are_tested_together():

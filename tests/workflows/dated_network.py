@@ -6,7 +6,7 @@ import numpy as np
 
 from raybundle.block.merge import merge_blocks
 from raybundle.measuring.joint import Joint
-from raybundle.metrology.congruence import _model
+from raybundle.metrology.congruence_model import model_of
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, brown_camera, field_scene
 from raybundle.workflows.epochs.dated_points import Dates
@@ -42,7 +42,7 @@ class Plan:
         self.ids, self.limit = s.congruence.ids, s.congruence.limit
         n = len(self.ids)
         C = C / s.result.variance_factor
-        self.model = _model(sets[0], sets[1:], np.ones(n, bool), scale=True, joint=C)
+        self.model = model_of(sets[0], sets[1:], np.ones(n, bool), scale=True, joint=C)
         self.xyz = sets[0].xyz
 
     def drawn(self, which, sizes, ways):

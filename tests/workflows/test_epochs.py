@@ -1,6 +1,7 @@
 """Photographs of several dates in one adjustment: places of each date, what moved, tables."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.epochs.cameras import cameras_by_dates
 from raybundle.workflows.epochs.dated_points import by_dates
 from raybundle.workflows.epochs.movements import MOVED, movements
-from raybundle.workflows.epochs.photograph_dates import Source, date_of, folders_of, given_date
+from raybundle.workflows.epochs.photograph_dates import Source, date_of, dates_of, folders_of, given_date
 from raybundle.workflows.epochs.stability import weighted_apart
 from raybundle.workflows.epochs.tables import (
     Limit,
@@ -121,7 +122,10 @@ def test_tables_are_read_as_written(done, tmp_path):
     same = changes_of(m, read)
     assert same.largest < 0.1
     assert not same.verdicts
-    assert epochs_json(m, limit, same)["limit"]["exceeded"]
+    contents = epochs_json(m, limit, same)
+    assert contents["limit"]["exceeded"]
+    assert contents["untested"] == []
+    assert min(contents["variance_of_areas_between_halves_of_dates"].values()) >= 1
     assert exceeded(m, limit)
     assert not exceeded(m, replace(limit, length=1.0))
 
@@ -148,3 +152,12 @@ def test_dates_of_folders(tmp_path):
     assert date_of("2026_13_01") == ""
     with pytest.raises(InputError, match=r"epochs\.no_date_text"):
         given_date("May")
+
+
+def test_linked_photographs_have_the_date_of_their_folder(tmp_path):
+    (tmp_path / "archive").mkdir()
+    (tmp_path / "may").mkdir()
+    (tmp_path / "archive/a.jpg").touch()
+    (tmp_path / "may/a.jpg").symlink_to(tmp_path / "archive/a.jpg")
+    photo = SimpleNamespace(path=tmp_path / "may/a.jpg", name="a.jpg", metadata=SimpleNamespace(taken=None))
+    assert dates_of([photo], [Source(path=tmp_path / "may", date="2026-05-01")]) == {"a.jpg": "2026-05-01"}

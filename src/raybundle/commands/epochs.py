@@ -17,6 +17,7 @@ from raybundle.settings import Range, keywords, made, other_than_usual, setting
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
+    from raybundle.metrology.congruence import Congruence
     from raybundle.workflows.epochs.movements import Movements
     from raybundle.workflows.epochs.photograph_dates import Source
     from raybundle.workflows.epochs.tables import Changes, Exceeded, Limit
@@ -136,7 +137,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
             settings={n: str(v) for n, v in other_than_usual(settings).items() if n not in {"photos", "out"}},
             wanted=accuracy_class(orienting.accuracy_class), record=record_of(orienting).over(record_in(out)),
             pdf=orienting.pdf, appendix=orienting.appendix, language=orienting.language, additions=stated.as_addition(),
-            findings=() if found is None else (found.stability.congruence,),
+            findings=() if found is None else (_stated(found, changes),),
             more=lambda folder: _write(found, folder, limit, changes),
         )  # fmt: skip
     return Epochs(
@@ -298,6 +299,28 @@ def _delivered(result: Path) -> Any:
     return read_displacements(file) if file.is_file() else None
 
 
+def _stated(found: Movements, changes: Changes | None) -> Congruence:
+    """The test with what the report states of untested points and of earlier displacements."""
+    from raybundle.adjustment.records.notice import Notice
+
+    stated = [m for m in (_untested(found), None if changes is None else _changed(changes)) if m is not None]
+    notices = tuple(Notice(code=m.code, values=m.values, measured=m.severity) for m in stated)
+    return replace(found.stability.congruence, reported=(*found.stability.congruence.reported, *notices))
+
+
+def _untested(found: Movements) -> Message | None:
+    from raybundle.workflows.epochs.movements import UNTESTED
+
+    d = found.displacements
+    names = sorted({p for p, v in zip(d.point, d.verdict, strict=True) if v == UNTESTED})
+    return note("displacement.untested", n=len(names), names=names) if names else None
+
+
+def _changed(c: Changes) -> Message:
+    return note("displacement.changes", n=c.count, median=c.median, largest=c.largest, point=c.point,
+                changed=len(c.more_than_one), verdicts=list(c.verdicts))  # fmt: skip
+
+
 def _changes(found: Movements, before: Any) -> Changes | None:
     from raybundle.workflows.epochs.tables import changes_of
 
@@ -365,10 +388,9 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
                 largest_mm=MM * float(finite.max()),
             )
         )
-    if done.changes is not None:
-        c = done.changes
-        first.append(note("displacement.changes", n=c.count, median=c.median, largest=c.largest, point=c.point,
-                          changed=len(c.more_than_one), verdicts=list(c.verdicts)))  # fmt: skip
+    untested = _untested(m)
+    first += [] if untested is None else [untested]
+    first += [] if done.changes is None else [_changed(done.changes)]
     grave: list[Message] = []
     if done.adjustment.free_scale:
         limited = warning("epochs.limit_not_tested", limit=settings.limit)

@@ -10,25 +10,23 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 
 from raybundle.adjustment.records.notice import Notice
 from raybundle.errors import InputError
-from raybundle.metrology.areas import SMALLEST, AreaTest, Hypothesis, groups_of, patches_of, sums_of
+from raybundle.metrology.areas import SMALLEST, AreaTest, groups_of, patches_of
+from raybundle.metrology.congruence_model import LEAST, Factor, Family, Model, axes_onto, model_of
 from raybundle.metrology.consensus import stable_starts
-from raybundle.metrology.point_set import PointSet, datum_directions
-from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.metrology.point_set import PointSet
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.rotation import cross_matrix
 from raybundle.numerics.statistics import fisher_tail
-from raybundle.numerics.transform import SimilarityTransform, robust_similarity, similarity
+from raybundle.numerics.transform import SimilarityTransform, robust_similarity
 
-LEAST = 4
-"""Common points that a datum and a test need: three carry the datum, one can be tested against them"""
 SIGNIFICANCE = 0.05
 """Probability that some point is called moved where none did"""
-POWER = 0.8
-"""Probability with which the smallest detectable displacement is found"""
 AGREE = 5.0
 """Standard deviations by which points may differ in the search for those that stayed, before their datum is known"""
 CONTRADICTED = 0.001
@@ -93,6 +91,8 @@ class Congruence:
     """(n,) `detectable` if all points stayed, as it is known before anything is tested [m]"""
     areas: tuple[AreaTest, ...] = ()
     """Points tested together by their mean displacement: groups of the user, then patches that moved"""
+    untested: Mask | None = None
+    """(n,) displaced points that a wrong measurement explains as well: neither moved nor stable"""
     in_area: Mask | None = None
     """(n,) points that moved with an area, not by their own test"""
     patch_sizes: tuple[tuple[int, float, float], ...] = ()
@@ -102,7 +102,7 @@ class Congruence:
     @property
     def stayed(self) -> Mask:
         """(n,) the points that carry the datum."""
-        return ~self.moved
+        return ~self.moved if self.untested is None else ~self.moved & ~self.untested
 
     @property
     def largest(self) -> float:
@@ -128,10 +128,23 @@ class Congruence:
         )  # fmt: skip
 
 
+class PointErrors(Protocol):
+    """Displacements of points by wrong measurements."""
+
+    def probability(self, point: int, d: Array, C: Array) -> float:
+        """Probability of a larger displacement d (3 k), with covariance C without wrong measurements."""
+        ...
+
+    def detectable(self, point: int, C: Array, alpha: float) -> float:
+        """Length of the smallest displacement that wrong measurements do not explain."""
+        ...
+
+
 def congruence(
     epochs: Sequence[PointSet], *, significance: float = SIGNIFICANCE, scale: bool | None = None,
     datum: Sequence[str] = (), joint: Array | None = None, groups: Mapping[str, Sequence[str]] | None = None,
-    patches: bool = False, others: int = 0,
+    patches: bool = False, others: int = 0, errors: PointErrors | None = None,
+    factors: Mapping[int, Factor] | None = None,
 ) -> Congruence:  # fmt: skip
     """Test which common points moved between two epochs or more.
 
@@ -143,6 +156,8 @@ def congruence(
     groups   points that are tested together by their mean displacement, by names of the groups
     patches  whether patches of neighbours are tested so, too
     others   further tests that share the significance
+    errors   probability of a displacement by wrong measurements of the point; None: the normal distribution alone
+    factors  of the variances of means of so many points that are patches or groups; None: 1, known
     raises   InputError for fewer than four common points, points in a line, or covariances that test nothing
     Variance factors of epochs that are estimated are taken as one.  Limits: a motion that all points
     share, and of points of which more than half moved alike, which half it was.
@@ -160,10 +175,9 @@ def congruence(
     named, patch = groups_of(ids, groups or {}), patches_of(first.xyz) if patches else ()
     # half of the significance is that of points and groups, half that of patches
     alpha = (significance / 2 if patch else significance) / (n + len(named) + others)
-    family = _Family.of(
-        (*named, *patch), n, [alpha] * len(named) + [significance / 2 / max(len(patch), 1)] * len(patch)
-    )
-    model = _model(first, sets[1:], alike, scale=free_scale, joint=joint)
+    own = significance / 2 / max(len(patch), 1)
+    family = Family.of((*named, *patch), n, [alpha] * len(named) + [own] * len(patch), factors)
+    model = model_of(first, sets[1:], alike, scale=free_scale, joint=joint)
     starts = (
         [alike]
         if datum or not patch
@@ -178,29 +192,57 @@ def congruence(
     # of those that leave no contradiction the one in which most stayed
     state = max(states, key=lambda s: _merit(model, s))
     for _ in range(ROUNDS):  # in the axes of those that stayed
-        model = _model(first, sets[1:], ~state.moved, scale=free_scale, joint=joint)
+        model = model_of(first, sets[1:], ~state.moved, scale=free_scale, joint=joint)
         again = _moved(model, state, alpha, known, family)
         if (again.moved == state.moved).all():
             break
         state = again
     moved = state.moved
     F, p = model.tests(moved)
+    untested = np.zeros(n, bool)
+    if errors is not None and state.own.any():
+        p = _with_errors(model, moved, state.own, p, errors)
+        untested = state.own & (p >= alpha) & ~replace(state, own=untested).moved
     d, C = model.displacements(moved)
-    none = np.zeros(n, bool)
-    shown = [(a, alpha) for a in named] + [
-        (family.areas[k], family.limits[k]) for k in state.active if not family.areas[k].given
-    ]
+    shown = [*range(len(named)), *(k for k in state.active if not family.areas[k].given)]
+    least, least_before = model.detectable(moved, alpha), model.detectable(np.zeros(n, bool), alpha)
+    if errors is not None:
+        each = model.covariances(moved)
+        least = np.maximum(least, [errors.detectable(i, C, alpha) for i, C in enumerate(each)])
     return Congruence(
-        epochs=tuple(e.name for e in epochs), ids=ids, xyz=first.xyz, moved=moved, displacement=d, covariance=C,
-        statistic=F, p_value=p, limit=alpha, detectable=model.detectable(moved, alpha),
-        detectable_before=model.detectable(none, alpha),
-        before=model.whole(none), after=model.whole(moved),
+        epochs=tuple(e.name for e in epochs), ids=ids, xyz=first.xyz, moved=moved & ~untested,
+        displacement=d, covariance=C,
+        statistic=F, p_value=p, limit=alpha, detectable=least,
+        detectable_before=least_before, untested=untested,
+        before=model.whole(np.zeros(n, bool)), after=model.whole(moved),
         freedom=model.freedom, significance=significance, scale=free_scale,
-        transforms=tuple(_axes(s, first, ~moved, scale=free_scale) for s in sets[1:]),
+        transforms=tuple(axes_onto(s, first, ~moved, scale=free_scale) for s in sets[1:]),
         alternatives=() if joint is not None else _alternatives(model, moved, known, ids, (alpha, significance)),
-        areas=tuple(model.area(a, moved, limit) for a, limit in shown), in_area=moved & ~state.own,
-        patch_sizes=model.patch_sizes(patch, moved, significance / 2 / max(len(patch), 1)),
+        areas=tuple(model.area(family, k, moved) for k in shown),
+        in_area=moved & ~state.own, patch_sizes=model.patch_sizes(family, moved, own),
     )  # fmt: skip
+
+
+def patch_variances(epochs: Sequence[PointSet], joint: Array, *, scale: bool) -> dict[int, Factor]:
+    """Of patches by their sizes, the mean F of their mean displacements, without points that are displaced alone.
+
+    epochs, joint  as of `congruence`, of points that did not move: 1 by the covariances, more by errors that
+                   neighbours share
+    """
+    sets, n = list(epochs), len(epochs[0].ids)
+    alike, none = _alike(sets[0], sets[1:], scale=scale), np.zeros(n, bool)
+    model = model_of(sets[0], sets[1:], alike, scale=scale, joint=joint)
+    empty, alpha = Family.of([], n, []), SIGNIFICANCE / n
+    moved = _moved(model, _State(own=none, active=(), family=empty), alpha, none, empty).moved
+    family = Family.of(patches_of(sets[0].xyz), n, [])
+    sizes = np.array([len(a.points) for a in family.areas])
+    some = np.flatnonzero(family.sums @ ~moved > 1)
+    F = model.of_areas(family, some, moved)[0] if len(some) else np.zeros(0)
+    stayed = int((~moved).sum())
+    found = {1: Factor(model.whole(moved)[0], 3.0 * model.later * stayed)}
+    for k in np.unique(sizes[some]).tolist():
+        found[k] = Factor(float(F[sizes[some] == k].mean()), 3.0 * model.later * stayed / k)
+    return found
 
 
 def common_ids(epochs: Sequence[PointSet]) -> tuple[str, ...]:
@@ -241,287 +283,13 @@ def _alike(first: PointSet, later: Sequence[PointSet], *, scale: bool) -> Mask:
     return alike if alike.sum() >= LEAST - 1 else np.ones(len(first.ids), bool)
 
 
-def _axes(e: PointSet, first: PointSet, by: Mask, *, scale: bool) -> SimilarityTransform:
-    """Of an epoch onto the first, by some points, weighted by their mean variances."""
-    variance = np.trace(first.own + e.own, axis1=1, axis2=2)
-    weights = 1 / np.maximum(variance, 1e-3 * np.median(variance))
-    fit = similarity(e.xyz[by], first.xyz[by], weights[by] / weights[by].max(), scale=None if scale else 1.0)
-    return SimilarityTransform(scale=fit.scale, rotation=fit.rotation, translation=fit.translation)
-
-
-def _model(
-    first: PointSet, later: Sequence[PointSet], stayed: Mask, *, scale: bool, joint: Array | None = None
-) -> _Model:
-    n, k = len(first.ids), len(later)
-    axes = [_axes(e, first, stayed, scale=scale) for e in later]
-    here = [e.moved(by) for e, by in zip(later, axes, strict=True)]
-    G = datum_directions(first.xyz, scale=scale).reshape(3 * n, -1)
-    if joint is None:
-        Q = np.kron(np.ones((k, k)), first.covariance)
-        for j, e in enumerate(here):
-            s = slice(3 * n * j, 3 * n * (j + 1))
-            Q[s, s] += e.covariance
-    else:
-        Q = _of_differences(joint, [t.scale * t.rotation for t in axes])
-    freedom = [e.freedom for e in (first, *later)]
-    if joint is not None:  # one variance factor, of one adjustment
-        freedom = freedom[:1]
-    return _Model.of(
-        np.concatenate([(e.xyz - first.xyz).ravel() for e in here]), Q, np.kron(np.eye(k), G), n,
-        float("inf") if np.isinf(freedom).any() else float(sum(freedom)),
-    )  # fmt: skip
-
-
-def _of_differences(joint: Array, turns: Sequence[Array]) -> Array:
-    """Covariance (3 n k, 3 n k) of the differences of later epochs against the first, each turned into its axes."""
-    e, u = joint.shape[:2]
-    A = np.stack([np.eye(3), *turns])
-    C = joint.reshape(e, u // 3, 3, e, u // 3, 3)
-    C = np.einsum("aij,apjbqk,blk->apibql", A, C, A, optimize=True).reshape(e, u, e, u)
-    Q = C[1:, :, 1:] - C[1:, :, :1] - C[:1, :, 1:] + C[:1, :, :1]
-    Q = Q.reshape((e - 1) * u, -1)
-    return (Q + Q.T) / 2
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Model:
-    """Differences d (3 n k) = datum B t + displacements, with covariance Q; the datum of Q itself is of no account."""
-
-    d: Array
-    Q: Array
-    B: Array
-    weights: Array
-    """of the differences of all points, once the datum is free: singular by the datum"""
-    misfit: Array
-    """weights d"""
-    points: int
-    freedom: float
-
-    @classmethod
-    def of(cls, d: Array, Q: Array, B: Array, points: int, freedom: float) -> _Model:
-        """Of differences; raises InputError where their covariance is singular beyond the datum."""
-        # what lies in the datum of Q is filled up: B t takes it away again
-        fill = np.trace(Q) / max(float(np.trace(B @ B.T)), 1e-300)
-        try:
-            half = np.linalg.inv(np.linalg.cholesky(Q + fill * B @ B.T))
-        except np.linalg.LinAlgError:
-            raise InputError("epochs.covariance_singular") from None
-        HB = np.linalg.qr(half @ B)[0]
-        W = half.T @ (half - HB @ (HB.T @ half))
-        W = (W + W.T) / 2
-        return cls(d=d, Q=Q, B=B, weights=W, misfit=W @ d, points=points, freedom=freedom)
-
-    @property
-    def later(self) -> int:
-        return len(self.d) // (3 * self.points)
-
-    def rows(self, points: Index) -> Index:
-        """(len(points), 3 later) rows of points."""
-        at = (3 * points[:, None] + np.arange(3)[None])[:, None, :]
-        return (at + 3 * self.points * np.arange(self.later)[None, :, None]).reshape(len(points), 3 * self.later)
-
-    def stayed(self, moved: Mask) -> _Stayed:
-        """The points that have not moved, those that moved free; raises InputError where they test nothing."""
-        rows = self.rows(np.flatnonzero(moved)).ravel()
-        try:
-            L = np.linalg.cholesky(self.weights[np.ix_(rows, rows)])
-        except np.linalg.LinAlgError:
-            raise InputError("epochs.covariance_singular") from None
-        inverse = np.linalg.inv(L)
-        return _Stayed(model=self, moved=moved, rows=rows, inverse=inverse, taken=inverse @ self.weights[rows])
-
-    def whole(self, moved: Mask) -> tuple[float, float]:
-        """Global test of the points that have not moved: F and its probability."""
-        freedom = len(self.d) - 3 * self.later * int(moved.sum()) - self.B.shape[1]
-        rest = self.stayed(moved).square_sum
-        F = rest / max(freedom, 1)
-        return F, fisher_tail(F, freedom, self.freedom)
-
-    def tests(self, moved: Mask) -> tuple[Array, Array]:
-        """(n,) F of each point against those that stayed, without it; and its probability."""
-        u, S = self.stayed(moved).compared()
-        return self.tested(u, S)
-
-    def tested(self, u: Array, S: Array) -> tuple[Array, Array]:
-        """F (h,) of hypotheses by their vectors (h, 3 k) and covariances or weights, and their probabilities."""
-        from scipy.special import chdtrc, fdtrc
-
-        dof = 3 * self.later
-        F = np.einsum("hi,hij,hj->h", u, np.linalg.pinv(S, rcond=1e-10, hermitian=True), u) / dof
-        return F, np.asarray(chdtrc(dof, F * dof) if np.isinf(self.freedom) else fdtrc(dof, self.freedom, F))
-
-    def together(self, family: _Family, moved: Mask) -> Array:
-        """(h,) probability of the mean displacement of the points of areas that have not moved; NaN: too few."""
-        found = np.full(len(family.areas), np.nan)
-        inside = family.sums @ (~moved)
-        some = np.flatnonzero((inside > 1) & ((~moved).sum() - inside >= max(LEAST, self.points // 3)))
-        if len(some):
-            found[some] = self.tested(*self.stayed(moved).shifts(family, some))[1]
-        return found
-
-    def patch_sizes(
-        self, patches: Sequence[Hypothesis], moved: Mask, alpha: float
-    ) -> tuple[tuple[int, float, float], ...]:  # fmt: skip
-        """Of patches by their sizes, the medians of their smallest detectable mean displacements, before and after."""
-        found: list[tuple[int, float, float]] = []
-        for size in sorted({len(p.points) for p in patches}):
-            family = _Family.of([p for p in patches if len(p.points) == size], self.points, [])
-            every = np.arange(len(family.areas))
-            least = [
-                [self._least(S, alpha) for S in self.stayed(m).shifts(family, every)[1]]
-                for m in (np.zeros(self.points, bool), moved)
-            ]  # fmt: skip
-            found.append((size, float(np.median(least[0])), float(np.median(least[1]))))
-        return tuple(found)
-
-    def area(self, area: Hypothesis, moved: Mask, alpha: float) -> AreaTest:
-        """The test of an area as a whole: its mean displacement against all else that stayed."""
-        none = np.zeros(self.points, bool)
-        back = moved.copy()
-        back[area.points] = False
-        one = _Family.of([area], self.points, [])
-        (u,), (S,) = self.stayed(back).shifts(one, np.arange(1))
-        F, p = self.tested(u[None], S[None])
-        C = np.linalg.pinv(S, rcond=1e-10, hermitian=True)
-        found = (C @ u).reshape(self.later, 3)
-        at = np.arange(self.later)
-        return AreaTest(
-            name=area.name, given=area.given, points=area.points, displacement=found,
-            covariance=C.reshape(self.later, 3, self.later, 3)[at, :, at, :], F=float(F[0]), p_value=float(p[0]),
-            moved=bool(p[0] < alpha),
-            detectable=self._least(S, alpha),
-            detectable_before=self._least(self.stayed(none).shifts(one, np.arange(1))[1][0], alpha),
-        )  # fmt: skip
-
-    def displacements(self, moved: Mask) -> tuple[Array, Array]:
-        """(k, n, 3) displacements in the datum of the points that stayed, and their covariances (k, n, 3, 3)."""
-        rows = self.rows(np.flatnonzero(~moved)).ravel()
-        B, Q = self.B, self.Q
-        Bs = B[rows]
-        # the datum by the points that stayed, all alike: displacements of the others refer to these
-        A = np.linalg.pinv(Bs)
-        S = np.eye(len(Q))
-        S[:, rows] -= B @ A
-        C = S @ Q @ S.T
-        d = (S @ self.d).reshape(self.later, self.points, 3)
-        C = C.reshape(self.later, self.points, 3, self.later, self.points, 3)
-        j, i = np.meshgrid(np.arange(self.later), np.arange(self.points), indexing="ij")
-        return d, C[j, i, :, j, i, :]
-
-    def detectable(self, moved: Mask, alpha: float) -> Array:
-        """(n,) smallest displacement of the last epoch that is found [m], in the direction known worst."""
-        _, S = self.stayed(moved).compared()
-        S[moved] = np.linalg.inv(S[moved])
-        return np.array([self._least(each, alpha) for each in S])
-
-    def _least(self, information: Array, alpha: float) -> float:
-        """Length of the smallest displacement of the last epoch that is found [m], by the weights (3 k, 3 k) of one."""
-        from scipy.special import chdtri, chndtrinc
-
-        dof = 3 * self.later
-        shift2 = float(chndtrinc(float(chdtri(dof, alpha)), dof, 1 - POWER))
-        least = float(np.linalg.eigvalsh(information[-3:, -3:])[0])
-        return float(np.sqrt(shift2 / least)) if least > 0 else float("inf")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Stayed:
-    """Points that stayed, with displacements of the others as unknowns of their own."""
-
-    model: _Model
-    moved: Mask
-    rows: Index
-    """of the points that moved"""
-    inverse: Array
-    """of the lower triangle of their weights"""
-    taken: Array
-    """(rows, 3 n k) what they take from the weights of all: W - taken' taken is what the others weigh without them"""
-
-    @property
-    def square_sum(self) -> float:
-        """Weighted sum of squares of the differences of those that stayed."""
-        m = self.model
-        return max(float(m.d @ m.misfit) - float(((self.inverse @ m.misfit[self.rows]) ** 2).sum()), 0.0)
-
-    @property
-    def misfit(self) -> Array:
-        """(3 n k) weighted differences without those that moved; 0 of these."""
-        return self.model.misfit - self.taken.T @ (self.inverse @ self.model.misfit[self.rows])
-
-    def weights(self, rows: Index, others: Index) -> Array:
-        """What differences weigh without those that moved."""
-        return self.model.weights[np.ix_(rows, others)] - self.taken[:, rows].T @ self.taken[:, others]
-
-    def compared(self) -> tuple[Array, Array]:
-        """Of each point a vector (n, 3 k) and its covariance.
-
-        Of points that moved how far they lie from where those that stayed have them; of those that stayed what they
-        weigh in the misfit.
-        """
-        m = self.model
-        each = m.rows(np.arange(m.points))
-        v = self.misfit
-        u = v[each]
-        S = m.weights[each[:, :, None], each[:, None, :]] - np.einsum(
-            "mhi,mhj->hij", self.taken[:, each], self.taken[:, each], optimize=True
-        )
-        # the displacements of points that moved, by least squares
-        C = self.inverse.T @ self.inverse
-        u[self.moved] = (C @ m.misfit[self.rows]).reshape(-1, each.shape[1])
-        own = np.arange(len(self.rows)).reshape(-1, each.shape[1])
-        S[self.moved] = C[own[:, :, None], own[:, None, :]]
-        return u, S
-
-    def shifts(self, family: _Family, areas: Index) -> tuple[Array, Array]:
-        """What common displacements (h, 3 k) of the points of areas weigh in the misfit, and their weights.
-
-        Of points that stayed: those that moved have displacements of their own, and weigh nothing.
-        """
-        m = self.model
-        each = m.rows(np.arange(m.points))
-        Z = family.sums[areas]
-        u = Z @ self.misfit[each]
-        S = family.weights(m)[areas]
-        if len(self.rows):
-            A = np.tensordot(Z, self.taken[:, each], (1, 1))
-            S = S - np.einsum("hri,hrj->hij", A, A, optimize=True)
-        return u, S
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Family:
-    """Areas that are tested, each with its limit."""
-
-    areas: tuple[Hypothesis, ...]
-    sums: Array
-    """(h, n)"""
-    limits: Array
-    of_model: list[tuple[_Model, Array]]
-    """the last model and the weights in it"""
-
-    @classmethod
-    def of(cls, areas: Sequence[Hypothesis], points: int, limits: Sequence[float]) -> _Family:
-        return cls(areas=tuple(areas), sums=sums_of(areas, points), limits=np.array(limits), of_model=[])
-
-    def weights(self, model: _Model) -> Array:
-        """(h, 3 k, 3 k) of common displacements, if no point moved."""
-        if not self.of_model or self.of_model[0][0] is not model:
-            each = model.rows(np.arange(model.points))
-            found: list[Array] = []
-            for a in self.areas:
-                some = model.weights[each[a.points]].sum(axis=0)
-                found.append(some[:, each[a.points]].sum(axis=1))
-            self.of_model[:] = [(model, np.array(found).reshape(-1, each.shape[1], each.shape[1]))]
-        return self.of_model[0][1]
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _State:
     """What has moved: points by their own tests, and areas."""
 
     own: Mask
     active: tuple[int, ...]
-    family: _Family
+    family: Family
 
     @property
     def moved(self) -> Mask:
@@ -532,7 +300,7 @@ class _State:
         return found
 
     @classmethod
-    def of(cls, moved: Mask, family: _Family, model: _Model, alpha: float) -> _State:
+    def of(cls, moved: Mask, family: Family, model: Model, alpha: float) -> _State:
         """A start: the points that moved by their own tests, and areas of points of which most did."""
         if not len(family.areas) or not moved.any():
             return cls(own=moved, active=(), family=family)
@@ -548,19 +316,28 @@ class _State:
                 continue
             back = moved.copy()
             back[points] = False
-            if model.tested(*model.stayed(back).shifts(family, np.array([k])))[1][0] < family.limits[k]:
+            if model.of_areas(family, np.array([k]), back)[1][0] < family.limits[k]:
                 active.append(k)
                 left[points] = False
         return cls(own=moved & (p < alpha), active=tuple(active), family=family)
 
 
-def _merit(model: _Model, state: _State) -> tuple[float, int]:
+def _with_errors(model: Model, moved: Mask, own: Mask, p: Array, errors: PointErrors) -> Array:
+    """Probabilities of points, of those that moved by their own tests with regard to wrong measurements."""
+    d, C = model.stayed(moved).compared()
+    found = p.copy()
+    for i in np.flatnonzero(own).tolist():
+        found[i] = max(p[i], errors.probability(i, d[i], C[i]))
+    return found
+
+
+def _merit(model: Model, state: _State) -> tuple[float, int]:
     """How good an explanation is: whether those that stayed contradict each other, then how many they are."""
     return min(model.whole(state.moved)[1], CONTRADICTED), int((~state.moved).sum())
 
 
 def _alternatives(
-    model: _Model, moved: Mask, fixed: Mask, ids: Sequence[str], levels: tuple[float, float]
+    model: Model, moved: Mask, fixed: Mask, ids: Sequence[str], levels: tuple[float, float]
 ) -> tuple[Alternative, ...]:  # fmt: skip
     """Points that explain as well what a moved one does: without them it, and all that stayed together, agree.
 
@@ -591,7 +368,7 @@ def _alternatives(
     return tuple(found)
 
 
-def _moved(model: _Model, state: _State, alpha: float, fixed: Mask, family: _Family) -> _State:
+def _moved(model: Model, state: _State, alpha: float, fixed: Mask, family: Family) -> _State:
     """What moved: from a start, the worst is added while it is significant, the best let go while it is not.
 
     Points first; where none is significant, the worst of the areas.
@@ -628,11 +405,11 @@ def _moved(model: _Model, state: _State, alpha: float, fixed: Mask, family: _Fam
     return state
 
 
-def _without(model: _Model, state: _State, area: int) -> float:
+def _without(model: Model, state: _State, area: int) -> float:
     """Probability of an active area over its limit, if what belongs to it alone had stayed."""
     rest = replace(state, active=tuple(k for k in state.active if k != area)).moved
     points = state.family.areas[area].points
     if (~rest[points]).sum() < 2:
         return float("inf")
-    p = model.tested(*model.stayed(rest).shifts(state.family, np.array([area])))[1][0]
+    p = model.of_areas(state.family, np.array([area]), rest)[1][0]
     return float(p / state.family.limits[area])

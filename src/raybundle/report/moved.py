@@ -12,7 +12,8 @@ from raybundle.adjustment.records.severity import Severity
 from raybundle.errors import Text, note, phrase
 from raybundle.io.folders import new_files
 from raybundle.metrology.best_fit import BestFit
-from raybundle.metrology.congruence import POWER, Congruence
+from raybundle.metrology.congruence import Congruence
+from raybundle.metrology.congruence_model import POWER
 from raybundle.numerics.natural import natural_order
 from raybundle.report.arrangement import PartName
 from raybundle.report.document import PDF, Document, html
@@ -122,12 +123,18 @@ def displacement_section(done: Congruence, stated: Sequence[Part] = (), rest: st
     epoch = largest.argmax(axis=0)
     d = done.displacement[epoch, np.arange(len(done.ids))]
     moved = np.asarray(done.moved, bool)
+    untested = ~moved & ~done.stayed
     views = displacement_views(done.ids, done.xyz, d, moved, (MM, "mm"), "displacements")
     least = MM * np.quantile(done.detectable[np.isfinite(done.detectable)], [0.5, 1.0])
     facts = (
         Fact(
             label=phrase("report_moved.points_moved"), value=grouped(int(moved.sum())),
             remark=phrase("report_moved.of_points", n=len(done.ids)),
+        ),
+        *(
+            (Fact(label=phrase("report_moved.untested"), value=grouped(int(untested.sum())),
+                  remark=phrase("report_moved.untested_why")),)
+            if untested.any() else ()
         ),
         Fact(
             label=phrase("report_moved.largest"), value=f"{significant(MM * float(largest.max()), 3)} mm",
@@ -145,11 +152,16 @@ def displacement_section(done: Congruence, stated: Sequence[Part] = (), rest: st
     return Section(anchor="moved", title=phrase("report_moved.displacements"), parts=tuple(parts))
 
 
+def reported(done: Congruence) -> list[tuple[Text, str]]:
+    """What the test states, with its severity."""
+    return [(phrase("front.severity", level=n.severity.value), n.text) for n in done.reported]
+
+
 def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
     axes = about.axes or phrase("report_moved.axes_of", name=done.epochs[0])
     faults = [(name, m) for name, messages in about.faults.items() for m in list(messages)[:MOST_FAULTS]]
     stated = [
-        *((phrase("front.severity", level=n.severity.value), n.text) for n in done.reported),
+        *reported(done),
         *(
             (phrase("front.severity", level="fault"), Localised(f"{name}: {language.text(m)}")) for name, m in faults
         ),
@@ -163,6 +175,7 @@ def _points(done: Congruence, k: int, rest: str) -> Table:
     std = MM * np.sqrt(np.maximum(np.diagonal(done.covariance[k], axis1=1, axis2=2), 0))
     order = np.array(natural_order(done.ids))
     d, fine = MM * done.displacement[k], column_decimals(std)
+    words, untested = ("", phrase("label.yes"), phrase("report_moved.untested")), ~done.moved & ~done.stayed
     return table(
         (
             whole(phrase("label.point")), text(phrase("report_moved.column_moved")),
@@ -171,7 +184,7 @@ def _points(done: Congruence, k: int, rest: str) -> Table:
             number(phrase("label.length"), "mm"), number("p"), number(phrase("report_moved.detectable"), "mm"),
         ),
         (
-            pick(order, done.ids), [phrase("label.yes") if done.moved[i] else "" for i in order],
+            pick(order, done.ids), [words[int(done.moved[i]) + 2 * int(untested[i])] for i in order],
             *(cells(d[order, a].tolist(), fine) for a in range(3)),
             *(cells(std[order, a].tolist(), fine) for a in range(3)),
             cells(np.linalg.norm(d[order], axis=1).tolist(), fine),

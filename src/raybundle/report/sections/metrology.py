@@ -23,6 +23,7 @@ from raybundle.report.parts import (
     Paragraph,
     Part,
     Section,
+    Statements,
     Table,
     number,
     pick,
@@ -54,10 +55,13 @@ def _finding(o: Occasion, kind: type[F]) -> F | None:
 @chapter("displacements", after="result")
 def displacements(o: Occasion) -> tuple[Section, ...]:
     """What moved between the dates of one adjustment."""
-    from raybundle.report.moved import displacement_section
+    from raybundle.report.moved import displacement_section, reported
 
     done = _finding(o, Congruence)
-    return () if done is None else (displacement_section(done, rest="displacements.csv"),)
+    if done is None:
+        return ()
+    stated = [Statements(statements=tuple(reported(done)))] if done.reported else []
+    return (displacement_section(done, stated, rest="displacements.csv"),)
 
 
 @chapter("deviations", after="result")

@@ -44,3 +44,10 @@ displacement-changes = { $n } frühere Verschiebungen: geändert um { NUM($media
         [one] Punkt änderte
         *[other] Punkte änderten
     } sich um mehr als eine Standardabweichung. Anderes Urteil: { LIST($verdicts, most: 5) }.
+
+displacement-untested = { $n } { $n ->
+        [one] verschobener Punkt ist
+        *[other] verschobene Punkte sind
+    } nicht prüfbar: { LIST($names, most: 5) }.
+    .why = Ein falscher Bildpunkt erklärt die Verschiebung ebenso.
+    .do = Mehr Fotos von jedem Tag aufnehmen.

@@ -82,3 +82,12 @@ displacement-changes = { $n } earlier displacements: changed by { NUM($median, d
         [one] point changed
         *[other] points changed
     } by more than one standard deviation. Other verdicts: { LIST($verdicts, most: 5) }.
+
+# $n = 12
+# $names = ["t7", "t31"]
+displacement-untested = { $n } displaced { $n ->
+        [one] point is
+        *[other] points are
+    } untested: { LIST($names, most: 5) }.
+    .why = A wrong image point explains the displacement as well.
+    .do = Take more photographs of each date.

@@ -30,3 +30,10 @@ displacement-largest = Plus grand déplacement : { $point }, { NUM($length_mm, d
 displacement-area = { $name } ({ $n } points) : déplacement moyen { NUM($length_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm jusqu’au { $end }.
 
 displacement-changes = { $n } déplacements antérieurs : changés de { NUM($median, digits: 2) } écarts-types (médiane), { NUM($largest, digits: 2) } (maximum, { $point }).
+
+displacement-untested = { $n } { $n ->
+        [one] point déplacé n'est pas contrôlable
+        *[other] points déplacés ne sont pas contrôlables
+    } : { LIST($names, most: 5) }.
+    .why = Un point image faux explique aussi bien le déplacement.
+    .do = Prendre plus de photos à chaque date.

@@ -12,17 +12,19 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.measuring.joint import Joint
-from raybundle.metrology.congruence import POWER, SIGNIFICANCE
+from raybundle.metrology.congruence import SIGNIFICANCE
+from raybundle.metrology.congruence_model import POWER
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import detectable_noncentrality, fisher_tail
 from raybundle.workflows.epochs.cameras import cameras_by_dates
 from raybundle.workflows.epochs.dated_points import Dated, Dates, placed_by_dates
+from raybundle.workflows.epochs.matching_errors import MatchingErrors
 from raybundle.workflows.epochs.stability import Stability, spread_evenly, stability
 
-MOVED, STABLE, IN_AREA, UNCLEAR = "moved", "stable", "moved_area", "not_significant"
+MOVED, STABLE, IN_AREA, UNCLEAR, UNTESTED = "moved", "stable", "moved_area", "not_significant", "untested"
 """Verdicts: by its own test; one place; apart because the area around it moved; of a point that moved, a date at which
-no displacement is significant"""
+no displacement is significant; displaced, but a wrong image point explains it as well"""
 NEIGHBOURS = 3
 """Tested points of which most moved where a point between them is taken to have moved"""
 SINGLE = 1000
@@ -127,12 +129,20 @@ def movements(
     others = spread_evenly(dated, every, np.ones(len(every)), SINGLE)
     found = _pairs(result, dated, others)
     others = np.array(list(dict.fromkeys(found.base.tolist())), np.int64)
-    moved = _by_point(found, alpha)
+    errors = None if s.errors is None else MatchingErrors.of(result, s.errors.shares, s.errors.variance)
+    moved, doubtful = _by_point(found, dated, errors, alpha)
     near = _near_moved(dated, others, s.congruence.xyz, s.congruence.in_area)
+    alike = _near_moved(dated, others, s.congruence.xyz, s.congruence.moved)
+    doubtful = [d and not a for d, a in zip(doubtful, alike, strict=True)]
+    moved = [m and not d for m, d in zip(moved, doubtful, strict=True)]
     between = every[~np.isin(every, others)]
     gone = np.concatenate([s.congruence.moved, np.array(moved, bool) | np.array(near, bool)])
     follows = _near_moved(dated, between, np.vstack([s.congruence.xyz, _places(dated, others)]), gone)
-    more = [dated.bases[b] for b, m, a in zip(others.tolist(), moved, near, strict=True) if not m and not a]
+    more = [
+        dated.bases[b]
+        for b, m, d, a in zip(others.tolist(), moved, doubtful, near, strict=True)
+        if not m and not d and not a
+    ]
     more += [dated.bases[b] for b, a in zip(between.tolist(), follows, strict=True) if not a]
     final, last = _adjusted(block, dates, stable | set(more), apart, options, progress) if more else (dated, result)
     if last.datum_defect:  # a free network: its datum is that of the points that stayed
@@ -141,7 +151,7 @@ def movements(
         names = tuple(final.bases[k] for k in np.flatnonzero(there) if used[int(final.at[k].max())])
         own = replace(options, datum_points=names, reject="none")
         last = decide(replace(last.given, rejected=_rejected(last)), own, progress)
-    rows = _all_rows(last, final, s, found, moved, near, alpha)
+    rows = _all_rows(last, final, s, found, (moved, doubtful, near), alpha)
     return Movements(
         dates=dates, stability=s, dated=final, adjustment=last, displacements=rows, limit=alpha,
         single_rays=len(block.observations) - len(final.block.observations),
@@ -206,11 +216,23 @@ def _tests(vector: Array, covariance: Array, freedom: float) -> tuple[Array, Arr
     return F, np.array([fisher_tail(float(f), 3, freedom) for f in F])
 
 
-def _by_point(found: _Found, alpha: float) -> list[bool]:
-    """Of each point in the order of its first row, whether one of its displacements is significant."""
+def _by_point(
+    found: _Found, dated: Dated, errors: MatchingErrors | None, alpha: float
+) -> tuple[list[bool], list[bool]]:  # fmt: skip
+    """Of each point by its first row, whether a displacement is significant, and wrong image points explain all."""
     _, p = _tests(found.vector, found.covariance, found.freedom)
-    bases = list(dict.fromkeys(found.base.tolist()))
-    return [bool((p[found.base == b] * (found.base == b).sum() < alpha).any()) for b in bases]
+    bases, count = np.unique(found.base, return_counts=True)
+    level = alpha / count[np.searchsorted(bases, found.base)]
+    alone = p < level
+    sure = alone.copy()
+    for k in np.flatnonzero(alone).tolist():
+        if errors is None:
+            break
+        points = [int(dated.at[found.base[k], e]) for e in (found.start[k], found.end[k])]
+        sure[k] = errors.probability(points, found.vector[k], found.covariance[k]) < level[k]
+    order = list(dict.fromkeys(found.base.tolist()))
+    significant = [bool(alone[found.base == b].any()) for b in order]
+    return significant, [s and not sure[found.base == b].any() for s, b in zip(significant, order, strict=True)]
 
 
 def _places(dated: Dated, bases: Index) -> Array:
@@ -233,8 +255,8 @@ def _near_moved(dated: Dated, bases: Index, xyz: Array, moved: Mask | None) -> l
 
 
 def _all_rows(
-    result: Adjustment, dated: Dated, s: Stability, found: _Found, moved: Sequence[bool],
-    near: Sequence[bool], alpha: float,
+    result: Adjustment, dated: Dated, s: Stability, found: _Found, decided: tuple[Sequence[bool], ...],
+    alpha: float,
 ) -> Displacements:  # fmt: skip
     """All displacements: of points apart by the final adjustment, of stable ones as the test found them."""
     c = s.congruence
@@ -243,11 +265,12 @@ def _all_rows(
     parts: list[_Found] = []
     sample = np.array([place[i] for i in c.ids], np.int64)
     for k, b in enumerate(sample.tolist()):
-        verdict[b] = STABLE if not c.moved[k] else IN_AREA if c.in_area is not None and c.in_area[k] else MOVED
+        verdict[b] = STABLE if c.stayed[k] else IN_AREA if c.in_area is not None and c.in_area[k] else MOVED
+        if c.untested is not None and c.untested[k]:
+            verdict[b] = UNTESTED
     bases = list(dict.fromkeys(found.base.tolist()))
-    names = dict(zip(bases, zip(moved, near, strict=True), strict=True))
-    for b, (m, a) in names.items():
-        verdict[b] = MOVED if m else IN_AREA if a else STABLE
+    for b, m, d, a in zip(bases, *decided, strict=True):
+        verdict[b] = MOVED if m else IN_AREA if a else UNTESTED if d else STABLE
     apart = np.array([b for b, v in verdict.items() if v != STABLE], np.int64)
     final = _pairs(result, dated, apart)
     parts.append(final)
@@ -279,6 +302,8 @@ def _all_rows(
     words = [UNCLEAR if w == MOVED and q * r >= 0.05 else w for w, q, r in zip(words, p.tolist(), rows, strict=True)]
     shift = np.sqrt(detectable_noncentrality(alpha, 3, POWER))
     least = shift * np.sqrt(np.maximum(np.linalg.eigvalsh(C)[:, -1], 0))
+    if s.errors is not None:
+        least = np.maximum(least, _explained(s.errors, s, dated, (base, start, end), C, alpha))
     tested = {b: j for j, b in enumerate(sample.tolist())}
     assert c.detectable_before is not None
     before = np.array([c.detectable_before[tested[b]] if b in tested else np.nan for b in base.tolist()])
@@ -291,3 +316,14 @@ def _all_rows(
         F=F, p_value=p, verdict=tuple(words), detectable=np.where(np.isfinite(own), own, least),
         detectable_before=before,
     )  # fmt: skip
+
+
+def _explained(
+    errors: MatchingErrors, s: Stability, dated: Dated, rows: tuple[Index, Index, Index], C: Array, alpha: float
+) -> Array:  # fmt: skip
+    """(r,) smallest displacements that wrong image points do not explain [m]."""
+    place = {name: k for k, name in enumerate(s.dated.bases)}
+    at = s.dated.at[[place[dated.bases[b]] for b in rows[0].tolist()]]
+    each = np.arange(len(at))
+    pairs = np.column_stack([at[each, rows[1]], at[each, rows[2]]]).tolist()
+    return np.array([errors.detectable(p, c, alpha) for p, c in zip(pairs, C, strict=True)])

@@ -60,8 +60,8 @@ def dates_of(photos: Sequence[Photo], sources: Sequence[Source]) -> dict[str, st
     given = [(s.path.resolve(), s.date) for s in sources if s.date]
     found: dict[str, str] = {}
     for photo in photos:
-        path = photo.path.resolve()
-        mine = next((d for p, d in given if p in {path, path.parent}), "")
+        places = {photo.path.resolve(), photo.path.parent.resolve()}  # a photograph may be a link
+        mine = next((d for p, d in given if p in places), "")
         taken = photo.metadata.taken
         found[photo.name] = mine or ("" if taken is None else taken.date().isoformat())
     missing = [name for name, d in found.items() if not d]

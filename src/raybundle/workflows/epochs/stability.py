@@ -17,9 +17,10 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Role
 from raybundle.block.points import automatic
-from raybundle.errors import InputError
+from raybundle.errors import InputError, NotSolvable
 from raybundle.measuring.joint import Joint
-from raybundle.metrology.congruence import SIGNIFICANCE, Congruence, congruence
+from raybundle.metrology.congruence import SIGNIFICANCE, Congruence, congruence, patch_variances
+from raybundle.metrology.congruence_model import Factor
 from raybundle.metrology.point_set import PointSet
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
@@ -27,7 +28,8 @@ from raybundle.objects.surface import farthest_first
 from raybundle.ties.block import object_pixel
 from raybundle.ties.match_weights import Matches, Weights, weighted, weights_again
 from raybundle.workflows.epochs.cameras import CameraTest, camera_tests, cameras_by_dates
-from raybundle.workflows.epochs.dated_points import Dated, Dates, placed_by_dates
+from raybundle.workflows.epochs.dated_points import Dated, Dates, by_dates, placed_by_dates
+from raybundle.workflows.epochs.matching_errors import MatchingErrors
 
 FEWEST = 6
 """Points with a place at every date: three for the datum, as many to be tested"""
@@ -35,6 +37,8 @@ MOST = 300
 """Points that carry the test with their joint covariance, spread evenly; others are tested against those that stayed"""
 WEIGHINGS = 2
 """Adjustments from which variances of image points are taken"""
+HALVES = 4
+"""Images of a date from which on its halves are compared: two rays in each"""
 LINKS, WEAK = 4, 100.0
 """Points that join the dates for the computation, and by how much less precisely than they are measured: what that adds
 to the shape of the network is 1e-4 of its weight"""
@@ -52,12 +56,15 @@ class Stability:
     tested: Index
     """(n,) bases of the points of the congruence"""
     cameras: tuple[CameraTest, ...]
+    errors: MatchingErrors | None
+    repeated: dict[int, Factor]
+    """Of means of so many points, by how much variances between halves of one date exceed their covariances"""
 
     @property
     def stayed(self) -> list[str]:
         """Names of the tested points that stayed."""
         c = self.congruence
-        return [name for name, moved in zip(c.ids, c.moved.tolist(), strict=True) if not moved]
+        return [name for name, stayed in zip(c.ids, c.stayed.tolist(), strict=True) if stayed]
 
 
 def stability(
@@ -91,17 +98,82 @@ def stability(
             separate = [t.camera for t in tests if not t.shared]
     linked = cameras_by_dates(linked, dates, separate) if separate else linked
     result = decide(linked, options, progress)
-    joint = Joint.of(result, dated.place)
-    there = np.array([[joint.takes_part(int(p)) for p in row] for row in dated.at[everywhere]]).all(axis=1)
     names = {p for g in (groups or {}).values() for p in g} | set(datum)
-    tested = _sample(dated, everywhere[there], result, names)
+    tested, sets, C = _measured(result, dated, dates, everywhere, names)
+    repeated = repeatability(block, dates, options, progress)
+    errors = MatchingErrors.of(result, variance=repeated[1].variance if repeated else 1.0)
     progress("testing points", 0.0)
-    sets, C = point_sets(result, dated, tested, dates, joint)
     found = congruence(
         sets, significance=significance, scale=not scale_known(block, dates), datum=datum, joint=C, groups=groups,
         patches=patches, others=int((dated.spanning & ~np.isin(np.arange(len(dated.bases)), tested)).sum()),
+        errors=None if errors is None else _OfTested(errors=errors, at=dated.at[tested]), factors=repeated,
     )  # fmt: skip
-    return Stability(congruence=found, dated=dated, result=result, tested=tested, cameras=tests)
+    return Stability(
+        congruence=found, dated=dated, result=result, tested=tested, cameras=tests, errors=errors, repeated=repeated
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _OfTested:
+    """Errors of the points of a test."""
+
+    errors: MatchingErrors
+    at: Index
+
+    def probability(self, point: int, d: Array, C: Array) -> float:
+        """Of a displacement by wrong image points."""
+        return self.errors.probability(self.at[point].tolist(), d, C)
+
+    def detectable(self, point: int, C: Array, alpha: float) -> float:
+        """Smallest displacement that wrong image points do not explain."""
+        return self.errors.detectable(self.at[point].tolist(), C, alpha)
+
+
+def repeatability(
+    block: Block, dates: Dates, options: AdjustmentOptions, progress: Progress = silent
+) -> dict[int, Factor]:  # fmt: skip
+    """Of means of so many points, by how much their variances between halves of one date exceed their covariances.
+
+    Nothing moves within a date.  Its images are halved by their places, as dates of other views are; errors of cameras
+    and of matching that neighbours share show.  At least 1; empty where no date has four images.
+    """
+    found: dict[int, list[Factor]] = {}
+    o = block.observations
+    whole = sorted({dates.base(p) for p in block.points.ids})
+    for d in range(len(dates.names)):
+        mine = np.intersect1d(np.flatnonzero(dates.of_image == d), np.unique(o.image))
+        if len(mine) < HALVES:
+            continue
+        progress("testing points", 0.0)
+        c = block.images.centre[mine] - block.images.centre[mine].mean(axis=0)
+        order = mine[np.argsort(c @ np.linalg.svd(c, full_matrices=False)[2][0], kind="stable")]
+        half = np.zeros(len(dates.of_image), np.int64)
+        half[order[len(order) // 2 :]] = 1
+        halves = Dates(names=("first half", "second half"), of_image=half)
+        try:
+            dated = placed_by_dates(by_dates(block, dates, whole, dates.of_image[o.image] == d).block, halves)
+            everywhere = _everywhere(dated, halves)
+            result = decide(_linked(dated, everywhere), options, progress)
+            _, sets, C = _measured(result, dated, halves, everywhere, set())
+            variances = patch_variances(sets, C, scale=True)
+        except (InputError, NotSolvable):  # too few rays that are seen in both halves
+            continue
+        for size, factor in variances.items():
+            found.setdefault(size, []).append(factor)
+    freedom = {k: sum(f.freedom for f in v) for k, v in found.items()}
+    return {
+        k: Factor(max(sum(f.variance * f.freedom for f in v) / freedom[k], 1.0), freedom[k]) for k, v in found.items()
+    }
+
+
+def _measured(
+    result: Adjustment, dated: Dated, dates: Dates, everywhere: Index, names: set[str]
+) -> tuple[Index, list[PointSet], Array]:  # fmt: skip
+    """Points that carry a test, their places at each date, and the joint covariance of these."""
+    joint = Joint.of(result, dated.place)
+    there = np.array([[joint.takes_part(int(p)) for p in row] for row in dated.at[everywhere]]).all(axis=1)
+    tested = _sample(dated, everywhere[there], result, names)
+    return tested, *point_sets(result, dated, tested, dates, joint)
 
 
 def weighted_apart(

@@ -16,7 +16,8 @@ from raybundle.metrology.areas import AreaTest
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import correlation
 from raybundle.results.contents import clean
-from raybundle.workflows.epochs.movements import MOVED, Movements, exceeding
+from raybundle.workflows.epochs.matching_errors import OF_PLACES, SCALES
+from raybundle.workflows.epochs.movements import MOVED, UNTESTED, Movements, exceeding
 
 DISPLACEMENTS, EPOCHS = "displacements.csv", "epochs.json"
 AXES = "XYZ"
@@ -112,10 +113,13 @@ def epochs_json(m: Movements, limit: Limit | None, changes: Changes | None) -> d
     """The contents of epochs.json."""
     c, d, names = m.stability.congruence, m.displacements, m.dates.names
     count = np.bincount(m.dates.of_image, minlength=len(names)).tolist()
-    moved = sorted({p for p, v in zip(d.point, d.verdict, strict=True) if v == MOVED})
+    moved, untested = (
+        sorted({p for p, v in zip(d.point, d.verdict, strict=True) if v == w}) for w in (MOVED, UNTESTED)
+    )
+    errors = m.stability.errors
     return {
         "dates": [{"date": n, "images": k} for n, k in zip(names, count, strict=True)],
-        "points": len(set(d.point)), "moved": moved,
+        "points": len(set(d.point)), "moved": moved, "untested": untested,
         "tested_together": len(c.ids), "significance": c.significance, "limit_of_one_test": m.limit,
         "scale_free": c.scale, "degrees_of_freedom": c.freedom,
         "all_points": {"F": c.before[0], "p": c.before[1]}, "points_that_stayed": {"F": c.after[0], "p": c.after[1]},
@@ -125,6 +129,13 @@ def epochs_json(m: Movements, limit: Limit | None, changes: Changes | None) -> d
             for t in m.stability.cameras
         ],
         "image_points_of_single_rays": m.single_rays,
+        "matching_errors": None if errors is None else {
+            "image_points": dict(zip(map(str, SCALES), errors.shares.images.tolist(), strict=True)),
+            "places": dict(zip(map(str, OF_PLACES), errors.shares.places.tolist(), strict=True)),
+        },
+        "variance_of_areas_between_halves_of_dates": {
+            str(k): f.variance for k, f in sorted(m.stability.repeated.items())
+        },
         **({} if limit is None else {
             "limit": {
                 "length_m": limit.length, "confidence": limit.confidence,

@@ -69,3 +69,7 @@ report_moved-scale = { $free ->
     }
 
 report_moved-limits = Nicht nachweisbar: eine gemeinsame Bewegung aller Punkte und eine unter der Nachweisgrenze.
+
+report_moved-untested = nicht prüfbar
+
+report_moved-untested_why = verschoben, aber ein falscher Bildpunkt erklärt es ebenso

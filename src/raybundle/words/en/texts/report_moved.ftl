@@ -91,3 +91,7 @@ report_moved-scale = { $free ->
     }
 
 report_moved-limits = Not detectable: a motion common to all points, and one below the level of detection.
+
+report_moved-untested = untested
+
+report_moved-untested_why = displaced, but a wrong image point explains it as well

@@ -1,0 +1,342 @@
+"""Differences of points between epochs as a linear model: their weights, what moved eliminated, tests of hypotheses.
+
+d (3 n k) = B t + displacements, with covariance Q: B t is the datum of each later epoch.  Weights of all differences
+are formed once; what moved is eliminated from them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.metrology.areas import AreaTest, Hypothesis, sums_of
+from raybundle.metrology.point_set import PointSet, datum_directions
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.statistics import fisher_tail
+from raybundle.numerics.transform import SimilarityTransform, similarity
+
+LEAST = 4
+"""Common points that a datum and a test need: three carry the datum, one can be tested against them"""
+POWER = 0.8
+"""Probability with which the smallest detectable displacement is found"""
+
+
+def model_of(
+    first: PointSet, later: Sequence[PointSet], stayed: Mask, *, scale: bool, joint: Array | None = None
+) -> Model:
+    """Of epochs, turned into the axes of the first by the points that stayed."""
+    n, k = len(first.ids), len(later)
+    axes = [axes_onto(e, first, stayed, scale=scale) for e in later]
+    here = [e.moved(by) for e, by in zip(later, axes, strict=True)]
+    G = datum_directions(first.xyz, scale=scale).reshape(3 * n, -1)
+    if joint is None:
+        Q = np.kron(np.ones((k, k)), first.covariance)
+        for j, e in enumerate(here):
+            s = slice(3 * n * j, 3 * n * (j + 1))
+            Q[s, s] += e.covariance
+    else:
+        Q = _of_differences(joint, [t.scale * t.rotation for t in axes])
+    freedom = [e.freedom for e in (first, *later)]
+    if joint is not None:  # one variance factor, of one adjustment
+        freedom = freedom[:1]
+    return Model.of(
+        np.concatenate([(e.xyz - first.xyz).ravel() for e in here]), Q, np.kron(np.eye(k), G), n,
+        float("inf") if np.isinf(freedom).any() else float(sum(freedom)),
+    )  # fmt: skip
+
+
+def axes_onto(e: PointSet, first: PointSet, by: Mask, *, scale: bool) -> SimilarityTransform:
+    """Of an epoch onto the first, by some points, weighted by their mean variances."""
+    variance = np.trace(first.own + e.own, axis1=1, axis2=2)
+    weights = 1 / np.maximum(variance, 1e-3 * np.median(variance))
+    fit = similarity(e.xyz[by], first.xyz[by], weights[by] / weights[by].max(), scale=None if scale else 1.0)
+    return SimilarityTransform(scale=fit.scale, rotation=fit.rotation, translation=fit.translation)
+
+
+def _of_differences(joint: Array, turns: Sequence[Array]) -> Array:
+    """Covariance (3 n k, 3 n k) of the differences of later epochs against the first, each turned into its axes."""
+    e, u = joint.shape[:2]
+    A = np.stack([np.eye(3), *turns])
+    C = joint.reshape(e, u // 3, 3, e, u // 3, 3)
+    C = np.einsum("aij,apjbqk,blk->apibql", A, C, A, optimize=True).reshape(e, u, e, u)
+    Q = C[1:, :, 1:] - C[1:, :, :1] - C[:1, :, 1:] + C[:1, :, :1]
+    Q = Q.reshape((e - 1) * u, -1)
+    return (Q + Q.T) / 2
+
+
+class Factor(NamedTuple):
+    """By how much variances are larger than those of the adjustment, and the freedom with which that is known."""
+
+    variance: float
+    freedom: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Model:
+    """Differences d (3 n k) = datum B t + displacements, with covariance Q; the datum of Q itself is of no account."""
+
+    d: Array
+    Q: Array
+    B: Array
+    weights: Array
+    """of the differences of all points, once the datum is free: singular by the datum"""
+    misfit: Array
+    """weights d"""
+    points: int
+    freedom: float
+
+    @classmethod
+    def of(cls, d: Array, Q: Array, B: Array, points: int, freedom: float) -> Model:
+        """Of differences; raises InputError where their covariance is singular beyond the datum."""
+        # what lies in the datum of Q is filled up: B t takes it away again
+        fill = np.trace(Q) / max(float(np.trace(B @ B.T)), 1e-300)
+        try:
+            half = np.linalg.inv(np.linalg.cholesky(Q + fill * B @ B.T))
+        except np.linalg.LinAlgError:
+            raise InputError("epochs.covariance_singular") from None
+        HB = np.linalg.qr(half @ B)[0]
+        W = half.T @ (half - HB @ (HB.T @ half))
+        W = (W + W.T) / 2
+        return cls(d=d, Q=Q, B=B, weights=W, misfit=W @ d, points=points, freedom=freedom)
+
+    @property
+    def later(self) -> int:
+        """Number of epochs after the first."""
+        return len(self.d) // (3 * self.points)
+
+    def rows(self, points: Index) -> Index:
+        """(len(points), 3 later) rows of points."""
+        at = (3 * points[:, None] + np.arange(3)[None])[:, None, :]
+        return (at + 3 * self.points * np.arange(self.later)[None, :, None]).reshape(len(points), 3 * self.later)
+
+    def stayed(self, moved: Mask) -> Stayed:
+        """The points that have not moved, those that moved free; raises InputError where they test nothing."""
+        rows = self.rows(np.flatnonzero(moved)).ravel()
+        try:
+            L = np.linalg.cholesky(self.weights[np.ix_(rows, rows)])
+        except np.linalg.LinAlgError:
+            raise InputError("epochs.covariance_singular") from None
+        inverse = np.linalg.inv(L)
+        return Stayed(model=self, moved=moved, rows=rows, inverse=inverse, taken=inverse @ self.weights[rows])
+
+    def whole(self, moved: Mask) -> tuple[float, float]:
+        """Global test of the points that have not moved: F and its probability."""
+        freedom = len(self.d) - 3 * self.later * int(moved.sum()) - self.B.shape[1]
+        rest = self.stayed(moved).square_sum
+        F = rest / max(freedom, 1)
+        return F, fisher_tail(F, freedom, self.freedom)
+
+    def tests(self, moved: Mask) -> tuple[Array, Array]:
+        """(n,) F of each point against those that stayed, without it; and its probability."""
+        u, S = self.stayed(moved).compared()
+        return self.tested(u, S)
+
+    def tested(self, u: Array, S: Array) -> tuple[Array, Array]:
+        """F (h,) of hypotheses by their vectors (h, 3 k) and covariances or weights, and their probabilities."""
+        from scipy.special import chdtrc, fdtrc
+
+        dof = 3 * self.later
+        F = np.einsum("hi,hij,hj->h", u, np.linalg.pinv(S, rcond=1e-10, hermitian=True), u) / dof
+        return F, np.asarray(chdtrc(dof, F * dof) if np.isinf(self.freedom) else fdtrc(dof, self.freedom, F))
+
+    def together(self, family: Family, moved: Mask) -> Array:
+        """(h,) probability of the mean displacement of the points of areas that have not moved; NaN: too few."""
+        found = np.full(len(family.areas), np.nan)
+        inside = family.sums @ (~moved)
+        some = np.flatnonzero((inside > 1) & ((~moved).sum() - inside >= max(LEAST, self.points // 3)))
+        if len(some):
+            found[some] = self.of_areas(family, some, moved)[1]
+        return found
+
+    def of_areas(self, family: Family, some: Index, moved: Mask) -> tuple[Array, Array]:
+        """F (h,) of the mean displacements of the points of areas that have not moved, and their probabilities."""
+        from scipy.special import fdtrc
+
+        u, S = self.stayed(moved).shifts(family, some)
+        F, _ = self.tested(u / np.sqrt(family.factors[some])[:, None], S)
+        unknown = np.maximum(1 / family.freedom[some] + 1 / self.freedom, 1e-9)  # of chi-square: none
+        return F, np.asarray(fdtrc(3 * self.later, 1 / unknown, F))
+
+    def patch_sizes(
+        self, family: Family, moved: Mask, alpha: float
+    ) -> tuple[tuple[int, float, float], ...]:  # fmt: skip
+        """Of patches by their sizes, the medians of their smallest detectable mean displacements, before and after."""
+        found: list[tuple[int, float, float]] = []
+        sizes = np.array([0 if a.given else len(a.points) for a in family.areas])
+        for size in np.unique(sizes[sizes > 0]).tolist():
+            every = np.flatnonzero(sizes == size)
+            least = [
+                [
+                    self._least(S / family.factors[every[0]], alpha, float(family.freedom[every[0]]))
+                    for S in self.stayed(m).shifts(family, every)[1]
+                ]
+                for m in (np.zeros(self.points, bool), moved)
+            ]
+            found.append((size, float(np.median(least[0])), float(np.median(least[1]))))
+        return tuple(found)
+
+    def area(self, family: Family, which: int, moved: Mask) -> AreaTest:
+        """The test of an area as a whole: its mean displacement against all else that stayed."""
+        area, limit, factor = family.areas[which], float(family.limits[which]), float(family.factors[which])
+        none, one, freedom = np.zeros(self.points, bool), np.array([which]), float(family.freedom[which])
+        back = moved.copy()
+        back[area.points] = False
+        (u,), (S,) = (x / factor for x in self.stayed(back).shifts(family, one))
+        F, p = self.of_areas(family, one, back)
+        C = np.linalg.pinv(S, rcond=1e-10, hermitian=True)
+        at = np.arange(self.later)
+        before = self.stayed(none).shifts(family, one)[1][0] / factor
+        return AreaTest(
+            name=area.name, given=area.given, points=area.points, displacement=(C @ u).reshape(self.later, 3),
+            covariance=C.reshape(self.later, 3, self.later, 3)[at, :, at, :], F=float(F[0]), p_value=float(p[0]),
+            moved=bool(p[0] < limit), detectable=self._least(S, limit, freedom),
+            detectable_before=self._least(before, limit, freedom),
+        )  # fmt: skip
+
+    def displacements(self, moved: Mask) -> tuple[Array, Array]:
+        """(k, n, 3) displacements in the datum of the points that stayed, and their covariances (k, n, 3, 3)."""
+        rows = self.rows(np.flatnonzero(~moved)).ravel()
+        B, Q = self.B, self.Q
+        Bs = B[rows]
+        # the datum by the points that stayed, all alike: displacements of the others refer to these
+        A = np.linalg.pinv(Bs)
+        S = np.eye(len(Q))
+        S[:, rows] -= B @ A
+        C = S @ Q @ S.T
+        d = (S @ self.d).reshape(self.later, self.points, 3)
+        C = C.reshape(self.later, self.points, 3, self.later, self.points, 3)
+        j, i = np.meshgrid(np.arange(self.later), np.arange(self.points), indexing="ij")
+        return d, C[j, i, :, j, i, :]
+
+    def detectable(self, moved: Mask, alpha: float) -> Array:
+        """(n,) smallest displacement of the last epoch that is found [m], in the direction known worst."""
+        _, S = self.stayed(moved).compared()
+        S[moved] = np.linalg.inv(S[moved])
+        return np.array([self._least(each, alpha) for each in S])
+
+    def covariances(self, moved: Mask) -> Array:
+        """(n, 3 k, 3 k) of the displacement of each point against those that stayed."""
+        _, S = self.stayed(moved).compared()
+        S[~moved] = np.linalg.pinv(S[~moved], rcond=1e-10, hermitian=True)
+        return S
+
+    def _least(self, information: Array, alpha: float, freedom: float = np.inf) -> float:
+        """Length of the smallest displacement of the last epoch that is found [m], by the weights (3 k, 3 k) of one."""
+        from scipy.special import chdtri, chndtrinc, fdtri
+
+        dof = 3 * self.later
+        shift2 = float(chndtrinc(float(chdtri(dof, alpha)), dof, 1 - POWER))
+        if np.isfinite(freedom):  # the limit of F against that of a known variance
+            shift2 *= dof * float(fdtri(dof, freedom, 1 - alpha)) / float(chdtri(dof, alpha))
+        least = float(np.linalg.eigvalsh(information[-3:, -3:])[0])
+        return float(np.sqrt(shift2 / least)) if least > 0 else float("inf")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stayed:
+    """Points that stayed, with displacements of the others as unknowns of their own."""
+
+    model: Model
+    moved: Mask
+    rows: Index
+    """of the points that moved"""
+    inverse: Array
+    """of the lower triangle of their weights"""
+    taken: Array
+    """(rows, 3 n k) what they take from the weights of all: W - taken' taken is what the others weigh without them"""
+
+    @property
+    def square_sum(self) -> float:
+        """Weighted sum of squares of the differences of those that stayed."""
+        m = self.model
+        return max(float(m.d @ m.misfit) - float(((self.inverse @ m.misfit[self.rows]) ** 2).sum()), 0.0)
+
+    @property
+    def misfit(self) -> Array:
+        """(3 n k) weighted differences without those that moved; 0 of these."""
+        return self.model.misfit - self.taken.T @ (self.inverse @ self.model.misfit[self.rows])
+
+    def weights(self, rows: Index, others: Index) -> Array:
+        """What differences weigh without those that moved."""
+        return self.model.weights[np.ix_(rows, others)] - self.taken[:, rows].T @ self.taken[:, others]
+
+    def compared(self) -> tuple[Array, Array]:
+        """Of each point a vector (n, 3 k) and its covariance.
+
+        Of points that moved how far they lie from where those that stayed have them; of those that stayed what they
+        weigh in the misfit.
+        """
+        m = self.model
+        each = m.rows(np.arange(m.points))
+        v = self.misfit
+        u = v[each]
+        S = m.weights[each[:, :, None], each[:, None, :]] - np.einsum(
+            "mhi,mhj->hij", self.taken[:, each], self.taken[:, each], optimize=True
+        )
+        # the displacements of points that moved, by least squares
+        C = self.inverse.T @ self.inverse
+        u[self.moved] = (C @ m.misfit[self.rows]).reshape(-1, each.shape[1])
+        own = np.arange(len(self.rows)).reshape(-1, each.shape[1])
+        S[self.moved] = C[own[:, :, None], own[:, None, :]]
+        return u, S
+
+    def shifts(self, family: Family, areas: Index) -> tuple[Array, Array]:
+        """What common displacements (h, 3 k) of the points of areas weigh in the misfit, and their weights.
+
+        Of points that stayed: those that moved have displacements of their own, and weigh nothing.
+        """
+        m = self.model
+        each = m.rows(np.arange(m.points))
+        Z = family.sums[areas]
+        u = Z @ self.misfit[each]
+        S = family.weights(m)[areas]
+        if len(self.rows):
+            A = np.tensordot(Z, self.taken[:, each], (1, 1))
+            S = S - np.einsum("hri,hrj->hij", A, A, optimize=True)
+        return u, S
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Family:
+    """Areas that are tested, each with its limit."""
+
+    areas: tuple[Hypothesis, ...]
+    sums: Array
+    """(h, n)"""
+    limits: Array
+    of_model: list[tuple[Model, Array]]
+    """the last model and the weights in it"""
+    factors: Array
+    """(h,) by which variances of their mean displacements are larger than those of the adjustment"""
+    freedom: Array
+    """(h,) with which these are known"""
+
+    @classmethod
+    def of(
+        cls, areas: Sequence[Hypothesis], points: int, limits: Sequence[float],
+        factors: Mapping[int, Factor] | None = None,
+    ) -> Family:  # fmt: skip
+        """Of areas; factors: of the variances of means of so many points, 1 without."""
+        size = [len(a.points) for a in areas]
+        by = sorted((factors or {1: Factor(1.0, np.inf)}).items())
+        at = [k for k, _ in by]
+        return cls(
+            areas=tuple(areas), sums=sums_of(areas, points), limits=np.array(limits), of_model=[],
+            factors=np.interp(size, at, [f.variance for _, f in by]),
+            freedom=1 / np.maximum(np.interp(size, at, [1 / f.freedom for _, f in by]), 1e-9),
+        )  # fmt: skip
+
+    def weights(self, model: Model) -> Array:
+        """(h, 3 k, 3 k) of common displacements, if no point moved."""
+        if not self.of_model or self.of_model[0][0] is not model:
+            each = model.rows(np.arange(model.points))
+            found: list[Array] = []
+            for a in self.areas:
+                some = model.weights[each[a.points]].sum(axis=0)
+                found.append(some[:, each[a.points]].sum(axis=1))
+            self.of_model[:] = [(model, np.array(found).reshape(-1, each.shape[1], each.shape[1]))]
+        return self.of_model[0][1]
