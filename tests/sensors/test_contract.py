@@ -311,14 +311,6 @@ def test_a_parameter_that_would_hide_a_derived_name_is_refused():
     assert "hidden" not in sensor_models
 
 
-def test_a_name_that_is_no_identifier_is_refused():
-    condition = staticmethod(lambda x, y, X, Y, Z, c: (x + X, y + Z + c))  # noqa: ARG005
-    parameters = (Parameter("c", "mm", "camera constant", 20.0, kind="scale"),)
-    with pytest.raises(TypeError, match="two-eyed"):
-        type("TwoEyed", (SensorModel,), {"name": "two-eyed", "parameters": parameters, "condition": condition})
-    assert "two-eyed" not in sensor_models
-
-
 def test_every_frame_sensor_stands_on_every_platform():
     frames = {n for n, m in sensor_models.items() if m.frame and not isinstance(m, Carried)}
     assert {"brown", "fisheye", "rational", "spline", "spherical"} <= frames

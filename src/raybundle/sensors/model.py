@@ -120,10 +120,6 @@ class SensorModel:
             raise TypeError(
                 f"{cls.__name__}: a parameter cannot be called {', '.join(sorted(taken))}; choose another name"
             )
-        if not cls.name.isidentifier():
-            raise TypeError(
-                f"{cls.__name__}.name = {cls.name!r}: letters, digits and _ alone; it names a kernel and a key"
-            )
         made = cls()
         (SensorModel.lines if cls.line else SensorModel.registry)[cls.name] = made
         for follow in SensorModel.followers:
