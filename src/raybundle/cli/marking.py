@@ -51,6 +51,7 @@ def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
 
 def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
     """Do an action of a verb and report its number; a folder of photographs has its project begun."""
+    from raybundle.cli.progress import reporting
     from raybundle.commands.marks import mark, mark_verdict
     from raybundle.commands.new_project import measuring_folder, standing_folder
 
@@ -65,7 +66,10 @@ def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
         arguments=words(of.arguments) if of else [],
     )  # fmt: skip
     first = [note("project_status.begun")] if begun else []
-    test = mark_verdict(folder, arguments["image"], arguments["point"]) if verb in {"put", "move"} else None
+    test = None
+    if verb in {"put", "move"}:
+        with reporting("auto") as notify:
+            test = mark_verdict(folder, arguments["image"], arguments["point"], notify)
     tested = [] if test is None else [*test.messages]
     fine = [m for m in tested if m.severity is not Severity.WARNING]
     bad = [m for m in tested if m.severity is Severity.WARNING]

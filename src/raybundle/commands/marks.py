@@ -39,7 +39,7 @@ from raybundle.measuring.quantities import QUANTITIES, Quantity
 from raybundle.measuring.query import Answer, ask, in_axes
 from raybundle.measuring.selection import latest_figures, quantity_of, selected
 from raybundle.measuring.session import Session, adjusted_again, block_folder, given_block, readjusted
-from raybundle.measuring.start import AT_ONCE, to_begin
+from raybundle.measuring.start import to_begin
 from raybundle.measuring.state import State
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.project import masks_given, photographs_of
@@ -195,21 +195,25 @@ def control_in_block(folder: str | Path, action: GiveControl) -> tuple[GiveContr
     return replace(action, points=points), frame.crs
 
 
-def mark_verdict(folder: str | Path, image: str, point: str) -> Text | None:
+TESTED_AT_ONCE = 200_000
+"""Image observations up to which a mark is tested when it is put: 40 seconds of CPU time for a million"""
+
+
+def mark_verdict(folder: str | Path, image: str, point: str, progress: Progress = silent) -> Text | None:
     """How far a mark lies from where the block and the other marks see its point, in words; None: not known yet.
 
-    A block of more than `AT_ONCE` image observations is tested by `adjust_marks`.
+    A block of more than `TESTED_AT_ONCE` image observations is tested by `adjust_marks`.
     """
     project, state = _standing(folder), marks(folder)
     inner = given_block(project)
     block = read_block(inner)
     known = Known.of(block)
-    if len(block.observations) > AT_ONCE or to_begin(block, state):
+    if to_begin(block, state) or (point not in known.points and len(state.marks_of(point)) < 2):
         return None
-    if point not in known.points and len(state.marks_of(point)) < 2:
-        return None
+    if len(block.observations) > TESTED_AT_ONCE:
+        return phrase("mark.tested_later", point=point, image=image, n=len(block.observations), most=TESTED_AT_ONCE)
     block, options = made_as(inner, block)
-    session = Session.of_block(block, lambda b: readjusted(b, options=options))
+    session = Session.of_block(block, lambda b: readjusted(b, progress, options))
     return verdict_of_mark(session, state, point, known.image(image))
 
 

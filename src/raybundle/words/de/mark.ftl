@@ -140,3 +140,7 @@ mark-fits = { $point } passt: { NUM($distance_px, digits: 2) } px ({ NUM($sigmas
 
 mark-open = { $point } ist noch nicht geprüft: { NUM($distance_px, digits: 2) } px neben den anderen, größere Fehler sind möglich.
     .do = In einem weiteren Foto aus anderer Richtung messen.
+
+mark-tested_later = Die Bildmessung von { $point } in { $image } ist noch nicht geprüft.
+    .why = Der Block hat { $n } Bildbeobachtungen; sofort geprüft wird bis { $most }.
+    .do = `raybundle mark adjust` prüft alle Bildmessungen.

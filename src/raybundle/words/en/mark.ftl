@@ -244,3 +244,11 @@ mark-fits = { $point } fits: { NUM($distance_px, digits: 2) } px ({ NUM($sigmas,
 # $n = 3
 mark-open = { $point } is not tested yet: { NUM($distance_px, digits: 2) } px from the others, larger errors may be hidden.
     .do = Measure it in another photograph, from another direction.
+
+# $point = "P12"
+# $image = "a.jpg"
+# $n = 900000
+# $most = 200000
+mark-tested_later = The mark of { $point } in { $image } is not tested yet.
+    .why = The block has { $n } image observations; marks are tested at once up to { $most }.
+    .do = `raybundle mark adjust` tests all marks.

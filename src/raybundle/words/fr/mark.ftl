@@ -72,3 +72,5 @@ mark-off = La marque de { $point } dans { $image } est à { NUM($distance_px, di
 mark-fits = { $point } convient : { NUM($distance_px, digits: 2) } px ({ NUM($sigmas, digits: 2) } écarts-types) des autres.
 
 mark-open = { $point } n'est pas encore contrôlé : { NUM($distance_px, digits: 2) } px des autres, de plus grandes erreurs sont possibles.
+
+mark-tested_later = La marque de { $point } dans { $image } n'est pas encore contrôlée.
