@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.orient import OrientSettings
-from raybundle.errors import InputError, Message, note, warning
+from raybundle.errors import InputError, Message, Severity, Text, note, warning
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import Range, keywords, made, other_than_usual, setting
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
     from raybundle.metrology.congruence import Congruence
+    from raybundle.report.outcome import Outcome
     from raybundle.workflows.epochs.movements import Movements
     from raybundle.workflows.epochs.photograph_dates import Source
     from raybundle.workflows.epochs.tables import Changes, Exceeded, Limit
@@ -131,18 +132,22 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
         limit = None
     before = _delivered(result)
     changes = None if found is None or before is None else _changes(found, before)
+    over = () if found is None or limit is None else _exceeded(found, limit)
+    record = record_of(orienting).over(record_in(out))
+    if found is not None and not record.date:
+        record = replace(record, date=", ".join(found.dates.names))
     with report_stage(out, done.stages), replacing(out, EPOCHS, marks=False) as stated:
         write_orientation(
             done, result, report="html" if orienting.report else "none", progress=progress,
             settings={n: str(v) for n, v in other_than_usual(settings).items() if n not in {"photos", "out"}},
-            wanted=accuracy_class(orienting.accuracy_class), record=record_of(orienting).over(record_in(out)),
+            wanted=accuracy_class(orienting.accuracy_class), record=record,
             pdf=orienting.pdf, appendix=orienting.appendix, language=orienting.language, additions=stated.as_addition(),
             findings=() if found is None else (_stated(found, changes),),
+            outcomes=() if found is None else _outcomes(found, settings, limit, over),
             more=lambda folder: _write(found, folder, limit, changes),
         )  # fmt: skip
     return Epochs(
-        orientation=done, movements=found, changes=changes,
-        exceeded=() if found is None or limit is None else _exceeded(found, limit),
+        orientation=done, movements=found, changes=changes, exceeded=over,
     )  # fmt: skip
 
 
@@ -189,13 +194,13 @@ def sources_of(settings: EpochsSettings) -> list[Source]:
 
 def _as_before(settings: EpochsSettings, sources: Sequence[Source]) -> OrientSettings:
     """What `orient` is asked for: as in the last run of the project, with what is given now."""
-    from raybundle.commands.orient import settings_asked
+    from raybundle.commands.orient import has_run, settings_asked
     from raybundle.workflows.epochs.photograph_dates import folders_of
 
     own = {f.name for f in fields(OrientSettings)}
     given = {n: v for n, v in other_than_usual(settings).items() if n in own}
     paths = tuple(f.path for s in sources for f in folders_of(s))
-    if (settings.out / "project.toml").is_file():
+    if has_run(settings.out):
         return replace(settings_asked(settings.out), **{**given, "photos": paths, "out": settings.out})
     values: dict[str, Any] = {name: getattr(settings, name) for name in own}
     values["photos"] = paths
@@ -347,22 +352,19 @@ def _write(found: Movements | None, folder: Path, limit: Limit | None, changes: 
         write_epochs(epochs_json(found, limit, changes), folder / EPOCHS)
 
 
-def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], list[Message]]:
-    """What is printed first, and warnings."""
+def _movement(m: Movements, significance: float) -> list[Message]:
+    """What moved, how much, and what is detectable."""
     import numpy as np
 
     from raybundle.workflows.epochs.movements import MOVED
 
-    m = done.movements
-    if m is None:
-        return [note("displacement.one_date", date=(done.adjustment.given.images.date or ("",))[0])], []
     d, names = m.displacements, m.dates.names
     rows = np.flatnonzero([v == MOVED for v in d.verdict])
     points = sorted({d.point[k] for k in rows})
     areas = [a for a in m.stability.congruence.areas if a.moved]
     first: list[Message] = [
         note("displacement.dates", dates=list(names), points=len(set(d.point)), moved=len(points), areas=len(areas),
-             names=points, error_rate=settings.significance)
+             names=points, error_rate=significance)
     ]  # fmt: skip
     if len(rows):
         k = rows[d.length[rows].argmax()]
@@ -388,6 +390,53 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
                 largest_mm=MM * float(finite.max()),
             )
         )
+    return first
+
+
+def _limited(m: Movements, settings: EpochsSettings, limit: Limit) -> tuple[Message, Message | None]:
+    """That the limit is kept, and where it is not tested as less than it is not detectable."""
+    import numpy as np
+
+    d = m.displacements
+    blind = ~(d.detectable <= limit.length)
+    points = sorted({p for p, b in zip(d.point, blind, strict=True) if b})
+    kept = note("epochs.limit_kept", limit=settings.limit, confidence=settings.confidence)
+    largest = MM * float(np.max(d.detectable, initial=0.0, where=np.isfinite(d.detectable)))
+    below = warning("epochs.limit_below_detection", limit=settings.limit, n=len(points), points=len(set(d.point)),
+                    largest_mm=largest)  # fmt: skip
+    return kept, below if points else None
+
+
+def _outcomes(
+    m: Movements, settings: EpochsSettings, limit: Limit | None, over: Sequence[Exceeded]
+) -> tuple[Outcome, ...]:
+    """What moved, and whether the limit is kept, for the first page."""
+    from raybundle.report.outcome import Outcome
+
+    moved = Outcome(name="displacements", kept=True, sentence=Text.of(*_movement(m, settings.significance)))
+    if limit is None:
+        return (moved,)
+    kept, below = _limited(m, settings, limit)
+    stated = [_beyond(over, settings)] if over else [kept]
+    stated += [] if below is None else [below]
+    sentence = Text.of(*(replace(s, severity=Severity.NOTE) for s in stated))
+    return moved, Outcome(name="limit", kept=False if over else None if below else True, sentence=sentence)
+
+
+def _beyond(over: Sequence[Exceeded], settings: EpochsSettings) -> Message:
+    e = over[0]
+    return warning(
+        "epochs.limit_exceeded", n=len(over), name=e.name, end=e.end, length_mm=MM * e.length, limit=settings.limit,
+        confidence=settings.confidence,
+    )  # fmt: skip
+
+
+def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], list[Message]]:
+    """What is printed first, and warnings."""
+    m = done.movements
+    if m is None:
+        return [note("displacement.one_date", date=(done.adjustment.given.images.date or ("",))[0])], []
+    first = _movement(m, settings.significance)
     untested = _untested(m)
     first += [] if untested is None else [untested]
     first += [] if done.changes is None else [_changed(done.changes)]
@@ -395,6 +444,10 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
     if done.adjustment.free_scale:
         limited = warning("epochs.limit_not_tested", limit=settings.limit)
         grave.append(limited if settings.limit else warning("epochs.no_scale"))
+    elif (limit := limit_of(settings)) is not None:
+        kept, below = _limited(m, settings, limit)
+        first += [] if done.exceeded else [kept]
+        grave += [] if below is None else [below]
     if m.stability.congruence.after[1] < settings.significance:
         grave.append(warning("epochs.stable_points_differ", p=float(m.stability.congruence.after[1])))
     grave += [
@@ -403,9 +456,5 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
         if not t.shared
     ]
     if done.exceeded:
-        e = done.exceeded[0]
-        grave.insert(0, warning(
-            "epochs.limit_exceeded", n=len(done.exceeded), name=e.name, end=e.end, length_mm=MM * e.length,
-            limit=settings.limit, confidence=settings.confidence,
-        ))  # fmt: skip
+        grave.insert(0, _beyond(done.exceeded, settings))
     return first, grave

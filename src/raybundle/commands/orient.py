@@ -206,6 +206,14 @@ def accuracy_outcome(settings: OrientSettings, done: Orientation) -> Outcome | N
     return wanted_outcome(done.adjustment, accuracy_class(settings.accuracy_class), done.frame)
 
 
+def has_run(project: Path) -> bool:
+    """Whether a project folder holds the settings of a run, and not a record alone."""
+    from raybundle.io.reading.trees import read_toml
+
+    file = project / "project.toml"
+    return file.is_file() and "orient" in read_toml(file).tree().mapping()
+
+
 def settings_asked(project: Path) -> OrientSettings:
     """What the last run in a project folder was asked for, as its project.toml states; all stages from the first one.
 
@@ -262,7 +270,7 @@ def write_orientation(
     settings: dict[str, str] | None = None, wanted: AccuracyClass | None = None, record: Record | None = None,
     pdf: bool = False, appendix: Appendix = "none", language: str = ENGLISH,
     additions: Mapping[str, object] | None = None, findings: tuple[object, ...] = (),
-    more: Callable[[Path], None] | None = None,
+    outcomes: tuple[Outcome, ...] = (), more: Callable[[Path], None] | None = None,
 ) -> None:  # fmt: skip
     """Write the result folder of oriented photographs.
 
@@ -271,6 +279,7 @@ def write_orientation(
     record     title, client and operator
     additions  further keys of result.json
     findings   what else was found, for the report
+    outcomes   of further requests
     more       writes further files of the result
     """
     from raybundle.report.write import write_result
@@ -280,7 +289,8 @@ def write_orientation(
     write_result(
         done.adjustment, result, report=report, pdf=pdf, appendix=appendix, language=language,
         additions={**done.additions(), **(additions or {})}, photographs=facts, frame=done.frame, wanted=wanted,
-        record=record, progress=progress, pictures={p.name: p.path for p in done.photos}, findings=findings, more=more,
+        record=record, progress=progress, pictures={p.name: p.path for p in done.photos}, findings=findings,
+        outcomes=outcomes, more=more,
     )  # fmt: skip
     for k, part in enumerate(done.other_components):
         write_result(

@@ -117,7 +117,9 @@ def _document(done: Congruence, about: MovedFacts, language: Language) -> Docume
     )  # fmt: skip
 
 
-def displacement_section(done: Congruence, stated: Sequence[Part] = (), rest: str = "points.csv") -> Section:
+def displacement_section(
+    done: Congruence, stated: Sequence[Part] = (), rest: str = "points.csv", *, joint: bool = False
+) -> Section:
     """What moved, by how much, and what could have been found; rest: the file of all displacements."""
     largest = np.linalg.norm(done.displacement, axis=2)
     epoch = largest.argmax(axis=0)
@@ -129,7 +131,7 @@ def displacement_section(done: Congruence, stated: Sequence[Part] = (), rest: st
     facts = (
         Fact(
             label=phrase("report_moved.points_moved"), value=grouped(int(moved.sum())),
-            remark=phrase("report_moved.of_points", n=len(done.ids)),
+            remark=phrase("report_moved.of_joint" if joint else "report_moved.of_points", n=len(done.ids)),
         ),
         *(
             (Fact(label=phrase("report_moved.untested"), value=grouped(int(untested.sum())),

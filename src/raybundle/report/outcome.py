@@ -7,12 +7,12 @@ from typing import Literal
 
 from raybundle.errors import Text, phrase
 
-Name = Literal["accuracy", "asprs", "tolerances", "lengths"]
+Name = Literal["accuracy", "asprs", "tolerances", "lengths", "displacements", "limit"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Outcome:
-    """One thing that was asked for."""
+    """One thing that was asked for; displacements are kept whatever they are, their limit may not be."""
 
     name: Name
     kept: bool | None

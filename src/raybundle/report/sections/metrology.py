@@ -61,7 +61,7 @@ def displacements(o: Occasion) -> tuple[Section, ...]:
     if done is None:
         return ()
     stated = [Statements(statements=tuple(reported(done)))] if done.reported else []
-    return (displacement_section(done, stated, rest="displacements.csv"),)
+    return (displacement_section(done, stated, rest="displacements.csv", joint=True),)
 
 
 @chapter("deviations", after="result")

@@ -101,3 +101,9 @@ epochs-limit_exceeded = { $n } { $n ->
         *[other] Verschiebungen überschreiten
     } { $limit }: { $name } { NUM($length_mm, digits: 3) } mm bis { $end } (Wahrscheinlichkeit über { PERCENT($confidence) } %).
     .do = { $name } prüfen.
+
+epochs-limit_kept = Keine Verschiebung überschreitet { $limit } (Wahrscheinlichkeit über { PERCENT($confidence) } %).
+
+epochs-limit_below_detection = { $limit } ist an { $n } von { $points } Punkten nicht geprüft: unter der Nachweisgrenze.
+    .why = Die kleinste nachweisbare Verschiebung beträgt bis zu { NUM($largest_mm, digits: 3) } mm.
+    .do = Zu jedem Datum mehr Fotos aufnehmen oder eine größere Grenze angeben. Spalte `detectable` in displacements.csv.

@@ -178,3 +178,15 @@ epochs-limit_exceeded = { $n } { $n ->
         *[other] displacements exceed
     } { $limit }: { $name } { NUM($length_mm, digits: 3) } mm until { $end } (probability over { PERCENT($confidence) } %).
     .do = Inspect { $name }.
+
+# $limit = "10mm"
+# $confidence = 0.99
+epochs-limit_kept = No displacement exceeds { $limit } (probability over { PERCENT($confidence) } %).
+
+# $limit = "10mm"
+# $n = 12
+# $points = 1300
+# $largest_mm = 38.0
+epochs-limit_below_detection = { $limit } is not tested at { $n } of { $points } points: below what is detectable there.
+    .why = The smallest detectable displacement is up to { NUM($largest_mm, digits: 3) } mm.
+    .do = Take more photographs at each date, or give a larger limit. Column `detectable` of displacements.csv.

@@ -51,3 +51,7 @@ epochs-no_scale = Les longueurs n’ont ni échelle ni unité.
 epochs-camera_changed = La caméra { $camera } a une autre orientation interne à chaque date (F { NUM($F) }, { P($p) }).
 
 epochs-limit_exceeded = Déplacements de plus de { $limit } : { $n } ; { $name } { NUM($length_mm, digits: 3) } mm jusqu’au { $end } (probabilité supérieure à { PERCENT($confidence) } %).
+
+epochs-limit_kept = Aucun déplacement ne dépasse { $limit } (probabilité supérieure à { PERCENT($confidence) } %).
+
+epochs-limit_below_detection = { $limit } n'est pas contrôlé pour { $n } points sur { $points } : sous le seuil de détection.

@@ -89,6 +89,8 @@ front-file = { $file_name ->
         [check] Kontrollpunkte.
         [control] Passpunkte.
         [block] der ganze Bildverband, für eine neue Ausgleichung.
+        [displacements] Verschiebungen mit Standardabweichungen und Urteil.
+        [epochs] Daten der Aufnahmen, bewegte Punkte und Flächen, für Programme.
         *[network] Netz in drei Dimensionen.
     }
 

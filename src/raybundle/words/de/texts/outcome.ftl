@@ -2,6 +2,8 @@ outcome-name = { $name ->
         [accuracy] Geforderte Genauigkeit
         [asprs] ASPRS-Genauigkeitsklasse
         [tolerances] Toleranzen
+        [displacements] Verschiebungen
+        [limit] Grenze der Verschiebungen
         *[lengths] Längen
     }
 
@@ -9,6 +11,7 @@ outcome-not_kept = Nicht eingehalten: { $name ->
         [accuracy] geforderte Genauigkeit
         [asprs] ASPRS-Genauigkeitsklasse
         [tolerances] Toleranzen
+        [limit] Grenze der Verschiebungen
         *[lengths] zulässige Längenmessabweichungen
     }.
 

@@ -73,3 +73,5 @@ report_moved-limits = Nicht nachweisbar: eine gemeinsame Bewegung aller Punkte u
 report_moved-untested = nicht prüfbar
 
 report_moved-untested_why = verschoben, aber ein falscher Bildpunkt erklärt es ebenso
+
+report_moved-of_joint = von { $n } gemeinsam geprüften

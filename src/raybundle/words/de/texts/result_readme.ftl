@@ -21,6 +21,8 @@ result_readme-file = { $entry ->
         [distances] Maßstabsstrecken
         [stations] beobachtete Projektionszentren
         [attitudes] beobachtete Drehwinkel
+       [displacements_csv] Verschiebungen zwischen den Daten in den Achsen X, Y, Z, mit Standardabweichungen, Tests und Urteil
+        [epochs_json] Daten der Aufnahmen, bewegte Punkte und Flächen, Grenze, Änderungen früherer Ergebnisse
        *[other] Beobachtungen dieser Art mit Residuen und Tests
     }
 

@@ -102,6 +102,8 @@ front-file = { $file_name ->
         [check] check points.
         [control] control points.
         [block] the whole block, for a new adjustment.
+        [displacements] displacements with standard deviations and verdicts.
+        [epochs] dates, moved points and areas, for programs.
         *[network] network in three dimensions.
     }
 

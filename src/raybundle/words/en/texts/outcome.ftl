@@ -3,6 +3,8 @@ outcome-name = { $name ->
         [accuracy] Required accuracy
         [asprs] ASPRS accuracy class
         [tolerances] Tolerances
+        [displacements] Displacements
+        [limit] Limit of displacements
         *[lengths] Lengths
     }
 
@@ -11,6 +13,7 @@ outcome-not_kept = Not kept: { $name ->
         [accuracy] required accuracy
         [asprs] ASPRS accuracy class
         [tolerances] tolerances
+        [limit] limit of displacements
         *[lengths] permissible errors of lengths
     }.
 

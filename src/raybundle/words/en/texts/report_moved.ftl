@@ -95,3 +95,6 @@ report_moved-limits = Not detectable: a motion common to all points, and one bel
 report_moved-untested = untested
 
 report_moved-untested_why = displaced, but a wrong image point explains it as well
+
+# $n = 300
+report_moved-of_joint = of { $n } that are tested jointly

@@ -24,6 +24,8 @@ result_readme-file = { $entry ->
         [distances] scale bars
         [stations] observed projection centres
         [attitudes] observed attitudes
+       [displacements_csv] displacements between the dates, in the axes of X, Y, Z, with standard deviations, tests and verdicts
+        [epochs_json] dates, moved points and areas, limit, changes of earlier results
        *[other] observations of this kind, with residuals and tests
     }
 

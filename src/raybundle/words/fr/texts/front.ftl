@@ -92,6 +92,8 @@ front-file = { $file_name ->
         [check] points de contrôle.
         [control] points d'appui.
         [block] le bloc complet, pour une nouvelle compensation.
+        [displacements] déplacements avec écarts-types et verdict.
+        [epochs] dates, points et zones déplacés, pour les programmes.
         *[network] réseau en trois dimensions.
     }
 

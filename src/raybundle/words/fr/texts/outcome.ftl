@@ -2,6 +2,8 @@ outcome-name = { $name ->
         [accuracy] Exactitude exigée
         [asprs] Classe d'exactitude ASPRS
         [tolerances] Tolérances
+        [displacements] Déplacements
+        [limit] Limite des déplacements
         *[lengths] Longueurs
     }
 
@@ -9,6 +11,7 @@ outcome-not_kept = Non respecté : { $name ->
         [accuracy] exactitude exigée
         [asprs] classe d'exactitude ASPRS
         [tolerances] tolérances
+        [limit] limite des déplacements
         *[lengths] erreurs admissibles des longueurs
     }.
 
