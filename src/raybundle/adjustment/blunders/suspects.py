@@ -37,8 +37,7 @@ def leverages(result: Adjustment, kind: str, rows: Index) -> Array | None:
     if work is None or work.found is None or part is None or group is None or len(group.ids) != len(part.rows.sigma):
         return None
     _, nodes = work.normals.rows_of(work.state, part.start + rows)
-    x, _ = work.normals.solve(work.state, nodes, np.zeros((*work.state.xyz.shape, len(rows))))
-    return np.asarray(nodes.T @ x)
+    return np.asarray(nodes.T @ work.normals.solved_nodes(nodes))
 
 
 def suspect_notices(result: Adjustment, g: ObservationGroup, limit: float) -> list[Notice]:

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from raybundle.adjustment.system.datum import Transformation
 
 _NONE = np.zeros(0)
+SIDES = 16
+"""Right sides that the kernels take at a time"""
 LEAST_OBSERVATIONS = 2000
 """Image observations for each thread, below which it takes longer to start it than to work alone."""
 
@@ -378,9 +380,11 @@ class Normals:
 
     def solve_nodes(self, state: State, nodes: Array, points: Array) -> Array:
         """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) and points (p, 3, k)."""
-        columns = nodes.shape[1]
-        condensed = self.solver.condense(*self.arguments(state), self.threads, self._free_rows(points), columns)
-        return self.solved_nodes(nodes + condensed)
+        condensed = [
+            self.solver.condense(*self.arguments(state), self.threads, self._free_rows(points[:, :, some]), count)
+            for some, count in _together(nodes.shape[1])
+        ]
+        return self.solved_nodes(nodes + np.concatenate(condensed, axis=1))
 
     def solved_nodes(self, nodes: Array) -> Array:
         """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) alone."""
@@ -390,8 +394,14 @@ class Normals:
 
     def solve_points(self, state: State, nodes: Array, points: Array) -> Array:
         """The points' part (p, 3, k) that belongs to the nodes' part (N, k) of a solution."""
-        points = self._free_rows(points)
-        return self.solver.expand(*self.arguments(state), self.threads, nodes, points, nodes.shape[1])
+        found = [
+            self.solver.expand(
+                *self.arguments(state), self.threads, np.ascontiguousarray(nodes[:, some]),
+                self._free_rows(points[:, :, some]), count,
+            )
+            for some, count in _together(nodes.shape[1])
+        ]  # fmt: skip
+        return np.concatenate(found, axis=2)
 
     def solve(self, state: State, nodes: Array, points: Array) -> tuple[Array, Array]:
         """N^-1 applied to right sides for nodes (N, k) and points (p, 3, k), with the last factor."""
@@ -412,6 +422,11 @@ class Normals:
         start = self.solver.block_start(k)
         block = inverse[start : start + int(sizes[low]) * int(sizes[high])].reshape(int(sizes[low]), int(sizes[high]))
         return block if a <= b else block.T
+
+
+def _together(columns: int) -> list[tuple[slice, int]]:
+    """Right sides that the kernels take at a time, and how many these are."""
+    return [(slice(k, k + SIDES), min(SIDES, columns - k)) for k in range(0, columns, SIDES)]
 
 
 def _places(correlated: Sequence[Correlated], count: int) -> tuple[Index, Index]:
