@@ -295,7 +295,7 @@ def test_the_logarithm_of_a_camera_constant_is_called_so():
     body = next(
         p for p in flat(control_section(view).parts) if p.kind == "table" and "ln c" in " ".join(map(str, p.rows))
     )
-    rows, known = {r[1]: r for r in body.rows}, phrase("report_control.known_before", symbol="c")
+    rows, known = {r[1]: r for r in body.rows}, phrase("report_control.known_before", symbol="ln c")
     assert float(rows[known][3]) == pytest.approx(np.log(block.cameras[0].values["c"]), rel=1e-4)
     assert rows[known][2] != "mm"
     assert rows["known before: x0"][2] == "mm"
