@@ -113,6 +113,6 @@ summary-part = { $n } { $n ->
 
 summary-try_xfeat = { OPTION("features", "xfeat") } verknüpft Aufnahmen mit größeren Basen (pip install 'raybundle[learned]').
 
-summary-marks_left_out = Nicht verwendete gemessene Punkte ({ $n }): { $names }.
+summary-marks_left_out = Nicht verwendete Punkte mit weniger als zwei Messungen ({ $n }): { $names }.
 
 summary-text = { $text }

@@ -187,9 +187,9 @@ summary-try_xfeat = { OPTION("features", "xfeat") } matches photographs with wid
 
 # $n = 2
 # $names = ["F1", "F2"]
-summary-marks_left_out = { $n } marked { $n ->
-        [one] point is
-        *[other] points are
+summary-marks_left_out = { $n } { $n ->
+        [one] point with fewer than two marks is
+        *[other] points with fewer than two marks are
     } not used: { $names }.
 
 # $text = "P1 lies 3 m away."

@@ -70,4 +70,4 @@ summary-part = { $n } photographies forment une partie séparée : { $folder }.
 
 summary-try_xfeat = { OPTION("features", "xfeat") } apparie des photographies à bases plus larges (pip install 'raybundle[learned]').
 
-summary-marks_left_out = { $n } points mesurés ne sont pas utilisés : { $names }.
+summary-marks_left_out = { $n } points avec moins de deux marques ne sont pas utilisés : { $names }.
