@@ -300,8 +300,9 @@ def _has_only(forward: ForwardCamera, terms: Sequence[str], *, centred: bool) ->
 def camera_from_forward(
     forward: ForwardCamera, id_: str, *, pixel_mm: float | None = None, where: str = ""
 ) -> CameraFit:
-    """The camera that stands for a forward camera: kannala_brandt for k1 to k4 of a fisheye, else a fit or the same terms.
+    """The camera that stands for a forward camera: brown or fisheye by a fit, or a model of the same terms.
 
+    An equidistant camera of k1 to k4 is `kannala_brandt`, exactly.
     pixel_mm  size of a (square) pixel; None: a nominal one, 36 mm over the longer side
     where     words for the message of an error
     raises    InputError where the distortion has no inverse over half the format
