@@ -13,11 +13,12 @@ from tests.cli.reported import codes_of, reported, texts_of, values_of
 
 import raybundle as rb
 from raybundle import adjust
-from raybundle.block import Distances
+from raybundle.block import Distances, Role
 from raybundle.cli.convert import command
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.block.scenes import local_in
+from raybundle.io.formats import read_format
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.report.write import write_result
@@ -59,6 +60,24 @@ def test_there_and_back_by_the_command_line(folder, block, tmp_path, capsys):
     np.testing.assert_allclose(again.images.centre, block.images.centre, atol=1e-12)
     assert len(again.observations) == len(block.observations)
     assert adjust(again).sigma0 < 0.05
+
+
+@pytest.mark.parametrize(
+    ("target", "name", "named", "observed"),
+    [("metashape", "c.xml", True, True), ("nerfstudio", "t.json", False, False), ("ply", "p.ply", False, False),
+     ("opensfm", "r.json", False, True)],
+)  # fmt: skip
+def test_what_stands_in_the_file_is_counted(target, name, named, observed, block, folder, tmp_path, capsys):
+    kept = block.points.role != Role.TIE if named else np.full(len(block.points), True)
+    points, rows = int(kept.sum()), int(kept[block.observations.point].sum()) if observed else 0
+    found = converted(capsys, folder, "--to", target, "--out", tmp_path / name)
+    counts = values_of(found)["block.converted"]
+    assert (counts["points"], counts["observations"]) == (points, rows)
+    left = {"points": len(block.points) - points, "observations": len(block.observations) - rows}
+    assert values_of(found).get("conversion.not_held") == (left if any(left.values()) else None)
+    if observed:
+        again = read_format(target, tmp_path / name).block
+        assert (len(again.points), len(again.observations)) == (points, rows)
 
 
 @pytest.mark.parametrize(

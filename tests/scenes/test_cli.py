@@ -105,6 +105,14 @@ def test_info_of_a_scene_that_looks_past_its_body(sensors, capsys):
     assert capsys.readouterr().out.count(past) == 4
 
 
+@pytest.mark.parametrize(("name", "kind"), [("juno_isd", "frame"), ("orbitalPushFrame", "push_frame")])
+def test_a_frame_is_no_push_frame(sensors, capsys, name, kind):
+    assert main(["rpc", "info", str(sensors / f"pushframe/{name}.json")]) == 0
+    line = headline("scene.rigorous", {"kind": kind, "seconds": 2.9, "height": 0.0})
+    assert line in capsys.readouterr().out
+    assert ("2.9 s" in line) == (kind == "push_frame")
+
+
 def test_points_of_another_place_are_refused(file, tmp_path, capsys):
     (tmp_path / "p.csv").write_text("point,lon_deg,lat_deg,h_m\na,10.0,10.0,0\n")
     assert main(["rpc", "project", str(file), str(tmp_path / "p.csv"), "--out", str(tmp_path / "o.csv")]) == 2

@@ -64,6 +64,14 @@ def edited(sensors, tmp_path, change, file="orbitalLineScan.json"):
 
 
 BAD = {
+    "no line of the detector": (
+        lambda d: d.pop("starting_detector_line"),
+        r"starting_detector_line.*value\.key_missing",
+    ),
+    "no times": (
+        lambda d: [d["instrument_pointing"].pop("ephemeris_times"), d.pop("t0_quaternion")],
+        r"instrument_pointing.*'ephemeris_times'.*value\.key_missing",
+    ),
     "metres taken for kilometres": (
         lambda d: d["instrument_position"].update(unit="m"),
         r"isd\.position_inside_body",
@@ -85,7 +93,7 @@ BAD = {
         ],
         r"9\.0.*isd\.attitude_gap",
     ),
-    "no focal length": (lambda d: d["focal_length_model"].update(focal_length=0), r"value\.zero"),
+    "no focal length": (lambda d: d["focal_length_model"].update(focal_length=0), r"focal_length.*value\.not_above"),
     "distortion": (
         lambda d: d.update(optical_distortion={"transverse": {"x": [0, 1], "y": [0, 0]}}),
         r"isd\.distortion_no_inverse",

@@ -270,7 +270,7 @@ TWICE = {"jitterFramer", "orbitalFramer"}
 """Frame cameras whose files say a key twice."""
 REVERSING = {"cassinivims_isd", "crism_isd", "dawnvir_isd"}
 FRAMES_REFUSED = {
-    "cassis_isd": "isd.summing", "f004a47_isis_isd": "value.key_missing", "f004b65_isis_isd": "value.key_missing",
+    "cassis_isd": "value.not_above", "f004a47_isis_isd": "value.key_missing", "f004b65_isis_isd": "value.key_missing",
     "f704b28_isis_isd": "value.key_missing", "f735a00_isis_isd": "value.key_missing",
     "lohighcamera_isd": "isd.distortion_unknown", "mvic_mpf_isd": "isd.distortion_unknown",
     "simpleFramerISD": "isd.distortion_no_inverse",

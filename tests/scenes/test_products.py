@@ -6,6 +6,7 @@ import pytest
 from raybundle.commands.scenes.inputs import scene_input
 from raybundle.errors import InputError
 from raybundle.io.scenes import read_scene
+from raybundle.io.scenes.products import SCALE, TIE_POINTS, raster_without_model
 from tests.messages import refused
 
 SENTINEL2 = '<?xml version="1.0"?><n1:{level}_User_Product xmlns:n1="https://psd-14.sentinel2.eo.esa.int/PSD/a.xsd"/>'
@@ -66,3 +67,19 @@ def test_rasters_are_maps_or_lack_their_orbit(tmp_path):
             with pytest.raises(InputError) as caught:
                 read(path)
             assert caught.value.code == code
+
+
+@pytest.mark.parametrize(
+    ("scale", "tie", "is_map"),
+    [((0.1, 0.1, 0.0), 4e5, True), ((0.0, 0.0, 0.0), 4e5, False), ((np.nan, 0.1, 0.0), 4e5, False),
+     ((0.1, 0.1, 0.0), np.nan, False)],
+)  # fmt: skip
+def test_only_finite_placements_make_a_map(tmp_path, scale, tie, is_map):
+    from PIL import Image, TiffImagePlugin
+
+    tags = TiffImagePlugin.ImageFileDirectory_v2()
+    for tag, values in ((SCALE, scale), (TIE_POINTS, (0.0, 0.0, 0.0, tie, 5.7e6, 0.0))):
+        tags[tag], tags.tagtype[tag] = values, 12
+    Image.new("L", (8, 8)).save(tmp_path / "a.tif", tiffinfo=tags)
+    found = raster_without_model(tmp_path / "a.tif")
+    assert (found is not None and found.code == "scene.is_map") == is_map

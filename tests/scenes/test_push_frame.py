@@ -1,5 +1,7 @@
 """Push-frame scenes and frames of ISDs, optical bars: image to ground to image."""
 
+import json
+
 import numpy as np
 import pytest
 
@@ -11,6 +13,7 @@ from raybundle.scenes.kinds.push_frame import PushFrameSensor
 from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.optical_bar import OpticalBar
 from raybundle.scenes.push_frame import PushFrame
+from tests.messages import refused
 from tests.scenes.conftest import SENSORS
 
 ISDS, MISC = SENSORS / "pushframe", SENSORS / "misc"
@@ -163,3 +166,44 @@ def test_what_a_bar_may_not_state(tmp_path, old, new, code):
         read_scene(bar(tmp_path, change=(old, new)))
     assert caught.value.code == code
     assert caught.value.file
+
+
+def changed(folder, edit, name="orbitalPushFrame.json"):
+    if not (ISDS / name).is_file():
+        pytest.skip("shared data")
+    data = json.loads((ISDS / name).read_text())
+    edit(data)
+    (folder / "isd.json").write_text(json.dumps(data))
+    return folder / "isd.json"
+
+
+@pytest.mark.parametrize(
+    ("edit", "place", "code"),
+    [
+        (lambda d: d.update(framelets_flipped="False"), "framelets_flipped", "value.no_truth_value"),
+        (lambda d: d.update(framelet_order_reversed="maybe"), "framelet_order_reversed", "value.no_truth_value"),
+        (lambda d: d.update(framelets_flipped=0), "framelets_flipped", "value.no_truth_value"),
+        (lambda d: d.pop("framelet_height"), None, "value.key_missing"),
+        (lambda d: d.update(framelet_height=-12), "framelet_height", "value.not_above"),
+        (lambda d: d.update(exposure_duration=0), "exposure_duration", "value.not_above"),
+        (lambda d: d.update(exposure_duration=-0.05), "exposure_duration", "value.not_above"),
+        (lambda d: d.update(detector_line_summing=-1), "detector_line_summing", "value.not_above"),
+        (lambda d: d["focal_length_model"].update(focal_length=-50), "focal_length_model.focal_length",
+         "value.not_above"),
+        (lambda d: d.pop("starting_detector_line"), None, "value.key_missing"),
+        (lambda d: d["instrument_pointing"].pop("ephemeris_times"), "instrument_pointing", "value.key_missing"),
+        (lambda d: d["instrument_position"]["positions"][3].__setitem__(1, float("nan")),
+         "instrument_position.positions.3.1", "json.not_finite"),
+        (lambda d: d.update(interframe_delay=float("inf")), "interframe_delay", "json.not_finite"),
+    ],
+)  # fmt: skip
+def test_what_a_push_frame_isd_may_not_state(tmp_path, edit, place, code):
+    with pytest.raises(InputError) as caught:
+        read_scene(changed(tmp_path, edit))
+    assert (caught.value.code, caught.value.column) == (code, place)
+    assert caught.value.file
+
+
+def test_a_missing_key_is_named(tmp_path):
+    with refused("value.key_missing", name="'framelet_height'"):
+        read_scene(changed(tmp_path, lambda d: d.pop("framelet_height")))

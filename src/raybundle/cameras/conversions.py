@@ -156,7 +156,10 @@ def exact_measured(forward: ForwardCamera, blank: Camera, model: str) -> Camera 
     """
     twin = EXACT[model]
     known = {t for t, _ in twin.terms.values()}
-    if forward.projection != twin.projection or any(getattr(forward, t) for t in TERMS[4:] if t not in known):
+    others = [t for t in TERMS[5:] if t not in known]
+    if forward.projection != twin.projection or any(abs(getattr(forward, t)) > ROUNDED for t in others):
+        return None
+    if abs(forward.skew) > ROUNDED * forward.fx:
         return None
     symbols = sensor_models[model].symbols
     width, height = blank.pixel_mm
@@ -168,7 +171,7 @@ def exact_measured(forward: ForwardCamera, blank: Camera, model: str) -> Camera 
 
 
 ROUNDED = 1e-14
-"""What a term that a model has not may be, of the camera constant: rounding"""
+"""What a term that a model has not may be; of a length, the share of the camera constant: rounding"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -249,6 +252,9 @@ def forward_fit(
     ideal, ideal_fine = ideal_points(rays[:, seen], projection), ideal_points(rays_fine[:, seen_fine], projection)
     if not (np.isfinite(ideal).all() and np.abs(ideal).max() < 50):
         raise InputError("camera.wider_than_projection", name=_named(camera))
+    exact = exact_forward(camera) if isinstance(camera, Camera) else None
+    if exact is not None and exact.projection == projection and _has_only(exact, terms, centred=centred):
+        return ForwardFit(camera=exact, deviation_px=0.0, covered=float(seen_fine.mean()))
     guess = _first_guess(camera, projection) if isinstance(camera, Camera) else camera
     start = np.where(np.isin(TERMS, ("fx", "fy", "cx", "cy")), guess.vector, 0.0)
     if centred:
@@ -284,11 +290,19 @@ def forward_fit(
     )
 
 
+def _has_only(forward: ForwardCamera, terms: Sequence[str], *, centred: bool) -> bool:
+    """Whether a camera needs no other terms; without "fy" the principal distances are the same."""
+    middle = {"cx": forward.width_px / 2, "cy": forward.height_px / 2} if centred else {}
+    fixed = {"fy": forward.fx, **middle, **dict.fromkeys(TERMS[4:], 0.0)}
+    return all(t in terms or getattr(forward, t) == value for t, value in fixed.items())
+
+
 def camera_from_forward(
     forward: ForwardCamera, id_: str, *, pixel_mm: float | None = None, where: str = ""
 ) -> CameraFit:
     """The camera that stands for a forward camera: brown or fisheye by a fit, or a model of the same terms.
 
+    An equidistant camera of k1 to k4 is `kannala_brandt`, exactly.
     pixel_mm  size of a (square) pixel; None: a nominal one, 36 mm over the longer side
     where     words for the message of an error
     raises    InputError where the distortion has no inverse over half the format
@@ -308,6 +322,9 @@ def camera_from_forward(
     blank = replace(blank, values=_central_values(forward, blank))
     if forward.is_pinhole:
         return CameraFit(camera=blank, deviation_px=0.0, covered=1.0)
+    if (exact := exact_measured(forward, blank, "kannala_brandt")) is not None:
+        _known(rays_of(forward, grid_px(forward.width_px, forward.height_px)), f"{where}camera {id_}")
+        return CameraFit(camera=exact, deviation_px=0.0, covered=1.0)
     fit = measured_fit(forward, blank, _needed(forward, blank), where=where)
     if fit.deviation_px <= CLOSE_PX:
         return fit

@@ -69,19 +69,21 @@ def command(source: Path, progress: str, **given: Any) -> None:
     with reporting(progress) as notify:
         done = run_convert(settings, notify)
     b = done.block
-    facts(images=int(b.images.oriented.sum()), points=len(b.points), observations=len(b.observations))
+    facts(images=int(b.images.oriented.sum()), points=done.points, observations=done.observations)
     facts(files=dict(done.written), cameras_px=done.deviation_px, not_read=dict(done.unread))
     from raybundle.results.state import state_messages
 
     fitted = [note("block.cameras_fitted", largest_px=done.deviation_px)] if done.deviation_px > 0 else []
+    remarks = of_texts(done.remarks, Severity.NOTE)
+    left_out = [m for m in remarks if m.code == "conversion.not_held"]
     more = done.files - len(done.written)
     beside = more > 0 and all(place.is_file() for _, place in done.written)
     report(Summary(
         done=[
-            note("block.converted", images=int(b.images.oriented.sum()), points=len(b.points),
-                 observations=len(b.observations), formats=[to for to, _ in done.written]),
-            *fitted, *([note("block.more_files", n=more)] if beside else []),
+            note("block.converted", images=int(b.images.oriented.sum()), points=done.points,
+                 observations=done.observations, formats=[to for to, _ in done.written]),
+            *left_out, *fitted, *([note("block.more_files", n=more)] if beside else []),
         ],
-        notices=[*state_messages(done.state), *of_texts(done.remarks, Severity.NOTE)],
+        notices=[*state_messages(done.state), *(m for m in remarks if m not in left_out)],
         files=[place for _, place in done.written],
     ))  # fmt: skip

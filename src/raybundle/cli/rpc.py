@@ -139,11 +139,13 @@ def _of_rigorous(s: Scene, line: Rigorous) -> list[Message]:
     import numpy as np
 
     from raybundle.scenes.kinds import scene_kinds
+    from raybundle.scenes.push_frame import PushFrame
 
     size = np.array([line.width_px, line.height_px])
     h = 0.0 if s.rpc is None else float(s.rpc.ground_offset[2])
     kind = next(k.name for k in scene_kinds.values() if k.rigorous and isinstance(line, k.geometry))
-    found = [note("scene.rigorous", kind=kind, seconds=line.seconds, height=h)]
+    frame = isinstance(line, PushFrame) and len(line.framelet_times) == 1
+    found = [note("scene.rigorous", kind="frame" if frame else kind, seconds=line.seconds, height=h)]
     for u, v in CORNERS:
         lon = lat = None
         with contextlib.suppress(NotSolvable):

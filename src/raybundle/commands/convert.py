@@ -69,7 +69,11 @@ class Converted:
     """What a conversion came to."""
 
     block: Block
-    """as it was written"""
+    """as it was given to the writer of the format"""
+    points: int
+    """in what was written; of several formats in the one with most of them"""
+    observations: int
+    """image observations, counted in the same way"""
     files: int
     written: tuple[tuple[str, Path], ...]
     """each format with its file or folder"""
@@ -141,6 +145,8 @@ def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Conve
         raise _not_all([d.written[0] for d in done], failed)
     return replace(
         done[-1],
+        points=max(d.points for d in done),
+        observations=max(d.observations for d in done),
         files=sum(d.files for d in done),
         written=places,
         remarks=tuple(dict.fromkeys(r for d in done for r in d.remarks)),
@@ -183,7 +189,7 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
     from raybundle.io.pictures.plane_file import axes_in, underlay_of
     from raybundle.io.pictures.undistort import point_colours
     from raybundle.pipeline.project import photographs_of
-    from raybundle.workflows.convert import BLOCK, RPC, check_new, placed, straightened, written
+    from raybundle.workflows.convert import BLOCK, RPC, check_new, held, placed, straightened, written
     from raybundle.workflows.sources import (
         read_source,
         recognised,
@@ -242,6 +248,9 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
             export, to, s.out, approximate=s.approximate, free_scale=s.free_scale, tables=s.tables
         )
     progress("writing", 1.0)
-    every = tuple(dict.fromkeys((*remarks, *more)))
-    return Converted(block=export.block, files=files, written=((to, s.out),), remarks=every, deviation_px=deviation,
-                     state=export.record.get(STATE, ""), unread=export.unread)  # fmt: skip
+    points, observations, left_out = held(export.block, to)
+    every = tuple(dict.fromkeys((*remarks, *more, *left_out)))
+    return Converted(
+        block=export.block, points=points, observations=observations, files=files, written=((to, s.out),),
+        remarks=every, deviation_px=deviation, state=export.record.get(STATE, ""), unread=export.unread,
+    )  # fmt: skip

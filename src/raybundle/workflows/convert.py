@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.block import Block
+from raybundle.block import Block, Role
 from raybundle.errors import InputError, message_of_text, phrase
 from raybundle.io.block.folder import write_block
 from raybundle.io.block.scenes import local_in
@@ -21,6 +21,7 @@ from raybundle.io.geo.coordinate_systems import LocalFrame, in_other_projection,
 from raybundle.io.pictures.undistort import undistorted_block, write_undistorted
 from raybundle.io.scene_export import names_of_scenes, scene_images, with_viewpoints, without_scenes, write_rpcs
 from raybundle.io.table_files import TableFormat
+from raybundle.numerics.arrays import Mask
 from raybundle.numerics.places import Place
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.block_frame import moved_to
@@ -146,6 +147,25 @@ def fit_for(export: Export, target: str) -> tuple[Export, tuple[str, ...]]:
     if target in STATIONS and not scene_images(export.block).all():
         return replace(export, block=without_scenes(export.block)), (phrase("conversion.no_scenes", scenes=names),)
     raise InputError("format.no_scenes", format=target, scenes=names, whole=[BLOCK, RPC], points=[*MAPS, *POINTS])
+
+
+def held(block: Block, target: str) -> tuple[int, int, tuple[str, ...]]:
+    """Points and image observations of a block that a format holds, and a remark on the others.
+
+    Points without coordinates and images without orientation have remarks of their own.
+    """
+    if target == BLOCK:
+        return len(block.points), len(block.observations), ()
+    o = block.observations
+    known: Mask = np.asarray(np.isfinite(block.points.xyz).all(axis=1))
+    seen = block.images.oriented[o.image] & known[o.point]
+    which = "none" if target == RPC else format_named(target).points
+    kept: Mask = known & {"all": True, "named": block.points.role != Role.TIE, "none": np.False_}[which]
+    points = int(kept.sum())
+    observations = int((seen & kept[o.point]).sum()) if target == RPC or format_named(target).observations else 0
+    lost = int(known.sum()) - points, int(seen.sum()) - observations
+    remark = (phrase("conversion.not_held", points=lost[0], observations=lost[1]),) if any(lost) else ()
+    return points, observations, remark
 
 
 def _check_block(block: Block) -> None:

@@ -189,6 +189,38 @@ def test_fisheyes_are_written_or_refused_by_name(name, model, block, tmp_path):
         assert camera_difference_px(fish.cameras[0], other.cameras[0]) < 0.05
 
 
+K = {"k1": 0.05, "k2": -0.02, "k3": 0.01, "k4": -0.002}
+"""Distortion that the corrections of `fisheye` meet to 0.2 px alone, 60 degrees off the axis."""
+
+
+@pytest.mark.parametrize("name", [n for n in BOTH if n not in {"opf", "bundler"}])
+def test_strongly_distorted_fisheyes_come_back_exactly(name, block, tmp_path):
+    camera = block.cameras[0]
+    half = np.hypot(camera.width_px * camera.pixel_mm[0], camera.height_px * camera.pixel_mm[1]) / 2
+    values = {"c": half / np.radians(60), "x0": 0.01, "y0": 0.02, **K}
+    fish = replace(block, cameras=(replace(camera, model="kannala_brandt", values=values, estimate="auto"),))
+    written = write_format(name, exported(fish), target(tmp_path, name))
+    assert written.deviation_px == 0
+    again = read_format(name, target(tmp_path, name))
+    assert again.deviation_px == 0
+    found = again.block.cameras[0]
+    assert found.model == "kannala_brandt"
+    assert {k: found.values[k] for k in K} == pytest.approx(K, rel=1e-14)
+    assert camera_difference_px(fish.cameras[0], found) < 1e-8
+
+
+def test_terms_of_rounding_make_no_other_fisheye(block, tmp_path):
+    values = {"c": 12.0, "x0": 0.01, "y0": 0.02, **K}
+    fish = replace(block, cameras=(replace(block.cameras[0], model="kannala_brandt", values=values, estimate="auto"),))
+    path = target(tmp_path, "metashape")
+    write_format("metashape", exported(fish), path)
+    text, more = path.read_text(), "<p1>5e-17</p1><p2>-2e-17</p2><b1>4e-13</b1><b2>1e-13</b2></calibration>"
+    path.write_text(text.replace("</calibration>", more))
+    assert read_format("metashape", path).block.cameras[0].model == "kannala_brandt"
+    path.write_text(text.replace("</calibration>", "<p1>1e-4</p1></calibration>"))
+    assert read_format("metashape", path).block.cameras[0].model == "fisheye"
+
+
 def test_unknown_formats_and_directions_are_refused(block, tmp_path):
     with pytest.raises(InputError, match=r"format\.unknown"):
         write_format("doc", exported(block), tmp_path / "x")

@@ -152,6 +152,10 @@ class Format:
     """Whether it can only be written where the block's coordinate system is known."""
     colours: bool = False
     """Whether its points have colours."""
+    points: Literal["all", "named", "none"] = "all"
+    """Which it holds; named: control and check points."""
+    observations: bool = True
+    """Whether it holds the image observations of these."""
     metric: bool = False
     """Whether who reads it takes its coordinates for metres, or for places on the earth."""
     in_plane: bool = False

@@ -210,6 +210,7 @@ register(
         name="dxf",
         title="DXF drawing: points with names, stations, lines (extra [geo])",
         kind="file",
+        observations=False,
         suffix=".dxf",
         write=write,
         metric=True,

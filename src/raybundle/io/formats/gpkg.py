@@ -194,6 +194,7 @@ register(
         name="gpkg",
         title="GeoPackage: points, stations, footprints, control (extra [geo])",
         kind="file",
+        observations=False,
         suffix=".gpkg",
         write=write,
         metric=True,

@@ -163,6 +163,7 @@ register(
         name="las",
         title="LAS or LAZ points with colour, rays and sigma (extra [las])",
         kind="file",
+        observations=False,
         suffix=".las",
         write=write,
         colours=True,

@@ -154,6 +154,7 @@ register(
         name="metashape",
         title="Metashape cameras.xml (cameras and markers)",
         kind="file",
+        points="named",
         suffix=".xml",
         write=write,
         read=read,

@@ -261,6 +261,7 @@ register(
         title="nerfstudio transforms.json",
         kind="file",
         colours=True,
+        observations=False,
         suffix=".json",
         write=write,
         read=read,

@@ -124,6 +124,7 @@ register(
         name="ply",
         title="PLY points with colour and sigma; stations beside",
         kind="file",
+        observations=False,
         suffix=".ply",
         write=write,
         colours=True,

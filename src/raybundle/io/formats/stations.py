@@ -78,5 +78,14 @@ for _name, _title, _write in (
     ("kml", "stations as KML (needs the coordinate system)", write_kml),
 ):
     register(
-        Format(name=_name, title=_title, kind="file", suffix=f".{_name}", write=_write, needs_frame=True, metric=True)
+        Format(
+            name=_name,
+            title=_title,
+            kind="file",
+            suffix=f".{_name}",
+            write=_write,
+            needs_frame=True,
+            metric=True,
+            points="none",
+        )
     )

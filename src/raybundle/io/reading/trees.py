@@ -126,6 +126,19 @@ class Json:
         """A member that is a number, or the default where there is none."""
         return self.get(key).number() if self.has(key) else default
 
+    def positive(self) -> float:
+        """A finite number above 0."""
+        number = self.number()
+        if number <= 0:
+            self.fail("value.not_above", value=number, limit=0.0)
+        return number
+
+    def truth(self) -> bool:
+        """True or false."""
+        if not isinstance(self.value, bool):
+            self.fail("value.no_truth_value", value=quoted(self.value))
+        return self.value
+
     def whole(self, least: int = 1, most: int = 10_000_000) -> int:
         """A whole number between two limits."""
         value = self.value if isinstance(self.value, int) and not isinstance(self.value, bool) else self.number()
@@ -181,7 +194,9 @@ def json_of(text: str, path: Path) -> Any:
         raise InputError("json.key_twice", name=quoted(str(error)), file=path) from None
     except _NotFinite as error:
         line = text.count("\n", 0, max(text.find(str(error)), 0)) + 1
-        raise InputError("json.not_finite", value=str(error), file=path, line=line) from None
+        raise InputError(
+            "json.not_finite", value=str(error), file=path, line=line, column=_not_finite_at(text)
+        ) from None
     except RecursionError:
         raise InputError("file.nested_too_deeply", most=DEEPEST, file=path) from None
     except ValueError:
@@ -195,6 +210,27 @@ def own_json_of(text: str) -> Any:
 
 def _constant(word: str) -> NoReturn:
     raise _NotFinite(word)
+
+
+def _not_finite_at(text: str) -> str | None:
+    """The way to the first number that is not finite, in a text that json refuses for it."""
+    marks: list[object] = []
+
+    def mark(_: str) -> object:
+        marks.append(object())
+        return marks[-1]
+
+    def below(value: object, at: str) -> str | None:
+        if value is marks[0]:
+            return at
+        steps = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+        ways = (below(v, f"{at}.{_step(k)}" if at else _step(k)) for k, v in steps)
+        return next((w for w in ways if w is not None), None)
+
+    try:
+        return below(json.loads(text, parse_constant=mark), "") or None
+    except (ValueError, RecursionError):
+        return None
 
 
 def _members(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

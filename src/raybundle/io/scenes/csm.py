@@ -20,7 +20,7 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.scenes import rpc_json, rpc_keys
 from raybundle.io.scenes.base import Scene, SceneFormat, register
 from raybundle.io.scenes.csm_distortion import undistorted
-from raybundle.io.scenes.csm_frames import frame_keys
+from raybundle.io.scenes.csm_frames import PUSH_FRAME, frame_keys
 from raybundle.io.scenes.csm_radar import radar_scene
 from raybundle.io.scenes.csm_tables import body_trajectory
 from raybundle.numerics.arrays import Array
@@ -34,7 +34,7 @@ LOOK_NODES = 257
 PAUSE_LINES = 1.0
 """Time between two rows of the table of line times, beyond what their lines take, that counts as a contradiction: to
 a line the writers round."""
-FRAMES = ("USGS_ASTRO_PUSH_FRAME_SENSOR_MODEL", "USGS_ASTRO_FRAME_SENSOR_MODEL")
+FRAMES = (PUSH_FRAME, "USGS_ASTRO_FRAME_SENSOR_MODEL")
 RADAR = "_SAR_"
 """Of other models, by the middle of their names"""
 KEYS_SHOWN = 6
@@ -162,17 +162,13 @@ def _lines(root: Json, rows: int, columns: int) -> dict[str, Any]:
 
 def focal_plane(root: Json, x: Array, lines: Array) -> Array:
     """Viewing directions (n, 2) at samples x and lines (n,) [px]: undistorted coordinates over the camera constant."""
-    summing = [root.optional(f"detector_{k}_summing", 1.0) for k in ("line", "sample")]
-    if any(s <= 0 for s in summing):
-        root.fail("isd.summing", summing=summing)
-    start = [root.optional(f"starting_detector_{k}") for k in ("line", "sample")]
+    summing = [root.get(f"detector_{k}_summing").positive() for k in ("line", "sample")]
+    start = [root.get(f"starting_detector_{k}").number() for k in ("line", "sample")]
     centre = [root.get("detector_center").get(k).number() for k in ("line", "sample")]
     to_pixel = np.stack([root.get(f"focal2pixel_{k}").numbers(3) for k in ("lines", "samples")])
     if abs(np.linalg.det(to_pixel[:, 1:])) < 1e-12:
         root.get("focal2pixel_lines").fail("isd.focal_plane")
-    f = root.get("focal_length_model").get("focal_length").number()
-    if f == 0:
-        root.get("focal_length_model").fail("value.zero")
+    f = root.get("focal_length_model").get("focal_length").positive()
     pixels = np.stack([lines * summing[0] + start[0], x * summing[1] + start[1]]) - np.array(centre)[:, None]
     plane = np.linalg.solve(to_pixel[:, 1:], pixels - to_pixel[:, :1])
     if root.has("optical_distortion"):

@@ -14,6 +14,7 @@ import numpy as np
 from raybundle.io.reading.trees import Json
 from raybundle.numerics.arrays import Array
 
+PUSH_FRAME = "USGS_ASTRO_PUSH_FRAME_SENSOR_MODEL"
 ACROSS, ALONG = 257, 9
 """Nodes of a framelet at which viewing directions are computed where the optics distort."""
 
@@ -25,20 +26,21 @@ def frame_keys(
 
     focal_plane  viewing directions (n, 2) at samples and lines (n,) of the detector
     """
-    pushed = root.has("framelet_height")
-    summing = root.optional("detector_line_summing", 1.0)
+    pushed = root.get("name_model").text() == PUSH_FRAME
+    summing = root.get("detector_line_summing").positive()
     overlap, flipped = root.optional("num_lines_overlap"), False
     height, times = float(rows), np.zeros(1)
     if pushed:
-        height = (root.get("framelet_height").number() - overlap) / summing
-        count = int(rows // (root.get("framelet_height").number() / summing)) if height > 0 else 0
+        whole = root.get("framelet_height").positive()
+        height = (whole - overlap) / summing
+        count = int(rows // (whole / summing)) if height > 0 else 0
         delay = root.get("interframe_delay").number()
         if count < 1 or delay <= 0 or overlap % 2:
             root.get("framelet_height").fail("isd.framelets", height=height, lines=rows, delay_s=delay, overlap=overlap)
         start = root.get("starting_ephemeris_time").number() - root.get("center_ephemeris_time").number()
-        times = start + root.get("exposure_duration").number() / 2 + delay * np.arange(count)
-        times = times[::-1].copy() if root.get("framelet_order_reversed").value else times
-        flipped = bool(root.get("framelets_flipped").value)
+        times = start + root.get("exposure_duration").positive() / 2 + delay * np.arange(count)
+        times = times[::-1].copy() if root.get("framelet_order_reversed").truth() else times
+        flipped = root.get("framelets_flipped").truth()
     distorted = root.has("optical_distortion")
     x = np.linspace(0, columns, ACROSS if distorted else 2)
     at = np.linspace(0, height, ALONG if distorted else 2)

@@ -27,10 +27,7 @@ def radar_scene(root: Json, path: Path, ellipsoid: Ellipsoid, metres: float) -> 
     """The scene of a radar ISD, its positions in units of so many metres."""
     rows, columns = root.get("image_lines").whole(), root.get("image_samples").whole()
     centre = root.get("center_ephemeris_time").number()
-    step, pixel = (root.get(k).number() for k in ("line_exposure_duration", "scaled_pixel_width"))
-    for key, value in (("line_exposure_duration", step), ("scaled_pixel_width", pixel)):
-        if value <= 0:
-            root.get(key).fail("value.not_above", value=value, limit=0.0)
+    step, pixel = (root.get(k).positive() for k in ("line_exposure_duration", "scaled_pixel_width"))
     side = root.get("look_direction").text().lower()
     if side not in SIDES:
         root.get("look_direction").fail("value.not_supported", value=quoted(side), known=list(SIDES))

@@ -70,7 +70,7 @@ def _steady(times: Array, values: Array) -> tuple[Array, Array]:
 
 def times_of(root: Json, group: Json, name: str, count: int) -> Array:
     """Seconds after the centre of the image of a table's entries."""
-    if group.has("ephemeris_times"):
+    if group.has("ephemeris_times") or not root.has(f"t0_{name}"):
         times = group.get("ephemeris_times").items()
         if len(times) != count:
             group.get("ephemeris_times").fail("isd.time_count", n=len(times), entries=count)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
+
 from raybundle.errors import InputError, Message, message
 from raybundle.io.reading.tiff import tiff_tags
 
@@ -45,9 +47,11 @@ def raster_without_model(path: Path) -> Message | None:
         _, tags = tiff_tags(path, frozenset({SCALE, TIE_POINTS, MATRIX}))
     except InputError:
         return None
-    if SCALE in tags or MATRIX in tags:
+    scale, ties, matrix = (np.array(tags.get(tag, ())) for tag in (SCALE, TIE_POINTS, MATRIX))
+    scaled = bool(scale[:2].size) and bool(scale[:2].all()) and bool(np.isfinite([*scale[:2], *ties]).all())
+    if scaled or (matrix.any() and np.isfinite(matrix).all()):
         return message("scene.is_map", what="raster")
-    points = len(tags.get(TIE_POINTS, ())) // 6
+    points = len(ties) // 6 if np.isfinite(ties).all() else 0
     return message("scene.no_orbit", n=points) if points > 1 else None
 
 

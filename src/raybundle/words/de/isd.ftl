@@ -8,9 +8,6 @@ isd-line_times_contradict = Zeile { NUM($line_number, digits: 6) } beginnt { NUM
     .why = Diese Zeile beginnt bei { NUM($time_s, digits: 6) } s, die davor bei { NUM($before_s, digits: 6) } s mit { NUM($step_s, digits: 6) } s je Zeile.
     .do = Die Beschreibung mit einer aktuellen Version von ALE neu schreiben.
 
-isd-summing = Die Zusammenfassung der Detektoren ({ $summing }) muss größer als 0 sein.
-    .do = Den Wert korrigieren.
-
 isd-focal_plane = Die Transformation von der Bildebene in Pixel hat keine Umkehrung.
     .do = focal2pixel_lines und focal2pixel_samples korrigieren.
 

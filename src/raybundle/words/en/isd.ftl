@@ -13,10 +13,6 @@ isd-line_times_contradict = Line { NUM($line_number, digits: 6) } starts { NUM($
     .why = It starts at { NUM($time_s, digits: 6) } s, those before at { NUM($before_s, digits: 6) } s with { NUM($step_s, digits: 6) } s per line.
     .do = Write the description again with a current version of ALE.
 
-# $summing = [0.0, 1.0]
-isd-summing = Detector summing ({ $summing }) must be greater than 0.
-    .do = Correct the value.
-
 isd-focal_plane = The transformation from focal plane to pixels has no inverse.
     .do = Correct focal2pixel_lines and focal2pixel_samples.
 

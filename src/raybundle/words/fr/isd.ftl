@@ -4,8 +4,6 @@ isd-line_times = La table des temps de ligne n'est pas monotone.
 
 isd-line_times_contradict = La ligne { NUM($line_number, digits: 6) } commence avec { NUM($off_lines, decimals: 1) } temps de ligne d'écart.
 
-isd-summing = Le regroupement des détecteurs ({ $summing }) doit être supérieur à 0.
-
 isd-focal_plane = La transformation du plan focal aux pixels n'a pas d'inverse.
 
 isd-coefficient_count = Coefficients de distorsion : { $n } ; { $most } au plus sont possibles.

@@ -11,6 +11,15 @@ conversion-not_oriented = { $n } von { $total } Bildern sind nicht orientiert un
 
 conversion-no_coordinates = { $n } von { $total } Punkten haben keine Koordinaten und entfallen: { $names }.
 
+conversion-not_held = Das Format hat keinen Platz für { $points ->
+        [0] {""}
+        [one] { $points } Punkt und{" "}
+        *[other] { $points } Punkte und{" "}
+    }{ $observations } { $observations ->
+        [one] Bildbeobachtung
+        *[other] Bildbeobachtungen
+    }; sie sind weggelassen.
+
 conversion-camera_fitted = Kamera { $camera } wird als { $model } geschrieben, über das Format angepasst: größte Abweichung { $largest_px } px.
 
 conversion-measured_points = Bildpunkte sind die gemessenen, in { $unit } um die Bildmitte.

@@ -24,10 +24,14 @@ scene-stated_bias = Angegebener Versatz: { $bias_m } m (68 %), { $x }, { $y } px
 scene-rigorous = Strenges Modell: { $kind ->
         [linescan] Zeilenkamera
         [push_frame] Push-Frame-Kamera
+        [frame] Flächenkamera
         [optical_bar] Panoramakamera (optical bar)
         [range_doppler] Radar
        *[other] { $kind }
-    }, { NUM($seconds, digits: 4) } s, Ecken in der Höhe { $height } m.
+    }{ $kind ->
+        [frame] {""}
+       *[other] {", "}{ NUM($seconds, digits: 4) } s
+    }, Ecken in der Höhe { $height } m.
 
 scene-corner = Ecke { NUM($x, decimals: 0) }, { NUM($y, decimals: 0) }: { $known ->
         [yes] { NUM($longitude, decimals: 6) } O, { NUM($latitude, decimals: 6) } N

@@ -22,6 +22,17 @@ conversion-not_oriented = { $n } of { $total } images are not oriented and are l
 # $names = ["P1", "P2"]
 conversion-no_coordinates = { $n } of { $total } points have no coordinates and are left out: { $names }.
 
+# $points = 35
+# $observations = 153
+conversion-not_held = The format has no place for { $points ->
+        [0] {""}
+        [one] { $points } point and{" "}
+        *[other] { $points } points and{" "}
+    }{ $observations } image { $observations ->
+        [one] observation
+        *[other] observations
+    }; they are left out.
+
 # $camera = "1"
 # $model = "OPENCV"
 # $largest_px = 0.02

@@ -43,10 +43,14 @@ scene-stated_bias = Stated bias: { $bias_m } m (68 %), { $x }, { $y } px.
 scene-rigorous = Rigorous model: { $kind ->
         [linescan] line scanner
         [push_frame] push-frame camera
+        [frame] frame camera
         [optical_bar] optical-bar camera
         [range_doppler] radar
        *[other] { $kind }
-    }, { NUM($seconds, digits: 4) } s, corners at height { $height } m.
+    }{ $kind ->
+        [frame] {""}
+       *[other] {", "}{ NUM($seconds, digits: 4) } s
+    }, corners at height { $height } m.
 
 # $x = 35170.0
 # $y = 0.0
