@@ -113,6 +113,13 @@ def test_what_moved_is_found_with_its_size(plan, done):
     assert plan.ids[0] in m.adjustment.given.points.ids
 
 
+def test_verdicts_agree_with_the_probabilities_they_rest_on(done):
+    d = done[0].displacements
+    below = d.p_tested < done[0].limit
+    assert set(np.array(d.verdict)[below]) == {MOVED, "not_significant"}
+    assert set(np.array(d.verdict)[~below]) == {"stable"}
+
+
 def test_tables_are_read_as_written(done, tmp_path):
     m, _, _ = done
     limit = Limit(length=1e-4, confidence=0.95)
