@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from raybundle.commands.epochs import groups_of
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
@@ -159,6 +160,21 @@ def test_dates_of_folders(tmp_path):
     assert date_of("2026_13_01") == ""
     with pytest.raises(InputError, match=r"epochs\.no_date_text"):
         given_date("May")
+
+
+def test_groups_name_points_or_an_outline(tmp_path):
+    block, _ = network(1)
+    assert groups_of(["rock:2,NOPE"], block) == {"rock": ("2", "NOPE")}
+    with pytest.raises(InputError, match=r"file\.missing"):
+        groups_of(["wall:missing.csv"], block)
+    file = tmp_path / "wall.csv"
+    file.write_text("foo,bar\n-99,-99\n99,-99\n99,99\n")
+    with pytest.raises(InputError, match=r"table\.columns_missing"):
+        groups_of([f"wall:{file}"], block)
+    file.write_text("X;Y\n-999;-999\n999;-999\n999;999\n-999;999\n")
+    assert groups_of([f"wall:{file}"], block)["wall"] == block.points.ids
+    file.write_text("-999 -999\n999 -999\n999 999\n")
+    assert groups_of([f"wall:{file}"], block)["wall"]
 
 
 def test_linked_photographs_have_the_date_of_their_folder(tmp_path):

@@ -275,7 +275,7 @@ OF_ONE_DATE = {"snooping_masked", "rejected", "image_contradicts", "image_less_p
 def groups_of(given: Sequence[str], block: Block) -> dict[str, tuple[str, ...]]:
     """The groups of the user: names of points, or points within an outline X,Y.
 
-    raises  InputError for what is neither, and for a file that is no outline
+    raises  InputError for what is neither, and for a file that is missing or no outline
     """
     import numpy as np
 
@@ -284,15 +284,48 @@ def groups_of(given: Sequence[str], block: Block) -> dict[str, tuple[str, ...]]:
         name, _, points = text.partition(":")
         if not name or not points:
             raise InputError("epochs.group_text", text=text)
-        if not Path(points).is_file():
-            found[name] = tuple(p.strip() for p in points.split(",") if p.strip())
+        file = Path(points)
+        if not file.is_file():
+            found[name] = _names(points)
+            if file.suffix[1:].isalpha() and not set(found[name]) & set(block.points.ids):
+                raise InputError("file.missing", file=file)
             continue
+        _check_header(file)
         from matplotlib.path import Path as Polygon
 
         from raybundle.io.outlines import read_outline
 
         inside = Polygon(read_outline(Path(points))).contains_points(np.nan_to_num(block.points.xyz[:, :2]))
         found[name] = tuple(block.points.ids[k] for k in np.flatnonzero(inside))
+    return found
+
+
+def _names(points: str) -> tuple[str, ...]:
+    return tuple(p.strip() for p in points.split(",") if p.strip())
+
+
+def _check_header(file: Path) -> None:
+    """Raise InputError for a table with a header without X and Y."""
+    from raybundle.io.outlines import TEXT
+    from raybundle.io.reading.files import read_lines
+    from raybundle.io.reading.words import number_of
+
+    if file.suffix.lower() not in TEXT:
+        return
+    line, text = next(iter(read_lines(file)), (0, ""))
+    words = re.findall(r"[^\s,;\"']+", text)
+    missing = [c for c in "XY" if c not in [w.upper() for w in words]]
+    if words and missing and all(number_of(w) is None for w in words):
+        raise InputError("table.columns_missing", names=missing, header=words, needed=list("XY"), file=file, line=line)
+
+
+def _outside_groups(given: Sequence[str], tested: Sequence[str]) -> list[Message]:
+    """A warning for each group with names that are not tested."""
+    found: list[Message] = []
+    for text in given:
+        name, _, points = text.partition(":")
+        names = [] if Path(points).is_file() else [p for p in _names(points) if p not in tested]
+        found += [warning("epochs.group_without", name=name, names=names)] if names else []
     return found
 
 
@@ -455,6 +488,7 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
         for t in m.stability.cameras
         if not t.shared
     ]
+    grave += _outside_groups(settings.group, m.stability.congruence.ids)
     if done.exceeded:
         grave.insert(0, _beyond(done.exceeded, settings))
     return first, grave

@@ -59,6 +59,10 @@ epochs-joint_order = Die gemeinsame Kovarianz von { $epochs } verlangt dieselben
 epochs-group_empty = Kein Punkt der Gruppe { $name } hat an jedem Tag eine Lage.
     .do = { OPTION("group") } korrigieren.
 
+epochs-group_without = Gruppe { $name } ist ohne { LIST($names, most: 5) } geprüft.
+    .why = Kein Punkt dieses Namens hat an jedem Tag eine Lage.
+    .do = { OPTION("group") } korrigieren.
+
 epochs-group_text = { $text } ist keine Gruppe.
     .do = { OPTION("group", "NAME:A,B,C") } oder { OPTION("group", "NAME:outline.csv") } angeben.
 

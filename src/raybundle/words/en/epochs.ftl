@@ -117,6 +117,12 @@ epochs-joint_order = The joint covariance of { $epochs } needs the same points i
 epochs-group_empty = No point of group { $name } has a place at every date.
     .do = Correct { OPTION("group") }.
 
+# $name = "rock"
+# $names = ["R9"]
+epochs-group_without = Group { $name } is tested without { LIST($names, most: 5) }.
+    .why = No point with such a name has a place at every date.
+    .do = Correct { OPTION("group") }.
+
 # $text = "wall"
 epochs-group_text = { $text } is no group.
     .do = Give { OPTION("group", "NAME:A,B,C") } or { OPTION("group", "NAME:outline.csv") }.

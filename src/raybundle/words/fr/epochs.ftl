@@ -30,6 +30,8 @@ epochs-joint_order = La covariance commune de { $epochs } exige les mêmes point
 
 epochs-group_empty = Aucun point du groupe { $name } n’a de position à chaque date.
 
+epochs-group_without = Le groupe { $name } est testé sans { LIST($names, most: 5) }.
+
 epochs-group_text = { $text } n’est pas un groupe.
 
 epochs-one_date = Les déplacements exigent des images d’au moins deux dates ; il y a { LIST($dates, most: 1) }.
