@@ -1,12 +1,13 @@
 """Photographs of several dates in one adjustment: places of each date, what moved, tables."""
 
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from raybundle.commands.epochs import groups_of
+from raybundle.commands.epochs import EpochsSettings, groups_of, messages_of
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
@@ -160,6 +161,23 @@ def test_dates_of_folders(tmp_path):
     assert date_of("2026_13_01") == ""
     with pytest.raises(InputError, match=r"epochs\.no_date_text"):
         given_date("May")
+
+
+def test_without_a_scale_no_length_is_printed(done):
+    m = done[0]
+    assert m.adjustment.free_scale
+    scaled = replace(m, adjustment=replace(m.adjustment, datum_defect=()))
+    settings = EpochsSettings(out=Path("dam"))
+    found = [
+        {
+            x.code
+            for x in messages_of(
+                SimpleNamespace(movements=k, adjustment=k.adjustment, exceeded=(), changes=None), settings
+            )[0]
+        }
+        for k in (scaled, m)
+    ]
+    assert found[0] - found[1] == {"displacement.largest", "displacement.level_of_detection"}
 
 
 def test_groups_name_points_or_an_outline(tmp_path):

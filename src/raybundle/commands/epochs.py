@@ -399,6 +399,8 @@ def _movement(m: Movements, significance: float) -> list[Message]:
         note("displacement.dates", dates=list(names), points=len(set(d.point)), moved=len(points), areas=len(areas),
              names=points, error_rate=significance)
     ]  # fmt: skip
+    if m.adjustment.free_scale:  # lengths are in no unit
+        return first
     if len(rows):
         k = rows[d.length[rows].argmax()]
         u = d.vector[k] / max(float(d.length[k]), 1e-300)
