@@ -163,6 +163,17 @@ def test_dates_of_folders(tmp_path):
         given_date("May")
 
 
+def test_a_date_with_one_photograph_is_named():
+    block, dates = network(1)
+    keep = (dates.of_image != 1) | (np.arange(len(dates.of_image)) == np.flatnonzero(dates.of_image == 1)[0])
+    block = replace(block, observations=block.observations.rows(keep[block.observations.image]))
+    with pytest.raises(InputError, match=r"epochs\.dates_not_joined") as error:
+        movements(block, dates)
+    assert error.value.message is not None
+    assert error.value.message.values["date"] == DAYS[1]
+    assert error.value.message.values["common"] == 0
+
+
 def test_without_a_scale_no_length_is_printed(done):
     m = done[0]
     assert m.adjustment.free_scale

@@ -66,6 +66,13 @@ epochs-group_without = Gruppe { $name } ist ohne { LIST($names, most: 5) } gepr�
 epochs-group_text = { $text } ist keine Gruppe.
     .do = { OPTION("group", "NAME:A,B,C") } oder { OPTION("group", "NAME:outline.csv") } angeben.
 
+epochs-dates_not_joined = { $date } hat { $common } Punkte mit anderen Tagen gemeinsam, alle Tage { $n } (nötig sind { $least }).
+    .why = Der Tag hat { $photographs } { $photographs ->
+        [one] Foto
+        *[other] Fotos
+    }; zwei müssen einen Punkt zeigen.
+    .do = An jedem Tag dieselbe Stelle von ähnlichen Seiten aufnehmen, oder { $date } aus [epochs] in project.toml löschen.
+
 epochs-one_date = Verschiebungen verlangen Bilder von mindestens zwei Tagen; vorhanden ist { LIST($dates, most: 1) }.
     .do = Fotos eines weiteren Tages hinzufügen.
 

@@ -127,6 +127,18 @@ epochs-group_without = Group { $name } is tested without { LIST($names, most: 5)
 epochs-group_text = { $text } is no group.
     .do = Give { OPTION("group", "NAME:A,B,C") } or { OPTION("group", "NAME:outline.csv") }.
 
+# $n = 2
+# $least = 6
+# $date = "2026-07-01"
+# $common = 2
+# $photographs = 2
+epochs-dates_not_joined = { $date } has { $common } points in common with other dates; all dates have { $n } ({ $least } are needed).
+    .why = It has { $photographs } { $photographs ->
+        [one] photograph
+        *[other] photographs
+    }; two must show a point.
+    .do = Take photographs of the same place from similar sides at each date, or delete { $date } from [epochs] of project.toml.
+
 # $dates = ["2026-05-01"]
 epochs-one_date = Displacements need images of at least two dates; there is { LIST($dates, most: 1) }.
     .do = Add photographs of another date.

@@ -34,6 +34,8 @@ epochs-group_without = Le groupe { $name } est testé sans { LIST($names, most: 
 
 epochs-group_text = { $text } n’est pas un groupe.
 
+epochs-dates_not_joined = { $date } a { $common } points en commun avec d'autres dates, toutes les dates { $n } (il en faut { $least } ; photos : { $photographs }).
+
 epochs-one_date = Les déplacements exigent des images d’au moins deux dates ; il y a { LIST($dates, most: 1) }.
 
 epochs-no_date_text = { $text } n’est pas une date.
