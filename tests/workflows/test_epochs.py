@@ -4,10 +4,11 @@ from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
+import cv2
 import numpy as np
 import pytest
 
-from raybundle.commands.epochs import EpochsSettings, groups_of, messages_of
+from raybundle.commands.epochs import EpochsSettings, epochs, groups_of, messages_of
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
@@ -213,3 +214,25 @@ def test_linked_photographs_have_the_date_of_their_folder(tmp_path):
     (tmp_path / "may/a.jpg").symlink_to(tmp_path / "archive/a.jpg")
     photo = SimpleNamespace(path=tmp_path / "may/a.jpg", name="a.jpg", metadata=SimpleNamespace(taken=None))
     assert dates_of([photo], [Source(path=tmp_path / "may", date="2026-05-01")]) == {"a.jpg": "2026-05-01"}
+
+
+@pytest.fixture
+def may(tmp_path):
+    """A folder with two photographs without metadata."""
+    (tmp_path / "may").mkdir()
+    for k in range(2):
+        cv2.imwrite(str(tmp_path / f"may/{k}.jpg"), np.random.default_rng(k).integers(0, 255, (300, 400), np.uint8))
+    return tmp_path / "may"
+
+
+def test_photographs_are_remembered_once_they_and_their_dates_are_found(may, tmp_path):
+    (tmp_path / "empty").mkdir()
+    days = ("2026-05-01", "2026-06-01")
+    for add, date, code in (
+        ((may, tmp_path / "junr"), days, r"file\.missing"),
+        ((may, tmp_path / "empty"), days, r"epochs\.source_empty"),
+        ((may,), (), r"epochs\.photographs_without_date"),
+    ):
+        with pytest.raises(InputError, match=code):
+            epochs(tmp_path / "dam", add=add, date=date, report=False)
+        assert not (tmp_path / "dam/project.toml").exists()

@@ -107,7 +107,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     from raybundle.io.trajectories import read_trajectory
     from raybundle.results.folder import check_target
     from raybundle.results.project_results import EPOCHS, replacing
-    from raybundle.workflows.epochs.photograph_dates import dates_of, folders_of
+    from raybundle.workflows.epochs.photograph_dates import dates_of, folders_of, found_in
     from raybundle.workflows.orient import orient as oriented
     from raybundle.workflows.orienting.options import OrientOptions
 
@@ -117,6 +117,8 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     orienting = replace(orienting, store=store_of(out, orienting.store, orienting.photos))
     check_pages(orienting)
     check_target(result)
+    folders = [f for s in sources for f in folders_of(s)]
+    found_in(folders, progress)
     keep_settings(orienting)
     _keep_sources(out, sources)
     chosen: dict[str, Any] = {f.name: getattr(orienting, f.name) for f in fields(OrientOptions)}
@@ -126,7 +128,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
         calibration=() if orienting.calibration is None else read_cameras(orienting.calibration),
         positions=None if orienting.positions is None else read_trajectory(orienting.positions), earlier=_earlier(out),
     )  # fmt: skip
-    dates = dates_of(done.photos, [f for s in sources for f in folders_of(s)])
+    dates = dates_of(done.photos, folders)
     done, found = with_movements(done, dates, settings, progress)
     if done.adjustment.free_scale:  # lengths are in no unit
         limit = None

@@ -94,6 +94,10 @@ epochs-dates_not_paired = { $add } Ordner werden mit { $dates } { $dates ->
 epochs-no_photographs = { $project } hat keine Fotos.
     .do = Fotos mit { OPTION("add", "PHOTOS") } hinzufügen.
 
+epochs-source_empty = { $folder } hat keine eigenen Fotos.
+    .why = Der Ordner ist leer, oder seine Fotos sind Verknüpfungen mit früheren.
+    .do = { OPTION("add", "PHOTOS") } korrigieren.
+
 epochs-limit = { $text } ist keine Länge.
     .do = { OPTION("limit", "10mm") } angeben.
 

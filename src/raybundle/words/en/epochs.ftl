@@ -167,6 +167,11 @@ epochs-dates_not_paired = { $add } folders are added with { $dates } { $dates ->
 epochs-no_photographs = { $project } has no photographs.
     .do = Add photographs with { OPTION("add", "PHOTOS") }.
 
+# $folder = "july"
+epochs-source_empty = { $folder } has no photographs of its own.
+    .why = It is empty, or its photographs are links to earlier ones.
+    .do = Correct { OPTION("add", "PHOTOS") }.
+
 # $text = "10 feet"
 epochs-limit = { $text } is no length.
     .do = Give { OPTION("limit", "10mm") }.

@@ -46,6 +46,8 @@ epochs-dates_not_paired = Dossiers ajoutés : { $add } ; dates : { $dates }.
 
 epochs-no_photographs = { $project } n’a pas de photos.
 
+epochs-source_empty = { $folder } n’a pas de photos propres.
+
 epochs-limit = { $text } n’est pas une longueur.
 
 epochs-limit_not_tested = { $limit } n’est pas testé : les longueurs n’ont pas d’échelle.

@@ -9,7 +9,10 @@ from datetime import date
 from pathlib import Path
 
 from raybundle.errors import InputError
-from raybundle.io.photos.photo import Photo
+from raybundle.io.photos.photo import Found, Photo, find_photos
+from raybundle.io.photos.remote import url_of
+from raybundle.numerics.progress import Progress, silent
+from raybundle.workflows.scenes.images import find_scenes
 
 _DATE = re.compile(r"(\d{4})[-_.]?(\d{2})[-_.]?(\d{2})")
 
@@ -67,4 +70,22 @@ def dates_of(photos: Sequence[Photo], sources: Sequence[Source]) -> dict[str, st
     missing = [name for name, d in found.items() if not d]
     if missing:
         raise InputError("epochs.photographs_without_date", n=len(missing), names=missing)
+    return found
+
+
+def found_in(folders: Sequence[Source], progress: Progress = silent) -> Found:
+    """The photographs of all dates, as they are looked for by `orient`.
+
+    raises  InputError for what does not exist, for folders without photographs of their own, and photographs without
+            a date
+    """
+    paths = [s.path for s in folders]
+    scenes = find_scenes(paths).files
+    found = find_photos(paths, leave=scenes, progress=progress)
+    files = [*scenes, *(p.path for p in found.photos), *(p for p, _ in found.refused)]
+    there = {place for f in files for place in (f.absolute(), f.parent.resolve())}
+    for path in paths:
+        if not url_of(path) and path.resolve() not in there and path.absolute() not in there:
+            raise InputError("epochs.source_empty", folder=str(path))
+    dates_of(found.photos, folders)
     return found
