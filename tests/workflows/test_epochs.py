@@ -1,5 +1,6 @@
 """Photographs of several dates in one adjustment: places of each date, what moved, tables."""
 
+import shutil
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -16,7 +17,15 @@ from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.epochs.cameras import cameras_by_dates
 from raybundle.workflows.epochs.dated_points import by_dates
 from raybundle.workflows.epochs.movements import MOVED, movements
-from raybundle.workflows.epochs.photograph_dates import Source, date_of, dates_of, folders_of, given_date
+from raybundle.workflows.epochs.photograph_dates import (
+    Source,
+    date_of,
+    dates_of,
+    folders_of,
+    found_in,
+    given_date,
+    left_out,
+)
 from raybundle.workflows.epochs.stability import weighted_apart
 from raybundle.workflows.epochs.tables import (
     Limit,
@@ -184,7 +193,7 @@ def test_without_a_scale_no_length_is_printed(done):
         {
             x.code
             for x in messages_of(
-                SimpleNamespace(movements=k, adjustment=k.adjustment, exceeded=(), changes=None), settings
+                SimpleNamespace(movements=k, adjustment=k.adjustment, exceeded=(), changes=None, left_out=()), settings
             )[0]
         }
         for k in (scaled, m)
@@ -236,3 +245,22 @@ def test_photographs_are_remembered_once_they_and_their_dates_are_found(may, tmp
         with pytest.raises(InputError, match=code):
             epochs(tmp_path / "dam", add=add, date=date, report=False)
         assert not (tmp_path / "dam/project.toml").exists()
+
+
+def test_a_copy_keeps_the_first_date_and_is_named(may, tmp_path):
+    for name in ("ju", "july"):
+        shutil.copytree(may, tmp_path / name)
+    (tmp_path / "july/2.jpg").write_bytes((may / "0.jpg").read_bytes()[:2000])
+    cv2.imwrite(str(tmp_path / "july/3.jpg"), np.random.default_rng(9).integers(0, 255, (300, 400), np.uint8))
+    folders = [Source(path=tmp_path / name, date=f"2026-0{k}-01") for k, name in ((5, "may"), (6, "ju"), (7, "july"))]
+    found = found_in(folders)
+    dates = dates_of(found.photos, folders)
+    assert sorted(dates.values()) == ["2026-05-01"] * 2 + ["2026-07-01"]
+    (lone,) = [n for n, d in dates.items() if d == "2026-07-01"]
+    june, july = left_out(found, folders, [(lone, "no orientation")])
+    assert (june.values["date"], june.values["n"], june.values["total"]) == ("2026-06-01", 2, 2)
+    assert {d.code for d in june.details} == {"photograph.copy"}
+    assert (july.values["n"], july.values["total"], july.values["whole"]) == (4, 4, True)
+    assert [july.values[k] for k in ("copies", "unusable", "lost")] == [2, 1, 1]
+    _, dateless = left_out(found, folders[:2], [])
+    assert [dateless.values[k] for k in ("date", "n", "total", "whole")] == ["july", 3, 4, False]

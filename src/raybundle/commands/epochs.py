@@ -74,6 +74,8 @@ class Epochs:
     """None: of one date alone"""
     exceeded: tuple[Exceeded, ...] = ()
     changes: Changes | None = None
+    left_out: tuple[Message, ...] = ()
+    """Of each date with photographs that take no part"""
 
     @property
     def adjustment(self) -> Adjustment:
@@ -107,7 +109,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     from raybundle.io.trajectories import read_trajectory
     from raybundle.results.folder import check_target
     from raybundle.results.project_results import EPOCHS, replacing
-    from raybundle.workflows.epochs.photograph_dates import dates_of, folders_of, found_in
+    from raybundle.workflows.epochs.photograph_dates import dates_of, folders_of, found_in, left_out
     from raybundle.workflows.orient import orient as oriented
     from raybundle.workflows.orienting.options import OrientOptions
 
@@ -118,7 +120,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     check_pages(orienting)
     check_target(result)
     folders = [f for s in sources for f in folders_of(s)]
-    found_in(folders, progress)
+    there = found_in(folders, progress)
     keep_settings(orienting)
     _keep_sources(out, sources)
     chosen: dict[str, Any] = {f.name: getattr(orienting, f.name) for f in fields(OrientOptions)}
@@ -150,6 +152,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
         )  # fmt: skip
     return Epochs(
         orientation=done, movements=found, changes=changes, exceeded=over,
+        left_out=tuple(left_out(there, folders, done.not_oriented)),
     )  # fmt: skip
 
 
@@ -472,12 +475,12 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
     """What is printed first, and warnings."""
     m = done.movements
     if m is None:
-        return [note("displacement.one_date", date=(done.adjustment.given.images.date or ("",))[0])], []
+        return [note("displacement.one_date", date=(done.adjustment.given.images.date or ("",))[0])], [*done.left_out]
     first = _movement(m, settings.significance)
     untested = _untested(m)
     first += [] if untested is None else [untested]
     first += [] if done.changes is None else [_changed(done.changes)]
-    grave: list[Message] = []
+    grave = [*done.left_out]
     if done.adjustment.free_scale:
         limited = warning("epochs.limit_not_tested", limit=settings.limit)
         grave.append(limited if settings.limit else warning("epochs.no_scale"))

@@ -94,6 +94,22 @@ epochs-dates_not_paired = { $add } Ordner werden mit { $dates } { $dates ->
 epochs-no_photographs = { $project } hat keine Fotos.
     .do = Fotos mit { OPTION("add", "PHOTOS") } hinzufügen.
 
+epochs-photographs_left_out = { $date }: { $n } von { $total } Fotos nehmen nicht teil: { LIST($names, most: 3) }{ $copies ->
+        [0] {""}
+       *[other] ; Kopien: { $copies }
+    }{ $unusable ->
+        [0] {""}
+       *[other] ; unbrauchbar: { $unusable }
+    }{ $lost ->
+        [0] {""}
+       *[other] ; nicht orientiert: { $lost }
+    }.
+    .why = { $whole ->
+        [yes] Verschiebungen dieses Tages gibt es nicht
+       *[no] Verschiebungen dieses Tages sind weniger genau
+    }.
+    .do = Fotos, die nicht teilnehmen, ersetzen oder löschen.
+
 epochs-source_empty = { $folder } hat keine eigenen Fotos.
     .why = Der Ordner ist leer, oder seine Fotos sind Verknüpfungen mit früheren.
     .do = { OPTION("add", "PHOTOS") } korrigieren.

@@ -167,6 +167,30 @@ epochs-dates_not_paired = { $add } folders are added with { $dates } { $dates ->
 epochs-no_photographs = { $project } has no photographs.
     .do = Add photographs with { OPTION("add", "PHOTOS") }.
 
+# $date = "2026-07-01"
+# $n = 2
+# $total = 3
+# $whole = false
+# $copies = 1
+# $unusable = 1
+# $lost = 0
+# $names = ["a.jpg", "b.jpg"]
+epochs-photographs_left_out = { $date }: { $n } of { $total } photographs take no part: { LIST($names, most: 3) }{ $copies ->
+        [0] {""}
+       *[other] ; copies: { $copies }
+    }{ $unusable ->
+        [0] {""}
+       *[other] ; unusable: { $unusable }
+    }{ $lost ->
+        [0] {""}
+       *[other] ; not oriented: { $lost }
+    }.
+    .why = { $whole ->
+        [yes] There are no displacements of this date
+       *[no] Displacements of this date are less precise
+    }.
+    .do = Replace or delete photographs that take no part.
+
 # $folder = "july"
 epochs-source_empty = { $folder } has no photographs of its own.
     .why = It is empty, or its photographs are links to earlier ones.

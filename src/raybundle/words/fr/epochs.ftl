@@ -46,6 +46,17 @@ epochs-dates_not_paired = Dossiers ajoutés : { $add } ; dates : { $dates }.
 
 epochs-no_photographs = { $project } n’a pas de photos.
 
+epochs-photographs_left_out = { $date } : photos sans emploi, { $n } sur { $total } : { LIST($names, most: 3) }{ $copies ->
+        [0] {""}
+       *[other] ; copies : { $copies }
+    }{ $unusable ->
+        [0] {""}
+       *[other] ; inutilisables : { $unusable }
+    }{ $lost ->
+        [0] {""}
+       *[other] ; non orientées : { $lost }
+    }.
+
 epochs-source_empty = { $folder } n’a pas de photos propres.
 
 epochs-limit = { $text } n’est pas une longueur.
