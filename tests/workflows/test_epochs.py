@@ -1,11 +1,15 @@
 """Photographs of several dates in one adjustment: places of each date, what moved, tables."""
 
+import shutil
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
+import cv2
 import numpy as np
 import pytest
 
+from raybundle.commands.epochs import EpochsSettings, epochs, groups_of, messages_of
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
@@ -13,7 +17,15 @@ from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.epochs.cameras import cameras_by_dates
 from raybundle.workflows.epochs.dated_points import by_dates
 from raybundle.workflows.epochs.movements import MOVED, movements
-from raybundle.workflows.epochs.photograph_dates import Source, date_of, dates_of, folders_of, given_date
+from raybundle.workflows.epochs.photograph_dates import (
+    Source,
+    date_of,
+    dates_of,
+    folders_of,
+    found_in,
+    given_date,
+    left_out,
+)
 from raybundle.workflows.epochs.stability import weighted_apart
 from raybundle.workflows.epochs.tables import (
     Limit,
@@ -113,6 +125,13 @@ def test_what_moved_is_found_with_its_size(plan, done):
     assert plan.ids[0] in m.adjustment.given.points.ids
 
 
+def test_verdicts_agree_with_the_probabilities_they_rest_on(done):
+    d = done[0].displacements
+    below = d.p_tested < done[0].limit
+    assert set(np.array(d.verdict)[below]) == {MOVED, "not_significant"}
+    assert set(np.array(d.verdict)[~below]) == {"stable"}
+
+
 def test_tables_are_read_as_written(done, tmp_path):
     m, _, _ = done
     limit = Limit(length=1e-4, confidence=0.95)
@@ -154,6 +173,49 @@ def test_dates_of_folders(tmp_path):
         given_date("May")
 
 
+def test_a_date_with_one_photograph_is_named():
+    block, dates = network(1)
+    keep = (dates.of_image != 1) | (np.arange(len(dates.of_image)) == np.flatnonzero(dates.of_image == 1)[0])
+    block = replace(block, observations=block.observations.rows(keep[block.observations.image]))
+    with pytest.raises(InputError, match=r"epochs\.dates_not_joined") as error:
+        movements(block, dates)
+    assert error.value.message is not None
+    assert error.value.message.values["date"] == DAYS[1]
+    assert error.value.message.values["common"] == 0
+
+
+def test_without_a_scale_no_length_is_printed(done):
+    m = done[0]
+    assert m.adjustment.free_scale
+    scaled = replace(m, adjustment=replace(m.adjustment, datum_defect=()))
+    settings = EpochsSettings(out=Path("dam"))
+    found = [
+        {
+            x.code
+            for x in messages_of(
+                SimpleNamespace(movements=k, adjustment=k.adjustment, exceeded=(), changes=None, left_out=()), settings
+            )[0]
+        }
+        for k in (scaled, m)
+    ]
+    assert found[0] - found[1] == {"displacement.largest", "displacement.level_of_detection"}
+
+
+def test_groups_name_points_or_an_outline(tmp_path):
+    block, _ = network(1)
+    assert groups_of(["rock:2,NOPE"], block) == {"rock": ("2", "NOPE")}
+    with pytest.raises(InputError, match=r"file\.missing"):
+        groups_of(["wall:missing.csv"], block)
+    file = tmp_path / "wall.csv"
+    file.write_text("foo,bar\n-99,-99\n99,-99\n99,99\n")
+    with pytest.raises(InputError, match=r"table\.columns_missing"):
+        groups_of([f"wall:{file}"], block)
+    file.write_text("X;Y\n-999;-999\n999;-999\n999;999\n-999;999\n")
+    assert groups_of([f"wall:{file}"], block)["wall"] == block.points.ids
+    file.write_text("-999 -999\n999 -999\n999 999\n")
+    assert groups_of([f"wall:{file}"], block)["wall"]
+
+
 def test_linked_photographs_have_the_date_of_their_folder(tmp_path):
     (tmp_path / "archive").mkdir()
     (tmp_path / "may").mkdir()
@@ -161,3 +223,44 @@ def test_linked_photographs_have_the_date_of_their_folder(tmp_path):
     (tmp_path / "may/a.jpg").symlink_to(tmp_path / "archive/a.jpg")
     photo = SimpleNamespace(path=tmp_path / "may/a.jpg", name="a.jpg", metadata=SimpleNamespace(taken=None))
     assert dates_of([photo], [Source(path=tmp_path / "may", date="2026-05-01")]) == {"a.jpg": "2026-05-01"}
+
+
+@pytest.fixture
+def may(tmp_path):
+    """A folder with two photographs without metadata."""
+    (tmp_path / "may").mkdir()
+    for k in range(2):
+        cv2.imwrite(str(tmp_path / f"may/{k}.jpg"), np.random.default_rng(k).integers(0, 255, (300, 400), np.uint8))
+    return tmp_path / "may"
+
+
+def test_photographs_are_remembered_once_they_and_their_dates_are_found(may, tmp_path):
+    (tmp_path / "empty").mkdir()
+    days = ("2026-05-01", "2026-06-01")
+    for add, date, code in (
+        ((may, tmp_path / "junr"), days, r"file\.missing"),
+        ((may, tmp_path / "empty"), days, r"epochs\.source_empty"),
+        ((may,), (), r"epochs\.photographs_without_date"),
+    ):
+        with pytest.raises(InputError, match=code):
+            epochs(tmp_path / "dam", add=add, date=date, report=False)
+        assert not (tmp_path / "dam/project.toml").exists()
+
+
+def test_a_copy_keeps_the_first_date_and_is_named(may, tmp_path):
+    for name in ("ju", "july"):
+        shutil.copytree(may, tmp_path / name)
+    (tmp_path / "july/2.jpg").write_bytes((may / "0.jpg").read_bytes()[:2000])
+    cv2.imwrite(str(tmp_path / "july/3.jpg"), np.random.default_rng(9).integers(0, 255, (300, 400), np.uint8))
+    folders = [Source(path=tmp_path / name, date=f"2026-0{k}-01") for k, name in ((5, "may"), (6, "ju"), (7, "july"))]
+    found = found_in(folders)
+    dates = dates_of(found.photos, folders)
+    assert sorted(dates.values()) == ["2026-05-01"] * 2 + ["2026-07-01"]
+    (lone,) = [n for n, d in dates.items() if d == "2026-07-01"]
+    june, july = left_out(found, folders, [(lone, "no orientation")])
+    assert (june.values["date"], june.values["n"], june.values["total"]) == ("2026-06-01", 2, 2)
+    assert {d.code for d in june.details} == {"photograph.copy"}
+    assert (july.values["n"], july.values["total"], july.values["whole"]) == (4, 4, True)
+    assert [july.values[k] for k in ("copies", "unusable", "lost")] == [2, 1, 1]
+    _, dateless = left_out(found, folders[:2], [])
+    assert [dateless.values[k] for k in ("date", "n", "total", "whole")] == ["july", 3, 4, False]

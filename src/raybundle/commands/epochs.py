@@ -74,6 +74,8 @@ class Epochs:
     """None: of one date alone"""
     exceeded: tuple[Exceeded, ...] = ()
     changes: Changes | None = None
+    left_out: tuple[Message, ...] = ()
+    """Of each date with photographs that take no part"""
 
     @property
     def adjustment(self) -> Adjustment:
@@ -107,7 +109,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     from raybundle.io.trajectories import read_trajectory
     from raybundle.results.folder import check_target
     from raybundle.results.project_results import EPOCHS, replacing
-    from raybundle.workflows.epochs.photograph_dates import dates_of, folders_of
+    from raybundle.workflows.epochs.photograph_dates import dates_of, folders_of, found_in, left_out
     from raybundle.workflows.orient import orient as oriented
     from raybundle.workflows.orienting.options import OrientOptions
 
@@ -117,6 +119,8 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     orienting = replace(orienting, store=store_of(out, orienting.store, orienting.photos))
     check_pages(orienting)
     check_target(result)
+    folders = [f for s in sources for f in folders_of(s)]
+    there = found_in(folders, progress)
     keep_settings(orienting)
     _keep_sources(out, sources)
     chosen: dict[str, Any] = {f.name: getattr(orienting, f.name) for f in fields(OrientOptions)}
@@ -126,7 +130,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
         calibration=() if orienting.calibration is None else read_cameras(orienting.calibration),
         positions=None if orienting.positions is None else read_trajectory(orienting.positions), earlier=_earlier(out),
     )  # fmt: skip
-    dates = dates_of(done.photos, [f for s in sources for f in folders_of(s)])
+    dates = dates_of(done.photos, folders)
     done, found = with_movements(done, dates, settings, progress)
     if done.adjustment.free_scale:  # lengths are in no unit
         limit = None
@@ -148,6 +152,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
         )  # fmt: skip
     return Epochs(
         orientation=done, movements=found, changes=changes, exceeded=over,
+        left_out=tuple(left_out(there, folders, done.not_oriented)),
     )  # fmt: skip
 
 
@@ -275,7 +280,7 @@ OF_ONE_DATE = {"snooping_masked", "rejected", "image_contradicts", "image_less_p
 def groups_of(given: Sequence[str], block: Block) -> dict[str, tuple[str, ...]]:
     """The groups of the user: names of points, or points within an outline X,Y.
 
-    raises  InputError for what is neither, and for a file that is no outline
+    raises  InputError for what is neither, and for a file that is missing or no outline
     """
     import numpy as np
 
@@ -284,15 +289,48 @@ def groups_of(given: Sequence[str], block: Block) -> dict[str, tuple[str, ...]]:
         name, _, points = text.partition(":")
         if not name or not points:
             raise InputError("epochs.group_text", text=text)
-        if not Path(points).is_file():
-            found[name] = tuple(p.strip() for p in points.split(",") if p.strip())
+        file = Path(points)
+        if not file.is_file():
+            found[name] = _names(points)
+            if file.suffix[1:].isalpha() and not set(found[name]) & set(block.points.ids):
+                raise InputError("file.missing", file=file)
             continue
+        _check_header(file)
         from matplotlib.path import Path as Polygon
 
         from raybundle.io.outlines import read_outline
 
         inside = Polygon(read_outline(Path(points))).contains_points(np.nan_to_num(block.points.xyz[:, :2]))
         found[name] = tuple(block.points.ids[k] for k in np.flatnonzero(inside))
+    return found
+
+
+def _names(points: str) -> tuple[str, ...]:
+    return tuple(p.strip() for p in points.split(",") if p.strip())
+
+
+def _check_header(file: Path) -> None:
+    """Raise InputError for a table with a header without X and Y."""
+    from raybundle.io.outlines import TEXT
+    from raybundle.io.reading.files import read_lines
+    from raybundle.io.reading.words import number_of
+
+    if file.suffix.lower() not in TEXT:
+        return
+    line, text = next(iter(read_lines(file)), (0, ""))
+    words = re.findall(r"[^\s,;\"']+", text)
+    missing = [c for c in "XY" if c not in [w.upper() for w in words]]
+    if words and missing and all(number_of(w) is None for w in words):
+        raise InputError("table.columns_missing", names=missing, header=words, needed=list("XY"), file=file, line=line)
+
+
+def _outside_groups(given: Sequence[str], tested: Sequence[str]) -> list[Message]:
+    """A warning for each group with names that are not tested."""
+    found: list[Message] = []
+    for text in given:
+        name, _, points = text.partition(":")
+        names = [] if Path(points).is_file() else [p for p in _names(points) if p not in tested]
+        found += [warning("epochs.group_without", name=name, names=names)] if names else []
     return found
 
 
@@ -366,6 +404,8 @@ def _movement(m: Movements, significance: float) -> list[Message]:
         note("displacement.dates", dates=list(names), points=len(set(d.point)), moved=len(points), areas=len(areas),
              names=points, error_rate=significance)
     ]  # fmt: skip
+    if m.adjustment.free_scale:  # lengths are in no unit
+        return first
     if len(rows):
         k = rows[d.length[rows].argmax()]
         u = d.vector[k] / max(float(d.length[k]), 1e-300)
@@ -435,12 +475,12 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
     """What is printed first, and warnings."""
     m = done.movements
     if m is None:
-        return [note("displacement.one_date", date=(done.adjustment.given.images.date or ("",))[0])], []
+        return [note("displacement.one_date", date=(done.adjustment.given.images.date or ("",))[0])], [*done.left_out]
     first = _movement(m, settings.significance)
     untested = _untested(m)
     first += [] if untested is None else [untested]
     first += [] if done.changes is None else [_changed(done.changes)]
-    grave: list[Message] = []
+    grave = [*done.left_out]
     if done.adjustment.free_scale:
         limited = warning("epochs.limit_not_tested", limit=settings.limit)
         grave.append(limited if settings.limit else warning("epochs.no_scale"))
@@ -455,6 +495,7 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
         for t in m.stability.cameras
         if not t.shared
     ]
+    grave += _outside_groups(settings.group, m.stability.congruence.ids)
     if done.exceeded:
         grave.insert(0, _beyond(done.exceeded, settings))
     return first, grave

@@ -118,7 +118,7 @@ def find_photos(
     limit_pixels  a file whose header states more is not decoded
     raises        InputError for an input that does not exist or a folder that cannot be listed
     A file that cannot be used costs that file only and is listed with its reason: empty, truncated, no image,
-    too large, not readable, a thumbnail beside photographs, the same content as another file.
+    too large, not readable, a thumbnail beside photographs, the same content as another file (of an earlier input).
     Limits: whether the pixels in the middle of a file are damaged; `read_grey` finds that.
     """
     files, remarks = _files(inputs, frozenset(leave))
@@ -135,8 +135,13 @@ def find_photos(
             continue
         of_content.setdefault(photo.sha256, []).append((path, photo))
     copies: dict[str, str] = {}
+    turn: dict[Path, int] = {}
+    for k, given in enumerate(inputs):
+        path = local_path(Path(given))
+        turn.setdefault(path if path.is_dir() else path.parent, k)
     for same in of_content.values():
-        original = min((p for _, p in same), key=lambda p: len(p.name))  # "copy of a.jpg", "a (1).jpg" are longer
+        # of the folder that is given first; "copy of a.jpg", "a (1).jpg" are longer
+        original = min(same, key=lambda s: (turn.get(s[0].parent, len(turn)), len(s[1].name)))[1]
         photos.append(original)
         for path, photo in same:
             if photo is not original:

@@ -59,8 +59,19 @@ epochs-joint_order = Die gemeinsame Kovarianz von { $epochs } verlangt dieselben
 epochs-group_empty = Kein Punkt der Gruppe { $name } hat an jedem Tag eine Lage.
     .do = { OPTION("group") } korrigieren.
 
+epochs-group_without = Gruppe { $name } ist ohne { LIST($names, most: 5) } geprüft.
+    .why = Kein Punkt dieses Namens hat an jedem Tag eine Lage.
+    .do = { OPTION("group") } korrigieren.
+
 epochs-group_text = { $text } ist keine Gruppe.
     .do = { OPTION("group", "NAME:A,B,C") } oder { OPTION("group", "NAME:outline.csv") } angeben.
+
+epochs-dates_not_joined = { $date } hat { $common } Punkte mit anderen Tagen gemeinsam, alle Tage { $n } (nötig sind { $least }).
+    .why = Der Tag hat { $photographs } { $photographs ->
+        [one] Foto
+        *[other] Fotos
+    }; zwei müssen einen Punkt zeigen.
+    .do = An jedem Tag dieselbe Stelle von ähnlichen Seiten aufnehmen, oder { $date } aus [epochs] in project.toml löschen.
 
 epochs-one_date = Verschiebungen verlangen Bilder von mindestens zwei Tagen; vorhanden ist { LIST($dates, most: 1) }.
     .do = Fotos eines weiteren Tages hinzufügen.
@@ -82,6 +93,26 @@ epochs-dates_not_paired = { $add } Ordner werden mit { $dates } { $dates ->
 
 epochs-no_photographs = { $project } hat keine Fotos.
     .do = Fotos mit { OPTION("add", "PHOTOS") } hinzufügen.
+
+epochs-photographs_left_out = { $date }: { $n } von { $total } Fotos nehmen nicht teil: { LIST($names, most: 3) }{ $copies ->
+        [0] {""}
+       *[other] ; Kopien: { $copies }
+    }{ $unusable ->
+        [0] {""}
+       *[other] ; unbrauchbar: { $unusable }
+    }{ $lost ->
+        [0] {""}
+       *[other] ; nicht orientiert: { $lost }
+    }.
+    .why = { $whole ->
+        [yes] Verschiebungen dieses Tages gibt es nicht
+       *[no] Verschiebungen dieses Tages sind weniger genau
+    }.
+    .do = Fotos, die nicht teilnehmen, ersetzen oder löschen.
+
+epochs-source_empty = { $folder } hat keine eigenen Fotos.
+    .why = Der Ordner ist leer, oder seine Fotos sind Verknüpfungen mit früheren.
+    .do = { OPTION("add", "PHOTOS") } korrigieren.
 
 epochs-limit = { $text } ist keine Länge.
     .do = { OPTION("limit", "10mm") } angeben.

@@ -117,9 +117,27 @@ epochs-joint_order = The joint covariance of { $epochs } needs the same points i
 epochs-group_empty = No point of group { $name } has a place at every date.
     .do = Correct { OPTION("group") }.
 
+# $name = "rock"
+# $names = ["R9"]
+epochs-group_without = Group { $name } is tested without { LIST($names, most: 5) }.
+    .why = No point with such a name has a place at every date.
+    .do = Correct { OPTION("group") }.
+
 # $text = "wall"
 epochs-group_text = { $text } is no group.
     .do = Give { OPTION("group", "NAME:A,B,C") } or { OPTION("group", "NAME:outline.csv") }.
+
+# $n = 2
+# $least = 6
+# $date = "2026-07-01"
+# $common = 2
+# $photographs = 2
+epochs-dates_not_joined = { $date } has { $common } points in common with other dates; all dates have { $n } ({ $least } are needed).
+    .why = It has { $photographs } { $photographs ->
+        [one] photograph
+        *[other] photographs
+    }; two must show a point.
+    .do = Take photographs of the same place from similar sides at each date, or delete { $date } from [epochs] of project.toml.
 
 # $dates = ["2026-05-01"]
 epochs-one_date = Displacements need images of at least two dates; there is { LIST($dates, most: 1) }.
@@ -148,6 +166,35 @@ epochs-dates_not_paired = { $add } folders are added with { $dates } { $dates ->
 # $project = "dam"
 epochs-no_photographs = { $project } has no photographs.
     .do = Add photographs with { OPTION("add", "PHOTOS") }.
+
+# $date = "2026-07-01"
+# $n = 2
+# $total = 3
+# $whole = false
+# $copies = 1
+# $unusable = 1
+# $lost = 0
+# $names = ["a.jpg", "b.jpg"]
+epochs-photographs_left_out = { $date }: { $n } of { $total } photographs take no part: { LIST($names, most: 3) }{ $copies ->
+        [0] {""}
+       *[other] ; copies: { $copies }
+    }{ $unusable ->
+        [0] {""}
+       *[other] ; unusable: { $unusable }
+    }{ $lost ->
+        [0] {""}
+       *[other] ; not oriented: { $lost }
+    }.
+    .why = { $whole ->
+        [yes] There are no displacements of this date
+       *[no] Displacements of this date are less precise
+    }.
+    .do = Replace or delete photographs that take no part.
+
+# $folder = "july"
+epochs-source_empty = { $folder } has no photographs of its own.
+    .why = It is empty, or its photographs are links to earlier ones.
+    .do = Correct { OPTION("add", "PHOTOS") }.
 
 # $text = "10 feet"
 epochs-limit = { $text } is no length.

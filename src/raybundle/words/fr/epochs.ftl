@@ -30,7 +30,11 @@ epochs-joint_order = La covariance commune de { $epochs } exige les mêmes point
 
 epochs-group_empty = Aucun point du groupe { $name } n’a de position à chaque date.
 
+epochs-group_without = Le groupe { $name } est testé sans { LIST($names, most: 5) }.
+
 epochs-group_text = { $text } n’est pas un groupe.
+
+epochs-dates_not_joined = { $date } a { $common } points en commun avec d'autres dates, toutes les dates { $n } (il en faut { $least } ; photos : { $photographs }).
 
 epochs-one_date = Les déplacements exigent des images d’au moins deux dates ; il y a { LIST($dates, most: 1) }.
 
@@ -41,6 +45,19 @@ epochs-photographs_without_date = Photos sans date ({ $n }) : { LIST($names, mos
 epochs-dates_not_paired = Dossiers ajoutés : { $add } ; dates : { $dates }.
 
 epochs-no_photographs = { $project } n’a pas de photos.
+
+epochs-photographs_left_out = { $date } : photos sans emploi, { $n } sur { $total } : { LIST($names, most: 3) }{ $copies ->
+        [0] {""}
+       *[other] ; copies : { $copies }
+    }{ $unusable ->
+        [0] {""}
+       *[other] ; inutilisables : { $unusable }
+    }{ $lost ->
+        [0] {""}
+       *[other] ; non orientées : { $lost }
+    }.
+
+epochs-source_empty = { $folder } n’a pas de photos propres.
 
 epochs-limit = { $text } n’est pas une longueur.
 

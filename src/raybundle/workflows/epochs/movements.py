@@ -55,6 +55,9 @@ class Displacements:
     """(r,) length of the smallest displacement that is found with 80 % probability, in the direction known worst [m]"""
     detectable_before: Array
     """(r,) the same if no point had moved"""
+    p_tested: Array
+    """(r,) what the verdict on the point rests on, of all its dates: below `Movements.limit` it moved; NaN: it follows
+    its neighbours"""
 
     def __len__(self) -> int:
         return len(self.point)
@@ -130,7 +133,7 @@ def movements(
     found = _pairs(result, dated, others)
     others = np.array(list(dict.fromkeys(found.base.tolist())), np.int64)
     errors = None if s.errors is None else MatchingErrors.of(result, s.errors.shares, s.errors.variance)
-    moved, doubtful = _by_point(found, dated, errors, alpha)
+    moved, doubtful, p = _by_point(found, dated, errors, alpha)
     near = _near_moved(dated, others, s.congruence.xyz, s.congruence.in_area)
     alike = _near_moved(dated, others, s.congruence.xyz, s.congruence.moved)
     doubtful = [d and not a for d, a in zip(doubtful, alike, strict=True)]
@@ -151,7 +154,7 @@ def movements(
         names = tuple(final.bases[k] for k in np.flatnonzero(there) if used[int(final.at[k].max())])
         own = replace(options, datum_points=names, reject="none")
         last = decide(replace(last.given, rejected=_rejected(last)), own, progress)
-    rows = _all_rows(last, final, s, found, (moved, doubtful, near), alpha)
+    rows = _all_rows(last, final, s, found, (moved, doubtful, near), p, alpha)
     return Movements(
         dates=dates, stability=s, dated=final, adjustment=last, displacements=rows, limit=alpha,
         single_rays=len(block.observations) - len(final.block.observations),
@@ -218,21 +221,27 @@ def _tests(vector: Array, covariance: Array, freedom: float) -> tuple[Array, Arr
 
 def _by_point(
     found: _Found, dated: Dated, errors: MatchingErrors | None, alpha: float
-) -> tuple[list[bool], list[bool]]:  # fmt: skip
-    """Of each point by its first row, whether a displacement is significant, and wrong image points explain all."""
+) -> tuple[list[bool], list[bool], Array]:  # fmt: skip
+    """Of each point by its first row, whether a displacement is significant, and wrong image points explain all.
+
+    Last, the least probability of its displacements, wrong image points included, times their number.
+    """
     _, p = _tests(found.vector, found.covariance, found.freedom)
-    bases, count = np.unique(found.base, return_counts=True)
-    level = alpha / count[np.searchsorted(bases, found.base)]
-    alone = p < level
-    sure = alone.copy()
+    bases, place, count = np.unique(found.base, return_inverse=True, return_counts=True)
+    level = alpha / count[place]
+    alone, whole = p < level, p.copy()
     for k in np.flatnonzero(alone).tolist():
         if errors is None:
             break
         points = [int(dated.at[found.base[k], e]) for e in (found.start[k], found.end[k])]
-        sure[k] = errors.probability(points, found.vector[k], found.covariance[k]) < level[k]
+        whole[k] = max(p[k], errors.probability(points, found.vector[k], found.covariance[k]))
+    sure = whole < level
+    least = np.ones(len(bases))
+    np.minimum.at(least, place, whole * count[place])
     order = list(dict.fromkeys(found.base.tolist()))
     significant = [bool(alone[found.base == b].any()) for b in order]
-    return significant, [s and not sure[found.base == b].any() for s, b in zip(significant, order, strict=True)]
+    doubtful = [s and not sure[found.base == b].any() for s, b in zip(significant, order, strict=True)]
+    return significant, doubtful, least[np.searchsorted(bases, order)]
 
 
 def _places(dated: Dated, bases: Index) -> Array:
@@ -256,7 +265,7 @@ def _near_moved(dated: Dated, bases: Index, xyz: Array, moved: Mask | None) -> l
 
 def _all_rows(
     result: Adjustment, dated: Dated, s: Stability, found: _Found, decided: tuple[Sequence[bool], ...],
-    alpha: float,
+    p_others: Array, alpha: float,
 ) -> Displacements:  # fmt: skip
     """All displacements: of points apart by the final adjustment, of stable ones as the test found them."""
     c = s.congruence
@@ -305,6 +314,7 @@ def _all_rows(
     if s.errors is not None:
         least = np.maximum(least, _explained(s.errors, s, dated, (base, start, end), C, alpha))
     tested = {b: j for j, b in enumerate(sample.tolist())}
+    rests = dict(zip([*sample.tolist(), *bases], [*c.p_value.tolist(), *p_others.tolist()], strict=True))
     assert c.detectable_before is not None
     before = np.array([c.detectable_before[tested[b]] if b in tested else np.nan for b in base.tolist()])
     own = np.array([c.detectable[tested[b]] if b in tested else np.nan for b in base.tolist()])
@@ -314,7 +324,7 @@ def _all_rows(
     return Displacements(
         point=tuple(dated.bases[b] for b in base.tolist()), start=start, end=end, xyz=xyz, vector=vector, covariance=C,
         F=F, p_value=p, verdict=tuple(words), detectable=np.where(np.isfinite(own), own, least),
-        detectable_before=before,
+        detectable_before=before, p_tested=np.array([rests.get(b, np.nan) for b in base.tolist()]),
     )  # fmt: skip
 
 

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 
-from raybundle.errors import InputError
-from raybundle.io.photos.photo import Photo
+from raybundle.errors import InputError, Message, code_of, excluded, warning
+from raybundle.io.photos.photo import Found, Photo, find_photos
+from raybundle.io.photos.remote import url_of
+from raybundle.numerics.progress import Progress, silent
+from raybundle.workflows.scenes.images import find_scenes
 
+MOST_REASONS = 3
+"""Photographs of a date that are listed with the reason why they take no part"""
 _DATE = re.compile(r"(\d{4})[-_.]?(\d{2})[-_.]?(\d{2})")
 
 
@@ -68,3 +74,51 @@ def dates_of(photos: Sequence[Photo], sources: Sequence[Source]) -> dict[str, st
     if missing:
         raise InputError("epochs.photographs_without_date", n=len(missing), names=missing)
     return found
+
+
+def found_in(folders: Sequence[Source], progress: Progress = silent) -> Found:
+    """The photographs of all dates, as they are looked for by `orient`.
+
+    raises  InputError for what does not exist, for folders without photographs of their own, and photographs without
+            a date
+    """
+    paths = [s.path for s in folders]
+    scenes = find_scenes(paths).files
+    found = find_photos(paths, leave=scenes, progress=progress)
+    files = [*scenes, *(p.path for p in found.photos), *(p for p, _ in found.refused)]
+    there = {place for f in files for place in (f.absolute(), f.parent.resolve())}
+    for path in paths:
+        if not url_of(path) and path.resolve() not in there and path.absolute() not in there:
+            raise InputError("epochs.source_empty", folder=str(path))
+    dates_of(found.photos, folders)
+    return found
+
+
+def left_out(found: Found, folders: Sequence[Source], lost: Sequence[tuple[str, str]]) -> list[Message]:
+    """A warning for each date, or folder without one, with photographs that take no part.
+
+    found  as of `found_in`
+    lost   names of photographs without orientation, and why
+    """
+    given = {s.path.resolve(): s.date for s in folders if s.date}
+
+    def date(path: Path) -> str:
+        return given.get(path.absolute()) or given.get(path.parent.resolve()) or path.parent.name
+
+    of_photo = {p.name: date(p.path) for p in found.photos}
+    without = [(date(path), path.name, reason) for path, reason in found.refused]
+    count = Counter([*of_photo.values(), *(d for d, _, _ in without)])
+    copies = Counter(d for d, _, reason in without if code_of(reason) == "photograph.copy")
+    refused = Counter(d for d, _, _ in without)
+    without += [(of_photo[name], name, reason) for name, reason in lost if name in of_photo]
+    warnings: list[Message] = []
+    for d in sorted({d for d, _, _ in without}):
+        names = [(name, reason) for of, name, reason in without if of == d]
+        warnings.append(
+            warning(
+                "epochs.photographs_left_out", date=d, n=len(names), total=count[d], whole=len(names) == count[d],
+                copies=copies[d], unusable=refused[d] - copies[d], lost=len(names) - refused[d],
+                names=[n for n, _ in names], details=excluded(names, most=MOST_REASONS),
+            )
+        )  # fmt: skip
+    return warnings

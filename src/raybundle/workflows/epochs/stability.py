@@ -197,7 +197,17 @@ def _everywhere(dated: Dated, dates: Dates) -> Index:
     """Points with a place at every date; raises InputError where they are too few."""
     found = np.flatnonzero(dated.spanning & (dated.at >= 0).all(axis=1))
     if len(found) < FEWEST:
-        raise InputError("epochs.too_few_common", epochs=list(dates.names), n=len(found), least=FEWEST)
+        common = (dated.spanning[:, None] & (dated.at >= 0)).sum(axis=0)
+        images = np.bincount(dates.of_image, minlength=len(common))
+        worst = int(np.lexsort((images, common))[0])
+        raise InputError(
+            "epochs.dates_not_joined",
+            n=len(found),
+            least=FEWEST,
+            date=dates.names[worst],
+            common=int(common[worst]),
+            photographs=int(images[worst]),
+        )
     return found
 
 

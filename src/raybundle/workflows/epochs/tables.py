@@ -21,7 +21,7 @@ from raybundle.workflows.epochs.movements import MOVED, UNTESTED, Movements, exc
 
 DISPLACEMENTS, EPOCHS = "displacements.csv", "epochs.json"
 AXES = "XYZ"
-EXCEEDS = "p_exceeds_limit"
+EXCEEDS, TESTED = "p_exceeds_limit", "p_tested"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,7 +95,7 @@ def write_displacements(m: Movements, path: Path, limit: Limit | None) -> None:
         **{f"d{a}": d.vector[:, k] for k, a in enumerate(AXES)},
         **{f"sd{a}": std[:, k] for k, a in enumerate(AXES)},
         **{f"r{a}": rho[:, k] for k, a in enumerate(("XY", "XZ", "YZ"))},
-        "length": d.length, "F": d.F, "p": d.p_value, "verdict": list(d.verdict),
+        "length": d.length, "F": d.F, "p": d.p_value, TESTED: d.p_tested, "verdict": list(d.verdict),
         "detectable_before": d.detectable_before, "detectable": d.detectable,
     }  # fmt: skip
     if limit is not None:
@@ -104,7 +104,7 @@ def write_displacements(m: Movements, path: Path, limit: Limit | None) -> None:
         **{f"{h}{a}": by_sigma(std[:, k]) for k, a in enumerate(AXES) for h in ("", "d")},
         **dict.fromkeys(("sdX", "sdY", "sdZ", "rXY", "rXZ", "rYZ"), STD),
         "length": by_sigma(std.max(axis=1, initial=0)),
-        "F": TEST, "p": PROBABILITY, "detectable_before": STD, "detectable": STD, EXCEEDS: PROBABILITY,
+        "F": TEST, "detectable_before": STD, "detectable": STD, **dict.fromkeys(("p", TESTED, EXCEEDS), PROBABILITY),
     }  # fmt: skip
     write_table(path, columns, {n: r for n, r in rules.items() if n in columns})
 
@@ -177,10 +177,10 @@ def write_epochs(contents: Mapping[str, Any], path: Path) -> None:
 def read_displacements(path: Path) -> dict[tuple[str, str, str], tuple[Array, Array, str]]:
     """Displacements (3,) and standard deviations (3,) [m] and verdicts of a result, by point and dates."""
     texts, numbers = ("point", "from", "to", "verdict"), [f"{h}{a}" for h in ("d", "sd") for a in AXES]
-    more = (*AXES, "rXY", "rXZ", "rYZ", "length", "F", "p", "detectable_before", "detectable", EXCEEDS)
+    more = (*AXES, "rXY", "rXZ", "rYZ", "length", "F", "p", "detectable_before", "detectable", EXCEEDS, TESTED)
     columns = [
         *(Column(name=n, kind="text", empty=True) for n in texts),
-        *(Column(name=n, kind="number", empty=True, optional=n == EXCEEDS) for n in (*numbers, *more)),
+        *(Column(name=n, kind="number", empty=True, optional=n in {EXCEEDS, TESTED}) for n in (*numbers, *more)),
     ]
     t = read_table(path, columns, least_rows=0, own=True)
     values = t.numbers(*numbers)
