@@ -131,7 +131,13 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
         positions=None if orienting.positions is None else read_trajectory(orienting.positions), earlier=_earlier(out),
     )  # fmt: skip
     dates = dates_of(done.photos, folders)
-    done, found = with_movements(done, dates, settings, progress)
+    less = left_out(there, folders, done.not_oriented)
+    try:
+        done, found = with_movements(done, dates, settings, progress)
+    except InputError as error:
+        if error.message is None or error.message.code != "epochs.dates_not_joined":
+            raise
+        raise InputError(replace(error.message, details=tuple(less))) from None
     if done.adjustment.free_scale:  # lengths are in no unit
         limit = None
     before = _delivered(result)
@@ -152,7 +158,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
         )  # fmt: skip
     return Epochs(
         orientation=done, movements=found, changes=changes, exceeded=over,
-        left_out=tuple(left_out(there, folders, done.not_oriented)),
+        left_out=tuple(less),
     )  # fmt: skip
 
 
