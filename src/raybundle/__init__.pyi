@@ -738,7 +738,7 @@ def empirical(
     """
 
 def epochs(
-    project: str | Path,
+    out: str | Path,
     *,
     progress: Progress = ...,
     own_camera: str | Sequence[str] = (),
@@ -762,7 +762,6 @@ def epochs(
     read_out: float | None = None,
     noise: Literal['white', 'fields', 'auto'] = 'auto',
     photos: str | Path | Sequence[str | Path] = (),
-    out: str | Path,
     calibration: str | Path | None = None,
     control: str | Path | Sequence[str | Path] = (),
     check: str | Path | Sequence[str | Path] = (),
@@ -794,9 +793,9 @@ def epochs(
     limit: str = '',
     confidence: float = 0.99,
 ) -> Epochs:
-    """Adjust photographs of several dates together; displacements stand in `project`/result/displacements.csv.
+    """Adjust photographs of several dates together; displacements stand in `out`/result/displacements.csv.
 
-    project   project folder; begun, or continued with further dates
+    out       project folder; begun, or continued with further dates
     settings  as of the command line, by the names of `EpochsSettings`
     raises    InputError, NoOrientation; nothing that is finished is lost
 

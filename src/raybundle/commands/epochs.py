@@ -84,17 +84,17 @@ class Epochs:
 
 
 @keywords(EpochsSettings)
-def epochs(project: str | Path, *, progress: Progress = silent, **settings: Any) -> Epochs:
-    """Adjust photographs of several dates together; displacements stand in `project`/result/displacements.csv.
+def epochs(out: str | Path, *, progress: Progress = silent, **settings: Any) -> Epochs:
+    """Adjust photographs of several dates together; displacements stand in `out`/result/displacements.csv.
 
-    project   project folder; begun, or continued with further dates
+    out       project folder; begun, or continued with further dates
     settings  as of the command line, by the names of `EpochsSettings`
     raises    InputError, NoOrientation; nothing that is finished is lost
 
     Limits: a motion that all points share; of points of which more than half moved alike, which half it was; control
     is taken to have stayed.
     """
-    return run_epochs(made(EpochsSettings, {"out": Path(project), **settings}), progress)
+    return run_epochs(made(EpochsSettings, {"out": Path(out), **settings}), progress)
 
 
 def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
@@ -157,8 +157,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
             more=lambda folder: _write(found, folder, limit, changes),
         )  # fmt: skip
     return Epochs(
-        orientation=done, movements=found, changes=changes, exceeded=over,
-        left_out=tuple(less),
+        orientation=done, movements=found, changes=changes, exceeded=over, left_out=tuple(less),
     )  # fmt: skip
 
 

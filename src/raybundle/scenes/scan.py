@@ -11,6 +11,7 @@ aberration and refraction (`light`).  A kind of scene states the time and the di
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
@@ -63,7 +64,7 @@ class Carrier:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ScanScene:
+class ScanScene(ABC):
     """A scene of a sensor that is carried along: which time and direction an image point has."""
 
     width_px: int
@@ -83,20 +84,23 @@ class ScanScene:
     """What the scene shares with others on its trajectory; None: nothing"""
 
     @property
+    @abstractmethod
     def middle_and_half(self) -> tuple[float, float]:
         """Time at the middle of the image, and half the time that it took [s]; negative where it runs backwards."""
-        raise NotImplementedError
+        ...
 
+    @abstractmethod
     def time_at(self, xy: Array, part: Index | None = None) -> tuple[Array, Array]:
         """Times (n,) [s] of image points (n, 2) [px] and derivatives (n, 2) by x and y.
 
         part  (n,) as of `parts`; None: those in which the points lie
         """
-        raise NotImplementedError
+        ...
 
+    @abstractmethod
     def look_at(self, xy: Array, part: Index | None = None) -> tuple[Array, Array]:
         """Tangents (n, 2) of the viewing directions of image points (n, 2), and derivatives (n, 2, 2) by x and y."""
-        raise NotImplementedError
+        ...
 
     def parts(self, xy: Array) -> Index | None:
         """Numbers (n,) of the parts of the image, each continuous by itself, in which points lie; None: it is one."""

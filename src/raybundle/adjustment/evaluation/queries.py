@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from raybundle.adjustment.evaluation.tie_roughness import widened
-from raybundle.adjustment.statistics.covariances import TOGETHER, cofactors_with, own_thing
+from raybundle.adjustment.statistics.covariances import cofactors_with, own_thing
 from raybundle.adjustment.statistics.noise import spread_in_datum
 from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns, precision
 from raybundle.adjustment.statistics.system_state import Work
@@ -189,12 +189,8 @@ def _residual_cofactor(work: Work, state: State, chosen: Array, axis: Array) -> 
         at, values, point, by_point = design_row(system, state, int(row), int(a))
         nodes[at, k] = values
         points[point, :, k] = by_point
-    result = np.eye(len(chosen))
-    for start in range(0, len(chosen), TOGETHER):
-        part = slice(start, start + TOGETHER)
-        x, y = normals.solve(state, np.ascontiguousarray(nodes[:, part]), np.ascontiguousarray(points[:, :, part]))
-        result[:, part] -= nodes.T @ x + np.einsum("pek,pel->kl", points, y)
-    return result
+    x, y = normals.solve(state, nodes, points)
+    return np.eye(len(chosen)) - nodes.T @ x - np.einsum("pek,pel->kl", points, y)
 
 
 def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array, Array, int, Array]:

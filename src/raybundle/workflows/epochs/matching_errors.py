@@ -15,7 +15,7 @@ the residuals, which no movement changes, and moves and enlarges the place and i
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import combinations, product
 
@@ -78,6 +78,8 @@ class MatchingErrors:
     shares: Shares
     variance: float = 1.0
     """by which differences of places between halves of dates exceed their covariances"""
+    places: dict[int, Place] = field(init=False, default_factory=dict[int, Place])
+    """of points that were asked for"""
 
     @classmethod
     def of(
@@ -118,6 +120,11 @@ class MatchingErrors:
 
     def place(self, point: int) -> Place:
         """A point under each set of wrong image points; nothing known of it: one set that changes nothing."""
+        if point not in self.places:
+            self.places[point] = self._place(point)
+        return self.places[point]
+
+    def _place(self, point: int) -> Place:
         rows = self.rows.get(point, np.zeros(0, np.int64))
         if len(rows) < 2:
             return Place(weight=np.ones(1), shift=np.zeros((1, 3)), extra=np.zeros((1, 3, 3)))
