@@ -86,7 +86,8 @@ def by_dates(block: Block, dates: Dates, together: Sequence[str] = (), rows: Mas
     o, p = block.observations, block.points
     bases, base_of = _numbered([dates.base(n) for n in p.ids])
     D, B = len(dates.names), len(bases)
-    whole = np.isin(np.array(bases, object), list(together)) if together else np.zeros(B, bool)
+    one_place = set(together)
+    whole = np.array([name in one_place for name in bases], bool)
     known = np.asarray(p.is_control.any(axis=1) | p.is_check.any(axis=1), bool)
     whole[base_of[known]] = True
     keep = np.ones(len(o), bool) if rows is None else rows.copy()
