@@ -144,8 +144,7 @@ def condensed(work: PartWork, state: State, points: Array) -> Array:
     system = work.of.system
     points = points * ((system.point_node < 0)[:, None] & ~system.held)[:, :, None]
     work.normals.refresh_external(state)
-    arguments = work.normals.arguments(state)
-    return work.normals.solver.condense(*arguments, 1, np.ascontiguousarray(points), points.shape[2])
+    return work.normals.condensed(state, points)
 
 
 def right_up(

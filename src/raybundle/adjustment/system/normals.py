@@ -380,11 +380,15 @@ class Normals:
 
     def solve_nodes(self, state: State, nodes: Array, points: Array) -> Array:
         """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) and points (p, 3, k)."""
-        condensed = [
-            self.solver.condense(*self.arguments(state), self.threads, self._free_rows(points[:, :, some]), count)
-            for some, count in _together(nodes.shape[1])
+        return self.solved_nodes(nodes + self.condensed(state, self._free_rows(points)))
+
+    def condensed(self, state: State, points: Array) -> Array:
+        """What right sides (p, 3, k) of the points that are eliminated bring to the nodes (N, k)."""
+        found = [
+            self.solver.condense(*self.arguments(state), self.threads, np.ascontiguousarray(points[:, :, some]), count)
+            for some, count in _together(points.shape[2])
         ]
-        return self.solved_nodes(nodes + np.concatenate(condensed, axis=1))
+        return np.concatenate(found, axis=1)
 
     def solved_nodes(self, nodes: Array) -> Array:
         """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) alone."""
