@@ -91,7 +91,7 @@ def test_a_point_is_contradictory_where_too_few_agree(count, off):
 def test_right_marks_are_not_named_and_few_are_not_tested():
     result = result_of([*marks(9), *marks(2, seed=1, xyz=PLACE * [1, -1, 1], point="door")])
     assert not [n for n in result.notices if n.data.code.startswith("mark_contradicts")]
-    (n,) = notices(result, "marks_untested")
+    (n,) = notices(result, "marks_untested.open")
     assert n.ids == ("door",)
     assert n.severity == "warning"
     assert n.data.values["n"] == 2

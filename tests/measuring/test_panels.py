@@ -5,14 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.block import Instrument, Stations
-from raybundle.measuring.actions.verbs import Put
+from raybundle.adjustment.records.severity import Severity
+from raybundle.block import Instrument, Role, Stations
+from raybundle.errors import InputError
+from raybundle.measuring.actions.verbs import Point, Put
 from raybundle.measuring.merge import merge
 from raybundle.measuring.panel_candidates import measured_panel, panel_places
 from raybundle.measuring.panel_search import search_panels
 from raybundle.measuring.session import Session
-from raybundle.measuring.state import EMPTY, folded
+from raybundle.measuring.state import folded
 from raybundle.platforms.antenna import Antenna
+from raybundle.workflows.adjust import adjust
 
 from .panel_flight import KINDS, MODEL, draw_panel, flight, ground
 from .scenes import simulation
@@ -81,24 +84,64 @@ def test_too_few_points_confirm_no_shift(flown):
     assert set(done.missed.values()) == {"few_points"}
 
 
-def test_marked_control_frees_the_shift_of_the_positions():
-    """Positions that nothing confirmed have an antenna without a shift, until control is marked."""
+def hand_marked(shift=(0.3, -0.2, 0.5), given=lambda xyz: xyz):
+    """A block whose positions nothing confirmed have an antenna without a shift, and marks of control in another frame.
+
+    given  what the table of control states of the true coordinates (n, 3)
+    """
     made = simulation(control=5).observed
     o, p = made.observations, made.points
-    control = [name for name, c in zip(p.ids, p.is_control.all(axis=1), strict=True) if c]
-    rows = np.isin(o.point, [p.ids.index(c) for c in control])
+    control = np.flatnonzero(p.is_control.all(axis=1))
+    rows = np.isin(o.point, control)
     antenna = Instrument(id="gnss", model=Antenna.name, values={q.symbol: 0.0 for q in Antenna.parameters}, estimate=())
     n = len(made.images)
     stations = Stations(
-        image=np.arange(n), xyz=made.images.centre + np.array([0.3, -0.2, 0.5]), sigma=np.full((n, 3), 0.02),
-        antenna=np.zeros(n, np.int32),
+        image=np.arange(n), xyz=made.images.centre, sigma=np.full((n, 3), 0.02), antenna=np.zeros(n, np.int32),
     )  # fmt: skip
-    base = replace(made, instruments=(antenna,), observations=o.rows(~rows)).having(stations)
-    assert merge(base, EMPTY).block.instruments[0].estimate == ()
+    free = np.full_like(p.sigma, np.nan)
+    points = replace(p, role=np.where(p.is_control.any(axis=1), Role.TIE, p.role), sigma=free)
+    base = replace(made, points=points, instruments=(antenna,), observations=o.rows(~rows)).having(stations)
     marks = [
         Put(image=made.images.ids[o.image[r]], point=p.ids[o.point[r]], x_px=o.xy_px[r, 0], y_px=o.xy_px[r, 1])
         for r in np.flatnonzero(rows)
     ]
-    merged = merge(base, folded(marks)).block
+    xyz = given(np.array(p.xyz[control])) - np.array(shift)
+    known = [
+        Point(point=p.ids[k], role="control", xyz=tuple(at), sigma=(0.01, 0.01, 0.01))
+        for k, at in zip(control, xyz.tolist(), strict=True)
+    ]
+    return base, folded(marks), folded([*marks, *known])
+
+
+def test_marked_control_frees_the_shift_of_the_positions():
+    base, marks, both = hand_marked()
+    assert merge(base, marks).block.instruments[0].estimate == ()
+    merged = merge(base, both).block
     assert merged.instruments[0].estimate == ("sx", "sy", "sz")
     assert np.allclose([merged.instruments[0].values[s] for s in ("sx", "sy", "sz")], [0.3, -0.2, 0.5], atol=0.02)
+
+
+@pytest.mark.parametrize("shift", [(0.02, -0.01, 0.0), (0.01, 0.0, -45.0), (3.0, -2.0, 1.0), (0.0, 0.0, 4000.0)])
+def test_a_shift_that_the_positions_do_not_explain_is_reported(shift):
+    base, _, both = hand_marked(shift)
+    result = adjust(merge(base, both).block)
+    assert result.sigma0 < 1.5
+    found = [n for n in result.notices if n.code == "positions_shifted"]
+    expected = {0.02: [], 3.0: [""]}
+    assert [n.variant for n in found] == expected.get(shift[0], ["height"])
+    if found:
+        assert np.hypot(*shift[:2]) == pytest.approx(found[0].values["plan"], abs=0.1)
+        assert shift[2] == pytest.approx(found[0].values["height"], abs=0.1)
+        assert found[0].severity is (Severity.NOTE if abs(shift[2]) == 45 else Severity.WARNING)
+
+
+def test_control_under_other_names_or_in_another_order_is_no_shift():
+    base, _, both = hand_marked(given=lambda xyz: np.roll(xyz, 1, axis=0))
+    with pytest.raises(InputError) as caught:
+        merge(base, both)
+    assert caught.value.code == "mark.control_names"
+    assert caught.value.message is not None
+    assert len(caught.value.message.details) == 5
+    base, _, both = hand_marked(given=lambda xyz: xyz[:, [1, 0, 2]])
+    with pytest.raises(InputError, match="do not fit their marks"):
+        merge(base, both)

@@ -13,6 +13,7 @@ from raybundle.adjustment.blunders.control_notices import control_notices
 from raybundle.adjustment.blunders.control_tests import Contradiction, ControlTests
 from raybundle.adjustment.blunders.suspects import suspect_notices
 from raybundle.adjustment.blunders.wrong_images import wrong_image_notices
+from raybundle.adjustment.evaluation.antenna_notices import shift_notices
 from raybundle.adjustment.evaluation.interior_notices import interior_notices
 from raybundle.adjustment.evaluation.line_notices import line_notices
 from raybundle.adjustment.records.figures import ObservationGroup, VarianceComponent
@@ -61,7 +62,7 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
         )
     control = _control(result)
     found += _outside(result) + _fit(result) + interior_notices(result) + line_notices(result)
-    found += _rejected(result) + _points(result) + control
+    found += _rejected(result) + _points(result) + control + shift_notices(result)
     if not any(n.severity is Severity.FAULT for n in control):  # wrong control bends the images that show it
         found += wrong_image_notices(result)
     found += _photographs(result) + _stored_ways(result) + _open_beside_given(result) + _unchecked_scale(result)

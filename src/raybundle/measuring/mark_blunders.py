@@ -129,7 +129,10 @@ def _noted(result: Adjustment, notices: Sequence[Notice], *, bent: bool, tests: 
     if untested:
         points = tuple(t.point for t in untested)
         n = sum(len(t.untested) for t in untested)
-        others.append(Notice(code="marks_untested", values={"n": n, "points": points}, ids=points))
+        unseen = max(t.unseen_px[i] for t in untested for i in t.untested)
+        code = "marks_untested" if np.isfinite(unseen) else "marks_untested.open"
+        values = {"n": n, "points": points, **({"unseen_px": unseen} if np.isfinite(unseen) else {})}
+        others.append(Notice(code=code, values=values, ids=points))
     return replace(result, notices=(*notices, *others))
 
 

@@ -21,6 +21,7 @@ from raybundle.measuring.axes import (
     turn_between,
     vertical,
 )
+from raybundle.measuring.control_names import check_names
 from raybundle.measuring.film import Scans, placed
 from raybundle.measuring.frames import in_camera
 from raybundle.measuring.orienting import oriented
@@ -83,8 +84,12 @@ def merge(block: Block, state: State, scans: Scans | None = None) -> Merged:
     made = start.block
     places = _met(made, [k for k, name in enumerate(made.points.ids) if name in state.points or _of_use(name, state)])
     made, places = _placed(made, state, places, free=free and not start.by_control)
+    if base.stations.antenna is not None and not determined_shifts(base):
+        made, places = _shifted(made, state, places)
     made = _with_points(made, state, places)
     check_far_apart(made, state)
+    if not free:
+        check_names(made, state, places)
     made, out = _without_thin(made, state)
     made = made if determined_shifts(base) else free_shifts(made)
     made = _with_tables(made, state, out)
@@ -200,6 +205,20 @@ def _placed(block: Block, state: State, places: Array, *, free: bool) -> tuple[B
     s, R, t = change
     by = SimilarityTransform(scale=s, rotation=R, translation=t)
     return replace(transform_block(block, by, observed="stay"), free_scale=False), by.points(places)
+
+
+def _shifted(block: Block, state: State, places: Array) -> tuple[Block, Array]:
+    """Moved to where control states: from there the shift of positions is found, however large it is."""
+    given = np.full_like(places, np.nan)
+    for k, name in enumerate(block.points.ids):
+        if name in state.points and state.points[name].role == "control":
+            given[k] = _numbers(state.points[name].xyz)
+    apart = given - places
+    known = np.isfinite(apart).any(axis=0)
+    shift = np.zeros(3)
+    shift[known] = np.nanmedian(apart[:, known], axis=0)
+    by = SimilarityTransform(translation=shift)
+    return transform_block(block, by, observed="stay"), by.points(places)
 
 
 def _to_control(block: Block, state: State, places: Array) -> tuple[float, Array, Array] | None:

@@ -144,3 +144,12 @@ mark-open = { $point } ist noch nicht geprüft: { NUM($distance_px, digits: 2) }
 mark-tested_later = Die Bildmessung von { $point } in { $image } ist noch nicht geprüft.
     .why = Der Block hat { $n } Bildbeobachtungen; sofort geprüft wird bis { $most }.
     .do = `raybundle mark adjust` prüft alle Bildmessungen.
+
+mark-control_names = { $n } Passpunkte passen nicht zu ihren Bildmessungen: nach einem gemeinsamen Versatz fehlen { NUM($missed, digits: 2) } { $unit }.
+    .why = Das ist der Median; die Fotos lassen { NUM($limit, digits: 2) } { $unit } zu.{ $exchanged ->
+        [0] { "" }
+       *[other] { " " }Mit anderen Namen passen sie:
+    }
+    .do = Namen, Einheit und Reihenfolge der Koordinaten in der Passpunkttabelle prüfen.
+
+mark-control_named = Die Koordinaten von { $point } sind die der Bildmessungen von { $at }.

@@ -252,3 +252,19 @@ mark-open = { $point } is not tested yet: { NUM($distance_px, digits: 2) } px fr
 mark-tested_later = The mark of { $point } in { $image } is not tested yet.
     .why = The block has { $n } image observations; marks are tested at once up to { $most }.
     .do = `raybundle mark adjust` tests all marks.
+
+# $n = 5
+# $missed = 40.2
+# $limit = 4.1
+# $unit = "m"
+# $exchanged = 3
+mark-control_names = { $n } control points do not fit their marks: after a common shift they miss by { NUM($missed, digits: 2) } { $unit }.
+    .why = This is the median; the photographs allow { NUM($limit, digits: 2) } { $unit }.{ $exchanged ->
+        [0] { "" }
+       *[other] { " " }With other names they fit:
+    }
+    .do = Check names, unit and order of the coordinates in the control table.
+
+# $point = "P2"
+# $at = "P1"
+mark-control_named = The coordinates of { $point } are those of the marks of { $at }.

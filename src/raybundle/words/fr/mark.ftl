@@ -74,3 +74,7 @@ mark-fits = { $point } convient : { NUM($distance_px, digits: 2) } px ({ NUM($si
 mark-open = { $point } n'est pas encore contrôlé : { NUM($distance_px, digits: 2) } px des autres, de plus grandes erreurs sont possibles.
 
 mark-tested_later = La marque de { $point } dans { $image } n'est pas encore contrôlée.
+
+mark-control_names = { $n } points d'appui ne correspondent pas à leurs marques : après un décalage commun, l'écart est de { NUM($missed, digits: 2) } { $unit }.
+
+mark-control_named = Les coordonnées de { $point } sont celles des marques de { $at }.

@@ -1,0 +1,19 @@
+# $antenna = "gnss"
+# $plan = 3.62
+# $height = -1.03
+# $unit = "m"
+# $sigma_plan = 0.06
+# $sigma_height = 0.08
+positions_shifted = Control and positions ({ $antenna }) differ by { $plan } { $unit } in plan, { $height } { $unit } in height.
+    .why = The stated accuracy explains { $sigma_plan } and { $sigma_height } { $unit }. The shift is estimated, and control is taken to be right.
+    .do = If both are in the same system, check the coordinates of the control points and of the base station.
+
+# $antenna = "gnss"
+# $plan = 0.02
+# $height = 44.1
+# $unit = "m"
+# $sigma_plan = 0.06
+# $sigma_height = 0.08
+positions_shifted-height = Control and positions ({ $antenna }) differ by { $height } { $unit } in height.
+    .why = The stated accuracy explains { $sigma_height } { $unit }. The shift is estimated, and control is taken to be right.
+    .do = If both count heights from the same surface (ellipsoid or sea level), check the heights of the control points.
