@@ -165,6 +165,7 @@ def parsed():
     yield
     render._parsed.cache_clear()
     render._bundle.cache_clear()
+    render._with.cache_clear()
 
 
 @pytest.mark.parametrize("language", words.languages())
@@ -179,7 +180,7 @@ def test_every_entry_is_complete(language, parsed):
         if name.startswith("-"):
             continue
         for flags in (False, True) if "OPTION(" in entry.text else (False,):
-            bundle = render._with(language, entry, flags=flags)
+            bundle = render._with(language, entry.name, flags=flags)
             assert isinstance(bundle, Bundle)
             message = bundle.get_message(name)
             parts = {"": message.value, **message.attributes}

@@ -1,5 +1,6 @@
 """Photographs of several dates in one adjustment: places of each date, what moved, tables."""
 
+import csv
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -9,7 +10,7 @@ import cv2
 import numpy as np
 import pytest
 
-from raybundle.commands.epochs import EpochsSettings, epochs, groups_of, messages_of
+from raybundle.commands.epochs import EpochsSettings, epochs, groups_of, messages_of, trends_of
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
@@ -34,6 +35,7 @@ from raybundle.workflows.epochs.tables import (
     exceeded,
     read_displacements,
     write_displacements,
+    write_velocities,
 )
 from tests.workflows.dated_network import DAYS, Plan, network
 
@@ -47,7 +49,8 @@ def plan():
 def done(plan):
     rng = np.random.default_rng(4)
     which = np.array([3, 11, 20, 31])
-    ways = [np.stack([np.zeros(3), rng.normal(size=3)]) for _ in which]
+    shares = ((31 / 59, 1), (31 / 59, 1), (0, 1), (0, 1))  # two at a constant velocity, two in the second month
+    ways = [np.outer(share, rng.normal(size=3)) for share in shares]
     truth, power = plan.drawn(which, [15.0] * 4, ways)
     assert power.min() > 0.99
     block, dates = network(5, plan.moves(truth))
@@ -125,6 +128,21 @@ def test_what_moved_is_found_with_its_size(plan, done):
     assert plan.ids[0] in m.adjustment.given.points.ids
 
 
+def test_a_constant_velocity_differs_from_a_late_one(plan, done, tmp_path):
+    m, truth, which = done
+    found = {t.series.name: t for t in m.trends}
+    motion = {i: found[plan.ids[i]].verdict(0.05 / len(found)) for i in which}
+    assert motion == dict(zip(which, ["constant", "constant", "accelerated", "accelerated"], strict=True))
+    for i in which[:2]:
+        t = found[plan.ids[i]]
+        e = t.velocity - truth[1, i] / 59
+        assert e @ np.linalg.solve(t.velocity_covariance, e) < 16.3  # 0.1 % of a chi-square
+    write_velocities(trends_of(m, 0.05), tmp_path / "v.csv")
+    with (tmp_path / "v.csv").open(encoding="utf-8") as file:
+        v = {row["name"]: float(row["vX"]) for row in csv.DictReader(file)}
+    assert v[plan.ids[3]] == pytest.approx(365.25 * found[plan.ids[3]].velocity[0], rel=1e-2)
+
+
 def test_verdicts_agree_with_the_probabilities_they_rest_on(done):
     d = done[0].displacements
     below = d.p_tested < done[0].limit
@@ -198,7 +216,7 @@ def test_without_a_scale_no_length_is_printed(done):
         }
         for k in (scaled, m)
     ]
-    assert found[0] - found[1] == {"displacement.largest", "displacement.level_of_detection"}
+    assert found[0] - found[1] == {"displacement.largest", "displacement.level_of_detection", "displacement.velocity"}
 
 
 def test_groups_name_points_or_an_outline(tmp_path):

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
     from raybundle.metrology.congruence import Congruence
+    from raybundle.metrology.trends import Trends
     from raybundle.report.outcome import Outcome
     from raybundle.workflows.epochs.movements import Movements
     from raybundle.workflows.epochs.photograph_dates import Source
@@ -152,9 +153,9 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
             settings={n: str(v) for n, v in other_than_usual(settings).items() if n not in {"photos", "out"}},
             wanted=accuracy_class(orienting.accuracy_class), record=record,
             pdf=orienting.pdf, appendix=orienting.appendix, language=orienting.language, additions=stated.as_addition(),
-            findings=() if found is None else (_stated(found, changes),),
+            findings=() if found is None else (_stated(found, changes), trends_of(found, settings.significance)),
             outcomes=() if found is None else _outcomes(found, settings, limit, over),
-            more=lambda folder: _write(found, folder, limit, changes),
+            more=lambda folder: _write(found, folder, limit, changes, settings.significance),
         )  # fmt: skip
     return Epochs(
         orientation=done, movements=found, changes=changes, exceeded=over, left_out=tuple(less),
@@ -381,16 +382,29 @@ def _exceeded(found: Movements, limit: Limit) -> tuple[Exceeded, ...]:
     return tuple(exceeded(found, limit))
 
 
-def _write(found: Movements | None, folder: Path, limit: Limit | None, changes: Changes | None) -> None:
+def trends_of(m: Movements, significance: float) -> Trends:
+    """Velocities of what moved; none of two dates."""
+    from raybundle.metrology.trends import Trends
+
+    return Trends.of(m.dates.names, m.trends, significance)
+
+
+def _write(
+    found: Movements | None, folder: Path, limit: Limit | None, changes: Changes | None, significance: float
+) -> None:
     from raybundle.workflows.epochs.tables import (
         DISPLACEMENTS,
         EPOCHS,
+        VELOCITIES,
         epochs_json,
         write_displacements,
         write_epochs,
+        write_velocities,
     )
 
     if found is not None:
+        if found.trends:
+            write_velocities(trends_of(found, significance), folder / VELOCITIES)
         write_displacements(found, folder / DISPLACEMENTS, limit)
         write_epochs(epochs_json(found, limit, changes), folder / EPOCHS)
 
@@ -426,6 +440,7 @@ def _movement(m: Movements, significance: float) -> list[Message]:
                  length_mm=MM * float(np.linalg.norm(a.displacement[j])),
                  sigma_mm=MM * float(np.sqrt(u @ a.covariance[j] @ u)), end=names[j + 1])
         )  # fmt: skip
+    first += [_fastest(m, significance)] if m.trends else []
     finite = d.detectable[np.isfinite(d.detectable)]
     if len(finite):
         first.append(
@@ -436,6 +451,23 @@ def _movement(m: Movements, significance: float) -> list[Message]:
             )
         )
     return first
+
+
+def _fastest(m: Movements, significance: float) -> Message:
+    """The fastest area or point, and how many do not move at a constant velocity."""
+    import numpy as np
+
+    from raybundle.metrology.trends import CONSTANT, YEAR
+
+    found = trends_of(m, significance)
+    t = max(found.trends, key=lambda t: (t.series.area, float(np.linalg.norm(t.velocity))))
+    speed = float(np.linalg.norm(t.velocity))
+    way = t.velocity / max(speed, 1e-300)
+    other = sum(t.verdict(found.limit) != CONSTANT for t in found.trends)
+    return note(
+        "displacement.velocity", name=t.series.name, speed_mm=MM * YEAR * speed, n=len(found.trends), other=other,
+        sigma_mm=MM * YEAR * float(np.sqrt(way @ t.velocity_covariance @ way)), verdict=t.verdict(found.limit),
+    )  # fmt: skip
 
 
 def _limited(m: Movements, settings: EpochsSettings, limit: Limit) -> tuple[Message, Message | None]:

@@ -38,8 +38,8 @@ class AreaTest:
     points: Index
     displacement: Array
     """(k - 1, 3) mean displacement of each later epoch [m]"""
-    covariance: Array
-    """(k - 1, 3, 3) [m^2]"""
+    joint: Array
+    """(k - 1, 3, k - 1, 3) covariance of all of them [m^2]"""
     F: float
     p_value: float
     moved: bool
@@ -47,6 +47,12 @@ class AreaTest:
     """length of the smallest mean displacement that is found with 80 % probability [m]"""
     detectable_before: float
     """the same if nothing else moved"""
+
+    @property
+    def covariance(self) -> Array:
+        """(k - 1, 3, 3) of each epoch [m^2]."""
+        at = np.arange(len(self.joint))
+        return self.joint[at, :, at, :]
 
 
 def groups_of(ids: Sequence[str], groups: Mapping[str, Sequence[str]]) -> tuple[Hypothesis, ...]:

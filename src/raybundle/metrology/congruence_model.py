@@ -188,11 +188,10 @@ class Model:
         (u,), (S,) = (x / factor for x in self.stayed(back).shifts(family, one))
         F, p = self.of_areas(family, one, back)
         C = np.linalg.pinv(S, rcond=1e-10, hermitian=True)
-        at = np.arange(self.later)
         before = self.stayed(none).shifts(family, one)[1][0] / factor
         return AreaTest(
             name=area.name, given=area.given, points=area.points, displacement=(C @ u).reshape(self.later, 3),
-            covariance=C.reshape(self.later, 3, self.later, 3)[at, :, at, :], F=float(F[0]), p_value=float(p[0]),
+            joint=C.reshape(self.later, 3, self.later, 3), F=float(F[0]), p_value=float(p[0]),
             moved=bool(p[0] < limit), detectable=self._least(S, limit, freedom),
             detectable_before=self._least(before, limit, freedom),
         )  # fmt: skip

@@ -49,6 +49,7 @@ ENTRIES = {
     "lengths.csv",
     "README.txt",
     "displacements.csv",
+    "velocities.csv",
     "epochs.json",
 }
 """Of a result folder beside its tables"""

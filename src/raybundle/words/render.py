@@ -11,7 +11,7 @@ from json import dumps
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.readable import without_controls
-from raybundle.words.catalogue import ENGLISH, Entry, entries, entry_of
+from raybundle.words.catalogue import ENGLISH, entries, entry_of
 
 if TYPE_CHECKING:
     from raybundle.words.values import Bundle
@@ -83,7 +83,7 @@ def _formatted(code: str, part: Part, values: Mapping[str, Any], reader: Reader)
         entry = entries(language).get(name)
         if entry is None:
             continue
-        bundle = _with(language, entry, flags=reader.flags)
+        bundle = _with(language, name, flags=reader.flags)
         message = bundle.get_message(name)
         pattern = message.attributes.get(part) if part else message.value
         if pattern is not None:
@@ -99,19 +99,18 @@ def _bundle(language: str, *, flags: bool) -> Bundle:
 
 
 @cache
-@cache
 def _parsed(text: str) -> Any:
     from fluent.runtime import FluentResource
 
     return FluentResource(text)
 
 
-def _with(language: str, entry: Entry, *, flags: bool) -> Bundle:
+@cache
+def _with(language: str, name: str, *, flags: bool) -> Bundle:
     """The bundle of a language with an entry and what it mentions in it."""
-    bundle = _bundle(language, flags=flags)
+    bundle, entry = _bundle(language, flags=flags), entries(language)[name]
     bundle.add_resource(_parsed(entry.text))
-    for name in _MENTIONED.findall(entry.text):
-        other = entries(language).get(name)
-        if other is not None and other is not entry:
-            _with(language, other, flags=flags)
+    for mentioned in _MENTIONED.findall(entry.text):
+        if mentioned in entries(language) and mentioned != name:
+            _with(language, mentioned, flags=flags)
     return bundle

@@ -47,7 +47,8 @@ MOST_LENGTHS = 500
 F = TypeVar("F")
 
 
-def _finding(o: Occasion, kind: type[F]) -> F | None:
+def finding(o: Occasion, kind: type[F]) -> F | None:
+    """What a delivery states of a kind; None: nothing."""
     found = () if o.delivery is None else o.delivery.findings
     return next((f for f in found if isinstance(f, kind)), None)
 
@@ -57,7 +58,7 @@ def displacements(o: Occasion) -> tuple[Section, ...]:
     """What moved between the dates of one adjustment."""
     from raybundle.report.moved import displacement_section, reported
 
-    done = _finding(o, Congruence)
+    done = finding(o, Congruence)
     if done is None:
         return ()
     stated = [Statements(statements=tuple(reported(done)))] if done.reported else []
@@ -67,7 +68,7 @@ def displacements(o: Occasion) -> tuple[Section, ...]:
 @chapter("deviations", after="result")
 def deviations(o: Occasion) -> tuple[Section, ...]:
     """Measured against nominal coordinates."""
-    fit = _finding(o, BestFit)
+    fit = finding(o, BestFit)
     if fit is None:
         return ()
     strange = np.asarray(fit.significant, bool)
@@ -149,7 +150,7 @@ def _deviation_table(fit: BestFit) -> Table:
 @chapter("length errors", after="deviations")
 def length_chapter(o: Occasion) -> tuple[Section, ...]:
     """Measured against known lengths."""
-    test = _finding(o, LengthTest)
+    test = finding(o, LengthTest)
     if test is None:
         return ()
     known = np.array([k.length for k in test.known])

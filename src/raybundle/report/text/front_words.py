@@ -19,8 +19,8 @@ from raybundle.report.text.words import Grade, unsettled
 MOST_STEPS = 5
 FILES = (
     "points.csv", "map.csv", "map_control.csv", "coordinate_list.csv", "nominal.csv", "lengths.csv", "images.csv",
-    "displacements.csv", "epochs.json", "calibration.toml", "record.toml", "check.csv", "control.csv", "block",
-    "network.html",
+    "displacements.csv", "velocities.csv", "epochs.json", "calibration.toml", "record.toml", "check.csv", "control.csv",
+    "block", "network.html",
 )  # fmt: skip
 """What a client takes, in this order"""
 

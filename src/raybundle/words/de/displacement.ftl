@@ -51,3 +51,10 @@ displacement-untested = { $n } { $n ->
     } nicht prüfbar: { LIST($names, most: 5) }.
     .why = Ein falscher Bildpunkt erklärt die Verschiebung ebenso.
     .do = Mehr Fotos von jedem Tag aufnehmen.
+
+displacement-velocity = Am schnellsten: { $name }, { NUM($speed_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm im Jahr, { $verdict ->
+        [constant] gleichförmig
+        [accelerated] beschleunigt
+        [decelerated] verzögert
+       *[irregular] ungleichförmig
+    } ({ $other } von { $n } Bewegungen sind nicht gleichförmig).

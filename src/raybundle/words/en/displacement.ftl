@@ -91,3 +91,16 @@ displacement-untested = { $n } displaced { $n ->
     } untested: { LIST($names, most: 5) }.
     .why = A wrong image point explains the displacement as well.
     .do = Take more photographs of each date.
+
+# $name = "area 3"
+# $speed_mm = 141.0
+# $sigma_mm = 9.0
+# $n = 14
+# $other = 2
+# $verdict = "accelerated"
+displacement-velocity = Fastest: { $name }, { NUM($speed_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm a year, { $verdict ->
+        [constant] constant
+        [accelerated] accelerated
+        [decelerated] decelerated
+       *[irregular] irregular
+    } ({ $other } of { $n } motions are not constant).

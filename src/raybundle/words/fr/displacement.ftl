@@ -37,3 +37,5 @@ displacement-untested = { $n } { $n ->
     } : { LIST($names, most: 5) }.
     .why = Un point image faux explique aussi bien le déplacement.
     .do = Prendre plus de photos à chaque date.
+
+displacement-velocity = Le plus rapide : { $name }, { NUM($speed_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm par an ({ $other } mouvements sur { $n } ne sont pas constants).

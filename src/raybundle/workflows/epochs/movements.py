@@ -14,6 +14,7 @@ from raybundle.block import Block
 from raybundle.measuring.joint import Joint
 from raybundle.metrology.congruence import SIGNIFICANCE
 from raybundle.metrology.congruence_model import POWER
+from raybundle.metrology.trends import Trend
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import detectable_noncentrality, fisher_tail
@@ -21,6 +22,7 @@ from raybundle.workflows.epochs.cameras import cameras_by_dates
 from raybundle.workflows.epochs.dated_points import Dated, Dates, placed_by_dates
 from raybundle.workflows.epochs.matching_errors import MatchingErrors
 from raybundle.workflows.epochs.stability import Stability, spread_evenly, stability
+from raybundle.workflows.epochs.trends import trends
 
 MOVED, STABLE, IN_AREA, UNCLEAR, UNTESTED = "moved", "stable", "moved_area", "not_significant", "untested"
 """Verdicts: by its own test; one place; apart because the area around it moved; of a point that moved, a date at which
@@ -102,6 +104,8 @@ class Movements:
     displacements: Displacements
     limit: float
     """probability below which a single point or area has moved"""
+    trends: tuple[Trend, ...]
+    """of points and areas that moved, and of given areas; none of two dates"""
     single_rays: int
     """image points left out: the only ones of a point at a date, of points that are not one place"""
 
@@ -155,8 +159,11 @@ def movements(
         own = replace(options, datum_points=names, reject="none")
         last = decide(replace(last.given, rejected=_rejected(last)), own, progress)
     rows = _all_rows(last, final, s, found, (moved, doubtful, near), p, alpha)
+    place = {name: k for k, name in enumerate(final.bases)}
+    went = {place[p] for p, v in zip(rows.point, rows.verdict, strict=True) if v in {MOVED, IN_AREA}}
     return Movements(
         dates=dates, stability=s, dated=final, adjustment=last, displacements=rows, limit=alpha,
+        trends=trends(last, final, dates, np.array(sorted(went), np.int64), s.congruence.areas),
         single_rays=len(block.observations) - len(final.block.observations),
     )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""What is written of displacements: displacements.csv and epochs.json."""
+"""What is written of displacements: displacements.csv, velocities.csv and epochs.json."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.io.digits import PROBABILITY, SHORT, STD, TEST, Digits, by_sigma, reported
+from raybundle.io.digits import COUNT, PROBABILITY, SHORT, STD, TEST, Digits, by_sigma, reported
 from raybundle.io.tables import Column, read_table, write_table
 from raybundle.metrology.areas import AreaTest
+from raybundle.metrology.trends import YEAR, Trends
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import correlation
 from raybundle.results.contents import clean
 from raybundle.workflows.epochs.matching_errors import OF_PLACES, SCALES
 from raybundle.workflows.epochs.movements import MOVED, UNTESTED, Movements, exceeding
 
-DISPLACEMENTS, EPOCHS = "displacements.csv", "epochs.json"
+DISPLACEMENTS, VELOCITIES, EPOCHS = "displacements.csv", "velocities.csv", "epochs.json"
 AXES = "XYZ"
 EXCEEDS, TESTED = "p_exceeds_limit", "p_tested"
 
@@ -107,6 +108,33 @@ def write_displacements(m: Movements, path: Path, limit: Limit | None) -> None:
         "F": TEST, "detectable_before": STD, "detectable": STD, **dict.fromkeys(("p", TESTED, EXCEEDS), PROBABILITY),
     }  # fmt: skip
     write_table(path, columns, {n: r for n, r in rules.items() if n in columns})
+
+
+def write_velocities(found: Trends, path: Path) -> None:
+    """The table of velocities; metres and years of 365.25 days."""
+    t = found.trends
+    v, C = YEAR * np.array([x.velocity for x in t]), YEAR**2 * np.array([x.velocity_covariance for x in t])
+    a, D = YEAR**2 * np.array([x.acceleration for x in t]), YEAR**4 * np.array([x.acceleration_covariance for x in t])
+    columns: dict[str, Sequence[str] | Array] = {
+        "name": [x.series.name for x in t], "kind": ["area" if x.series.area else "point" for x in t],
+        "from": [found.dates[x.series.first] for x in t], "to": [found.dates[x.series.dates[-1]] for x in t],
+        "dates": np.array([len(x.series.dates) + 1 for x in t]),
+    }  # fmt: skip
+    rules: dict[str, Digits] = {"dates": COUNT}
+    for h, value, covariance in (("v", v, C), ("a", a, D)):
+        std = np.sqrt(np.diagonal(covariance, axis1=1, axis2=2))
+        rho = np.array([correlation(c)[[0, 0, 1], [1, 2, 2]] for c in covariance])
+        columns |= {f"{h}{k}": value[:, j] for j, k in enumerate(AXES)}
+        columns |= {f"s{h}{k}": std[:, j] for j, k in enumerate(AXES)}
+        columns |= {f"r{h}{k}": rho[:, j] for j, k in enumerate(("XY", "XZ", "YZ"))}
+        rules |= {f"{h}{k}": by_sigma(std[:, j]) for j, k in enumerate(AXES)}
+        rules |= dict.fromkeys((f"{g}{h}{k}" for g, ks in (("s", AXES), ("r", ("XY", "XZ", "YZ"))) for k in ks), STD)
+    columns |= {
+        "p_none": np.array([x.p_none for x in t]), "p_constant": np.array([x.p_constant for x in t]),
+        "p_accelerated": np.array([x.p_accelerated for x in t]), "motion": [x.verdict(found.limit) for x in t],
+    }  # fmt: skip
+    rules |= dict.fromkeys(("p_none", "p_constant", "p_accelerated"), PROBABILITY)
+    write_table(path, columns, rules)
 
 
 def epochs_json(m: Movements, limit: Limit | None, changes: Changes | None) -> dict[str, Any]:

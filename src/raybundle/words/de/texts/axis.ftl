@@ -90,3 +90,7 @@ axis-smallest_blunder = kleinster aufdeckbarer grober Fehler [px]
 axis-image_coordinates = Bildkoordinaten
 
 axis-normalised_residual = normierte Verbesserung
+
+axis-days = Tage
+
+axis-displacement = Verschiebung [mm]

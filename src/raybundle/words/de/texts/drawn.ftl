@@ -200,3 +200,5 @@ drawn-photograph_points = Foto { $name } mit { $n ->
         [one] seinem Objektpunkt
         *[other] seinen { $n } Objektpunkten
     } in denselben Farben.
+
+drawn-displacement_over_time = Verschiebung von { $name } über der Zeit

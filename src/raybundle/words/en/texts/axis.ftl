@@ -107,3 +107,7 @@ axis-smallest_blunder = smallest detectable blunder [px]
 axis-image_coordinates = image coordinates
 
 axis-normalised_residual = normalised residual
+
+axis-days = days
+
+axis-displacement = displacement [mm]

@@ -243,3 +243,6 @@ drawn-photograph_points = Photograph { $name } with its { $n } object { $n ->
         [one] point
         *[other] points
     } in the same colours.
+
+# $name = "area 3"
+drawn-displacement_over_time = displacement of { $name } over time

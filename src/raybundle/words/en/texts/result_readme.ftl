@@ -25,6 +25,7 @@ result_readme-file = { $entry ->
         [stations] observed projection centres
         [attitudes] observed attitudes
        [displacements_csv] displacements between the dates, in the axes of X, Y, Z, with standard deviations, tests and verdicts
+        [velocities_csv] velocities and accelerations of what moved in three dates or more [m, years], with standard deviations and tests
         [epochs_json] dates, moved points and areas, limit, changes of earlier results
        *[other] observations of this kind, with residuals and tests
     }
