@@ -11,8 +11,8 @@ from raybundle.report.writing import write_report
 from tests.report.conftest import free
 
 ORDER = (
-    "front", "calibration", "result", "deviations", "length errors", "displacements", "velocities", "summary", "photographs",
-    "accuracy", "precision", "noise", "control", "trajectories", "strips", "scenes", "panoramas",
+    "front", "calibration", "result", "deviations", "length errors", "displacements", "velocities", "summary",
+    "photographs", "accuracy", "precision", "noise", "control", "trajectories", "strips", "scenes", "panoramas",
     "interior orientation", "residuals", "reliability", "network", "record", "tables", "settings", "processing",
 )  # fmt: skip
 LOOKED_UP = {"record", "tables", "settings", "processing"}
@@ -58,6 +58,6 @@ def test_what_says_nothing_is_left_out():
     view = view_of(free())
     occasion = Occasion(view=view, reported=verdict(view))
     assert {c.name for c in chapters() if not c.make(occasion)} == {
-        "calibration", "displacements", "velocities", "deviations", "length errors", "photographs", "noise", "trajectories",
-        "strips", "scenes", "panoramas", "processing", "record",
+        "calibration", "displacements", "velocities", "deviations", "length errors", "photographs", "noise",
+        "trajectories", "strips", "scenes", "panoramas", "processing", "record",
     }  # fmt: skip

@@ -62,5 +62,6 @@ def _of_point(result: Adjustment, joint: Joint, dated: Dated, base: int, there: 
     D = np.kron(np.hstack([-np.ones((k, 1)), np.eye(k)]), np.eye(3))
     return Series(
         name=dated.bases[base], area=False, first=there[0], dates=tuple(there[1:]),
-        days=days[there[1:]] - days[there[0]], displacement=xyz[1:] - xyz[0], covariance=metres**2 * D @ joint.of_points(at.tolist()) @ D.T,
+        days=days[there[1:]] - days[there[0]], displacement=xyz[1:] - xyz[0],
+        covariance=metres**2 * D @ joint.of_points(at.tolist()) @ D.T,
     )  # fmt: skip

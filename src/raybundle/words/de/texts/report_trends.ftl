@@ -1,6 +1,6 @@
 report_trends-title = Geschwindigkeiten
 
-report_trends-figure = { $name }, { $first } bis { $last }: Verschiebung längs der Geschwindigkeit, mit einer Standardabweichung. Linie: { $verdict ->
+report_trends-figure = { $name }, { $first } bis { $last }: Verschiebung, Standardabweichung; Linie: { $verdict ->
         [constant] konstante Geschwindigkeit
        *[other] konstante Beschleunigung
     }.

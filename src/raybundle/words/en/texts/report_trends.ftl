@@ -4,7 +4,7 @@ report_trends-title = Velocities
 # $first = "2026-05-01"
 # $last = "2026-08-01"
 # $verdict = "constant"
-report_trends-figure = { $name }, { $first } to { $last }: displacement along its velocity, with one standard deviation. Line: { $verdict ->
+report_trends-figure = { $name }, { $first } to { $last }: displacement, standard deviation; line: { $verdict ->
         [constant] constant velocity
        *[other] constant acceleration
     }.
