@@ -155,7 +155,13 @@ def test_tables_are_read_as_written(done, tmp_path):
     limit = Limit(length=1e-4, confidence=0.95)
     write_displacements(m, tmp_path / "d.csv", limit)
     read = read_displacements(tmp_path / "d.csv")
-    assert len(read) == len(m.displacements)
+    assert len(read.point) == len(m.displacements)
+    scatter = np.sqrt(np.diagonal(m.displacements.covariance, axis1=1, axis2=2))
+    assert np.allclose(
+        read.covariance / scatter[:, :, None] / scatter[:, None],
+        m.displacements.covariance / scatter[:, :, None] / scatter[:, None],
+        atol=1e-4,
+    )
     same = changes_of(m, read)
     assert same.largest < 0.1
     assert not same.verdicts

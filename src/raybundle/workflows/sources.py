@@ -13,7 +13,7 @@ from raybundle.block import Block, Camera, Images, Role
 from raybundle.block.select import points_left, with_rows
 from raybundle.errors import InputError, Text, phrase
 from raybundle.io.block.folder import read_block
-from raybundle.io.formats import Export, check_deviation, formats, looks_like, read_format
+from raybundle.io.formats import Displaced, Export, check_deviation, formats, looks_like, read_format
 from raybundle.io.geo.coordinate_systems import frame_from_mapping
 from raybundle.io.reading.trees import Json
 from raybundle.io.tables import Column, Table, read_table
@@ -137,8 +137,17 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
         given=given[there],
         record={**read_recorded(folder)[0].as_mapping(), **({STATE: state} if state else {})},
         interior=_interior(result.result),
+        displaced=_displaced(folder),
     )
     return _with_map_sigma(export, folder / MAP), remarks
+
+
+def _displaced(folder: Path) -> Displaced | None:
+    """What moved between the dates of a result."""
+    from raybundle.workflows.epochs.tables import DISPLACEMENTS, read_displacements
+
+    table = folder / DISPLACEMENTS
+    return read_displacements(table) if table.is_file() else None
 
 
 def _interior(stated: Mapping[str, Any]) -> dict[str, tuple[tuple[str, ...], Array]]:

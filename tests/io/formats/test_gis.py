@@ -14,7 +14,7 @@ from raybundle.block import Distances, Role
 from raybundle.cli.convert import command
 from raybundle.errors import InputError
 from raybundle.io.block.folder import write_block
-from raybundle.io.formats import Export, write_format
+from raybundle.io.formats import Displaced, Export, write_format
 from raybundle.io.formats.surveyed import surveyed
 from raybundle.io.geo.coordinate_systems import in_other_projection, local_frame
 from raybundle.io.geo.parsed_systems import parse_crs
@@ -163,6 +163,28 @@ def test_las_and_ply_have_the_coordinates_of_the_map(georeferenced, tmp_path):
     assert f"comment crs {frame.crs}\n".encode() in head
     row = np.dtype([("xyz", "<f8", 3), ("rgb", "u1", 3), ("sigma", "<f4", 3), ("rays", "<i4")])
     np.testing.assert_allclose(np.frombuffer(body, row)["xyz"], expected[:, :3], rtol=0, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", FRAMES)
+def test_displacements_are_in_the_axes_of_the_map(name, adjusted, tmp_path):
+    raw, frame = pytest.importorskip("pyogrio").raw, FRAMES[name]
+    xyz, vector = np.array([[10.0, -20, 5], [40, 3, 0], [np.nan] * 3]), np.array([[0.4, 0.1, -0.3]] * 3)
+    moved = Displaced(
+        point=("A", "B", "C"), start=("2026-05-01",) * 3, end=("2026-06-01",) * 3, xyz=xyz, vector=vector,
+        covariance=np.tile(np.diag([4e-6, 1e-6, 9e-6]), (3, 1, 1)), p=np.zeros(3), verdict=("moved",) * 3,
+    )  # fmt: skip
+    write_format("gpkg", Export(block=adjusted.adjusted, frame=frame, displaced=moved), tmp_path / "a.gpkg")
+    meta, _, geometry, data = raw.read(tmp_path / "a.gpkg", layer="displacements")
+    columns = dict(zip(meta["fields"], data, strict=True))
+    assert columns["id"].tolist() == ["A", "B"]
+    start, end = frame.crs_from_local(xyz[:2]), frame.crs_from_local((xyz + vector)[:2])
+    np.testing.assert_allclose([struct.unpack("<BIddd", g)[2:] for g in geometry], start, rtol=0, atol=1e-6)
+    unit = 0.3048006 if name == "feet" else 1.0
+    d = np.stack([columns[f"d{a}"] for a in ("E", "N", "h")], axis=1)
+    np.testing.assert_allclose(d, (end - start) * unit, rtol=2e-3, atol=1e-4)
+    sigma = np.stack([columns[f"sd{a}"] for a in ("E", "N", "h")], axis=1)
+    np.testing.assert_allclose(np.sum(sigma**2, axis=1), 14e-6, rtol=1e-6)
+    np.testing.assert_allclose(sigma[:, 2], 3e-3, rtol=1e-4)
 
 
 def test_footprints_are_where_photographs_look(adjusted, tmp_path):

@@ -7,6 +7,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from raybundle.io.formats.base import (
+    Displaced,
     Export,
     Format,
     Import,
@@ -23,6 +24,7 @@ for _module in iter_modules(__path__):
     import_module(f"{__name__}.{_module.name}")
 
 __all__ = [
+    "Displaced",
     "Export",
     "Format",
     "Import",

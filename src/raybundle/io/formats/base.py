@@ -59,6 +59,25 @@ class Underlay:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Displaced:
+    """Displacements of points between dates, in the axes of the block."""
+
+    point: tuple[str, ...]
+    start: tuple[str, ...]
+    """(r,) earlier date"""
+    end: tuple[str, ...]
+    xyz: Array
+    """(r, 3) at the earlier date [m]"""
+    vector: Array
+    """(r, 3) [m]"""
+    covariance: Array
+    """(r, 3, 3) [m^2]"""
+    p: Array
+    """(r,) probability without motion"""
+    verdict: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Export:
     """What a writer is given."""
 
@@ -93,6 +112,8 @@ class Export:
         default_factory=dict[str, tuple[tuple[str, ...], "Array"]]
     )
     """Camera -> symbols of its free parameters and their covariance, in their units, where a result shows it."""
+    displaced: Displaced | None = None
+    """What moved between the dates of a result of several."""
     unread: Mapping[str, int] = field(default_factory=dict[str, int])
     """Number of elements of the file it comes from that the reader passed over, by kind."""
 

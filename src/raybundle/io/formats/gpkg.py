@@ -1,4 +1,4 @@
-"""GeoPackage (OGC 12-128r19) by pyogrio, the extra `[geo]`: points, stations, footprints, control and figures.
+"""GeoPackage (OGC 12-128r19) by pyogrio, the extra `[geo]`: points, stations, footprints, control, what moved.
 
 Geometries are written as WKB (OGC 06-103r4) that is made here, so that neither shapely nor geopandas is needed.
 """
@@ -43,7 +43,7 @@ def write(export: Export, path: Path) -> Draft:
     pyogrio = _pyogrio()
     s = surveyed(export)
     crs = system_of(s)
-    layers = [_points(s), _stations(s), *(made(s) for made in (_footprints, _control, _figures))]
+    layers = [_points(s), _stations(s), *(made(s) for made in (_footprints, _control, _figures, _displacements))]
     about = {"BLOCK": s.block.name, "SYSTEM": s.system_name or s.local_name, "WRITTEN_BY": "raybundle"}
     about |= {name.upper(): _text(" ".join(words.split())) for name, words in export.record.items()}
     for k, layer in enumerate(layer for layer in layers if len(layer.geometry) or layer.name in {"points", "stations"}):
@@ -153,6 +153,24 @@ def _figures(s: Surveyed) -> Layer:
     about = f"distances, lines and outlines that were observed; sigma as given [{s.block.length_unit}]"
     lines = [line_wkb(np.vstack([a.xyz, a.xyz[:1]]) if a.closed else a.xyz) for a in f]
     return Layer(name="figures", about=about, shape="LineString Z", geometry=lines, fields=fields)
+
+
+def _displacements(s: Surveyed) -> Layer:
+    about = "displacements since the earlier date, at the place of the point then; sd..: standard deviations; metres"
+    m, shape = s.export.displaced, "Point Z"
+    if m is None:
+        return Layer(name="displacements", about=about, shape=shape, geometry=[], fields={})
+    rows = np.flatnonzero(np.isfinite(m.xyz).all(axis=1))
+    at = s.placed(m.xyz[rows] / s.metres)
+    A = s.axes_at(at)
+    C = A @ m.covariance[rows] @ np.swapaxes(A, -1, -2)
+    fields: dict[str, Sequence[str] | Array] = {
+        "id": [m.point[k] for k in rows], "from": [m.start[k] for k in rows], "to": [m.end[k] for k in rows],
+        **_axes("d", s, (A @ m.vector[rows, :, None])[:, :, 0]),
+        **_axes("sd", s, np.sqrt(np.diagonal(C, axis1=1, axis2=2))),
+        "length": np.linalg.norm(m.vector[rows], axis=1), "p": m.p[rows], "verdict": [m.verdict[k] for k in rows],
+    }  # fmt: skip
+    return Layer(name="displacements", about=about, shape=shape, geometry=points_wkb(at), fields=fields)
 
 
 def _axes(before: str, s: Surveyed, values: Array) -> dict[str, Array]:

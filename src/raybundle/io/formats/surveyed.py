@@ -206,12 +206,18 @@ class Surveyed:
     @cached_property
     def rotation(self) -> Array:
         """(n, 3, 3) axes of the system to image axes; of longitude and latitude those of east, north, up."""
-        R = self.scene.rotation[self.photos]
+        return self.scene.rotation[self.photos] @ np.swapaxes(self.axes_at(self.stations), -1, -2)
+
+    def axes_at(self, places: Array) -> Array:
+        """(n, 3, 3) rotations from the axes of the block to those of the system, at places (n, 3) in it.
+
+        Of longitude and latitude to east, north, up.
+        """
         if self.export.within is not None:
-            return R @ self.export.within.axes.T
-        if self.frame is None or len(R) == 0:
-            return R
-        return R @ np.swapaxes(self.frame.crs_from_local_rotation(self.stations), -1, -2)
+            return np.broadcast_to(self.export.within.axes, (len(places), 3, 3))
+        if self.frame is None or not len(places):
+            return np.broadcast_to(np.eye(3), (len(places), 3, 3))
+        return self.frame.crs_from_local_rotation(places)
 
     @property
     def angles(self) -> Array:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.io.digits import COUNT, PROBABILITY, SHORT, STD, TEST, Digits, by_sigma, reported
+from raybundle.io.formats.base import Displaced
 from raybundle.io.tables import Column, read_table, write_table
 from raybundle.metrology.areas import AreaTest
 from raybundle.metrology.trends import YEAR, Trends
@@ -202,8 +203,8 @@ def write_epochs(contents: Mapping[str, Any], path: Path) -> None:
     path.write_text(json.dumps(clean(reported(dict(contents), SHORT)), indent=1) + "\n", encoding="utf-8")
 
 
-def read_displacements(path: Path) -> dict[tuple[str, str, str], tuple[Array, Array, str]]:
-    """Displacements (3,) and standard deviations (3,) [m] and verdicts of a result, by point and dates."""
+def read_displacements(path: Path) -> Displaced:
+    """The displacements of a result."""
     texts, numbers = ("point", "from", "to", "verdict"), [f"{h}{a}" for h in ("d", "sd") for a in AXES]
     more = (*AXES, "rXY", "rXZ", "rYZ", "length", "F", "p", "detectable_before", "detectable", EXCEEDS, TESTED)
     columns = [
@@ -211,21 +212,29 @@ def read_displacements(path: Path) -> dict[tuple[str, str, str], tuple[Array, Ar
         *(Column(name=n, kind="number", empty=True, optional=n in {EXCEEDS, TESTED}) for n in (*numbers, *more)),
     ]
     t = read_table(path, columns, least_rows=0, own=True)
-    values = t.numbers(*numbers)
-    keys = zip(t.text["point"], t.text["from"], t.text["to"], strict=True)
-    return {k: (v[:3], v[3:], w) for k, v, w in zip(keys, values, t.text["verdict"], strict=True)}
+    R = np.tile(np.eye(3), (len(t.text["point"]), 1, 1))
+    for name, (i, j) in {"rXY": (0, 1), "rXZ": (0, 2), "rYZ": (1, 2)}.items():
+        R[:, i, j] = R[:, j, i] = t.numbers(name)[:, 0]
+    std = t.numbers(*(f"sd{a}" for a in AXES))
+    point, start, end, verdict = (tuple(t.text[n]) for n in texts)
+    return Displaced(
+        point=point, start=start, end=end, verdict=verdict, xyz=t.numbers(*AXES), p=t.numbers("p")[:, 0],
+        vector=t.numbers(*(f"d{a}" for a in AXES)), covariance=std[:, :, None] * R * std[:, None, :],
+    )  # fmt: skip
 
 
-def changes_of(m: Movements, before: Mapping[tuple[str, str, str], tuple[Array, Array, str]]) -> Changes | None:
+def changes_of(m: Movements, before: Displaced) -> Changes | None:
     """What became of displacements that were delivered before; None: both results have none in common."""
     d, names = m.displacements, m.dates.names
+    std = np.sqrt(np.diagonal(before.covariance, axis1=1, axis2=2))
+    row_of = {key: k for k, key in enumerate(zip(before.point, before.start, before.end, strict=True))}
     rows: list[tuple[float, tuple[str, str, str], bool]] = []
     for k, point in enumerate(d.point):
         key = (point, names[d.start[k]], names[d.end[k]])
-        if key in before:
-            vector, sigma, verdict = before[key]
-            change = float(np.max(np.abs(d.vector[k] - vector) / np.maximum(sigma, 1e-300)))
-            rows.append((change, key, verdict != d.verdict[k]))
+        if key in row_of:
+            b = row_of[key]
+            change = float(np.max(np.abs(d.vector[k] - before.vector[b]) / np.maximum(std[b], 1e-300)))
+            rows.append((change, key, before.verdict[b] != d.verdict[k]))
     if not rows:
         return None
     largest = max(rows)
