@@ -15,7 +15,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.formats.base import Draft, Export, Format, register
 from raybundle.io.formats.surveyed import Surveyed, surveyed
 from raybundle.io.geo.parsed_systems import parse_crs, system_name
@@ -156,7 +156,7 @@ def _figures(s: Surveyed) -> Layer:
 
 
 def _displacements(s: Surveyed) -> Layer:
-    about = "displacements since the earlier date, at the place of the point then; sd..: standard deviations; metres"
+    about = phrase("geopackage_layer.displacements")
     m, shape = s.export.displaced, "Point Z"
     if m is None:
         return Layer(name="displacements", about=about, shape=shape, geometry=[], fields={})

@@ -30,3 +30,10 @@ image_contradicts-camera_constant = { $images } { $images ->
     } eine andere Kamerakonstante, { NUM($ratio, digits: 5) }-mal die der anderen: { $names }.
     .why = sigma0 ist { $sigma0 } mit einer Kamerakonstante je Bild, { $sigma0_given } mit einer für alle: andere Kamera, Brennweite oder Fokussierung.
     .do = Diesen Bildern eine eigene Kamera geben.
+
+image_contradicts-matches = { $n } { $n ->
+     [one] Aufnahme widerspricht
+     *[other] Aufnahmen widersprechen
+    } den anderen: wenige Zuordnungen passen zur Orientierung: { LIST($names, most: 5) }.
+    .why = Höchstens { PERCENT($share) } % passen (andere { PERCENT($median) } %, Grenze { PERCENT($limit) } %): andere Kamera oder anderer Zoom, gestreckt, beschnitten oder am falschen Ort.
+    .do = Weglassen, oder eine eigene Kamera angeben: { OPTION("own_camera", "PATTERN") }.

@@ -61,3 +61,25 @@ image_contradicts-camera_constant = { $images } { $images ->
     } another camera constant, { NUM($ratio, digits: 5) } times that of the others: { $names }.
     .why = sigma0 is { $sigma0 } with a camera constant for each image, { $sigma0_given } with one for all: another camera, zoom or focus.
     .do = Give them a camera of their own.
+
+# $n = 1
+# $names = ["IMG_7.jpg"]
+# $share = 0.24
+# $median = 0.99
+# $limit = 0.6
+# $ids = ["IMG_7"]
+image_contradicts-matches = { $n } { $n ->
+     [one] photograph contradicts
+     *[other] photographs contradict
+    } the others: few of the matches fit the orientation: { LIST($names, most: 5) }.
+    .why = At best { PERCENT($share) } % fit (others { PERCENT($median) } %, limit { PERCENT($limit) } %): another camera or zoom; stretched or cropped; or a wrong place.
+    .do = Leave { $n ->
+     [one] it
+     *[other] them
+    } out, or give { $n ->
+     [one] it
+     *[other] them
+    } a camera of { $n ->
+     [one] its
+     *[other] their
+    } own: { OPTION("own_camera", "PATTERN") }.

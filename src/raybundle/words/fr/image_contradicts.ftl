@@ -9,3 +9,8 @@ image_contradicts-without_it = L'image { $image } contredit les autres : sigma0 
 image_contradicts-origin = { $n } image(s) ont des points image à gauche et au-dessus du format : { $names }.
 
 image_contradicts-camera_constant = { $images } image(s) ont une autre constante de caméra, { NUM($ratio, digits: 5) } fois celle des autres : { $names }.
+
+image_contradicts-matches = { $n } { $n ->
+     [one] photographie contredit
+     *[other] photographies contredisent
+    } les autres : peu de correspondances s'accordent avec l'orientation : { LIST($names, most: 5) }.

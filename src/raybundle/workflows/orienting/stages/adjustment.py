@@ -17,11 +17,13 @@ from raybundle.errors import Message, NotSolvable, message, phrase
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
+from raybundle.matching.verify import VerifiedPair
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.marks import Given
 from raybundle.placing.positions import GPS_M, flight_lines, without_idle
 from raybundle.placing.recorded_positions import with_relative_precision
+from raybundle.ties.explained_matches import unexplained_notice
 from raybundle.ties.points import FeatureStore
 from raybundle.workflows.final_adjustment import adjusted_component, final_adjustment, undetermined_component
 from raybundle.workflows.orienting.connected_components import (
@@ -55,6 +57,7 @@ class Inputs:
     blocks: tuple[Block, ...]
     groups: tuple[CameraGroup, ...]
     features: FeatureStore
+    pairs: tuple[VerifiedPair, ...]
     method: FeatureMethod
     remarks: tuple[str, ...]
     notices: tuple[Notice, ...]
@@ -78,7 +81,8 @@ class Adjusted:
 def _inputs(state: OrientState) -> Inputs:
     return Inputs(
         name=state.asked.name, options=state.asked.options, given=state.given, photos=state.photos,
-        blocks=state.blocks, groups=state.groups, features=state.found, method=state.method,
+        blocks=state.blocks, groups=state.groups, features=state.found, pairs=state.pairs,
+        method=state.method,
         remarks=(*state.remarks, *state.reported), notices=state.notices, dropped=state.dropped, scenes=state.scenes,
         earlier=state.asked.earlier,
     )  # fmt: skip
@@ -99,9 +103,11 @@ def adjust(i: Inputs, means: Means) -> Adjusted:
     every = (done.adjustment, *(p.adjustment for p in done.other_components))
     rows = sum(len(a.given.observations) for a in every)
     cropped = [n for a in every for n in cropped_notices(a)]
+    xy, names = i.features.xy_px(), [p.name for p in i.photos]
     reported = (
         *i.notices,
         *cropped,
+        *(n for a in every for n in unexplained_notice(a.adjusted, names, xy, i.pairs)),
         *incomplete_notice(i, done),
         *([] if i.dropped is None else [i.dropped.notice(rows)]),
     )

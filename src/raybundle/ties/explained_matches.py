@@ -1,0 +1,85 @@
+"""Photographs whose verified matches their adjusted orientation does not explain: of another camera, or misplaced.
+
+Pairs are verified by a fundamental matrix, which fits any camera.  Matches that fit it, but not the adjusted
+orientation and camera, are left out one by one on the way to the adjustment, and what stays of the photograph looks
+good.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.severity import Severity
+from raybundle.block import Block
+from raybundle.cameras.conversions import camera_rays, interiors
+from raybundle.errors import InputError
+from raybundle.matching.verify import STRONG, VerifiedPair, limit_px
+from raybundle.numerics.arrays import Array
+
+UNEXPLAINED = 0.6
+"""Share of the matches of its best pair that fit the orientation, below which a photograph is reported."""
+OTHERS = 0.9
+"""The same share in the median of all photographs, below which nothing is reported: no camera fits then."""
+FEWEST = 4
+"""Photographs with such pairs: the others show what is usual."""
+
+
+def best_shares(block: Block, xy_px: Sequence[Array], rows: Sequence[int], pairs: Sequence[VerifiedPair]) -> Array:
+    """(n,) of each image of an adjusted block, the largest share of a strong pair's matches that fit; NaN: no pair.
+
+    xy_px  features of the photographs
+    rows   position of each photograph in the block, -1 where it has none
+    A match fits where its rays miss each other by no more than the verification allows, `verify.limit_px`.
+    """
+    cameras, of_image = interiors(block)
+    best = np.full(len(block.images), np.nan)
+    for p in pairs:
+        i, j = rows[p.first], rows[p.second]
+        if i < 0 or j < 0 or not (block.images.oriented[i] and block.images.oriented[j]):
+            continue
+        if p.geometry not in {"general", "planar"} or len(p.matches) < STRONG:
+            continue
+        base = block.images.centre[j] - block.images.centre[i]
+        rays: list[Array] = []
+        for k, photo, column in ((i, p.first, 0), (j, p.second, 1)):
+            pixels = xy_px[photo][p.matches[:, column]]
+            rays.append(camera_rays(cameras[of_image[k]], pixels.T).T @ block.images.rotation[k])
+        fits = np.ones(len(p.matches), bool)
+        for one, other, k in ((*rays, j), (*rays[::-1], i)):
+            normal = np.cross(one, base)
+            length = np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
+            camera = cameras[of_image[k]]
+            c_px = camera.values[camera.sensor.scale_symbol] / camera.pixel_mm[0]
+            off = np.abs(np.sum(normal * other, axis=1)) / length * c_px
+            fits &= off < limit_px((camera.width_px, camera.height_px))
+        share = float(fits.mean())
+        best[[i, j]] = np.fmax(best[[i, j]], share)
+    return best
+
+
+def unexplained_notice(
+    block: Block, names: Sequence[str], xy_px: Sequence[Array], pairs: Sequence[VerifiedPair]
+) -> tuple[Notice, ...]:
+    """The fault that names these photographs; none where there are none, or too few to compare with.
+
+    names  files of the photographs, as `xy_px` has them
+    """
+    position = {f: k for k, f in enumerate(block.images.file)}
+    try:
+        best = best_shares(block, xy_px, [position.get(n, -1) for n in names], pairs)
+    except InputError:  # a camera without one projection centre
+        return ()
+    known = np.isfinite(best)
+    if known.sum() < FEWEST or float(np.median(best[known])) < OTHERS:
+        return ()
+    low = [block.images.ids[k] for k in np.flatnonzero(known & (best < UNEXPLAINED))]
+    if not low:
+        return ()
+    values = {
+        "n": len(low), "names": low, "share": float(np.nanmin(best)), "median": float(np.median(best[known])),
+        "limit": UNEXPLAINED,
+    }  # fmt: skip
+    return (Notice(code="image_contradicts.matches", ids=tuple(low[:100]), values=values, measured=Severity.FAULT),)

@@ -1,0 +1,68 @@
+"""Photographs that their verified matches contradict: stretched, enlarged, misplaced."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.matching.verify import VerifiedPair
+from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.planning.synthetic_networks import Ring, brown_camera, ring_scene
+from raybundle.ties.explained_matches import best_shares, unexplained_notice
+
+CAMERA = brown_camera(size_px=(3000, 2000), pixel_mm=0.008)
+
+
+@pytest.fixture(scope="module")
+def truth():
+    scene = ring_scene(Ring(camera=CAMERA, stations=7, rings=1, points=300))
+    block = simulate(scene, Survey(seed=3, image_sigma_px=0.5)).truth
+    return replace(block, images=replace(block.images, file=tuple(f"{i}.jpg" for i in block.images.ids)))
+
+
+def features(block, seed=1):
+    """Places (n, 2) of all points in each image, and the pairs of images that share forty and more."""
+    o, rng = block.observations, np.random.default_rng(seed)
+    row = np.full((len(block.images), len(block.points)), -1)
+    xy = []
+    for i in range(len(block.images)):
+        mine = np.flatnonzero(o.image == i)
+        row[i, o.point[mine]] = np.arange(len(mine))
+        xy.append(o.xy_px[mine] + rng.normal(0, 0.5, (len(mine), 2)))
+    pairs = []
+    for i in range(len(xy)):
+        for j in range(i + 1, len(xy)):
+            both = np.flatnonzero((row[i] >= 0) & (row[j] >= 0))
+            matches = np.stack([row[i, both], row[j, both]], axis=1)
+            pairs.append(
+                VerifiedPair(
+                    first=i, second=j, matches=matches, candidates=len(both), geometry="general", planar_share=0.2,
+                    displacement_px=100.0,
+                )
+            )  # fmt: skip
+    return xy, [p for p in pairs if len(p.matches) >= 40]
+
+
+def test_right_photographs_are_explained(truth):
+    xy, pairs = features(truth)
+    assert best_shares(truth, xy, range(len(xy)), pairs).min() > 0.98
+    assert unexplained_notice(truth, truth.images.file, xy, pairs) == ()
+
+
+def test_a_stretched_photograph_is_named(truth):
+    xy, pairs = features(truth)
+    xy[3] = (xy[3] - [1500, 1000]) * [1.25, 1] + [1500, 1000]
+    (notice,) = unexplained_notice(truth, truth.images.file, xy, pairs)
+    assert notice.ids == (truth.images.ids[3],)
+    assert notice.values["median"] > 0.98
+
+
+def test_a_misplaced_photograph_is_named_and_one_that_is_missing_is_not_needed(truth):
+    xy, pairs = features(truth)
+    rotation = np.array(truth.images.rotation)
+    rotation[2] = rotation_from_vector(np.array([0.03, 0.05, 0.0])) @ rotation[2]
+    block = replace(truth, images=replace(truth.images, rotation=rotation))
+    names = [*truth.images.file[:-1], "elsewhere.jpg"]
+    (notice,) = unexplained_notice(block, names, xy, pairs)
+    assert notice.ids == (truth.images.ids[2],)
