@@ -266,6 +266,21 @@ def test_the_weakest_point_is_named_with_its_rays():
     assert shown.note.messages[-1].values == {"point": view.given.points.ids[worst], "n": seen}
 
 
+@pytest.mark.parametrize(("bars", "code"), [(1, "not_checked"), (2, "scale_checked")])
+def test_lengths_that_test_each_other_check_the_scale(bars, code):
+    field = field_scene(TargetField(rows=4, columns=5, stations=5))
+    result = adjust_block(
+        simulate(field, replace(SURVEY, seed=2, control=0, check=0, scale_bars=bars)).observed, OPTIONS
+    )
+    found = of_verdict(occasion(result))
+    assert code in found
+    if bars == 2:
+        group = next(g for g in result.groups if g.kind == "distance")
+        apart = np.abs(group.residual / group.redundancy)
+        assert found[code]["n"] == 2
+        assert float(found[code]["worst"].split()[0]) == pytest.approx(1000 * apart.max(), rel=0.1)
+
+
 def test_where_nothing_is_to_be_done_the_files_are_named(flight):
     files = ("points.csv", "map.csv", "block", "secret.txt")
     told = parts_of(replace(flight, notices=()), "paragraph", files=files)[-1].text

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
+
 from raybundle import words
 from raybundle.adjustment.records.notice import Notice, sorted_notices
 from raybundle.adjustment.records.severity import POOR_FIT, Severity
@@ -13,8 +15,10 @@ from raybundle.report.chapters import Occasion
 from raybundle.report.languages import Localised
 from raybundle.report.languages.language import Language
 from raybundle.report.sections.calibration import GRADES, grade_code, graver, worst
+from raybundle.report.sections.front_lengths import CONTROLLED
 from raybundle.report.text.numbers import unbroken
 from raybundle.report.text.words import Grade, unsettled
+from raybundle.report.view import View, in_unit
 
 MOST_STEPS = 5
 FILES = (
@@ -79,8 +83,21 @@ def _verdict(o: Occasion) -> list[Message]:
     if any(x.kept is None for x in outcomes):
         found.append(note("front.not_judged"))
     elif not o.qualities and not (o.view.accuracy.check.any or o.view.lengths is not None):
-        found.append(note("front.not_checked"))
+        found.append(_scale_only(o.view) or note("front.not_checked"))
     return found
+
+
+def _scale_only(view: View) -> Message | None:
+    """That known lengths agree with each other, where that is all that is checked; None where they do not test."""
+    group = next((g for g in view.adjustment.groups if g.kind == "distance"), None)
+    if group is None:
+        return None
+    r = np.nan_to_num(group.redundancy)
+    tested = r > CONTROLLED
+    if not tested.any():
+        return None
+    worst = float(np.abs(group.residual[tested] / r[tested]).max()) * view.factor
+    return note("front.scale_checked", n=int(tested.sum()), worst=in_unit(worst, view.unit, 2))
 
 
 def next_steps(o: Occasion) -> tuple[tuple[str, str], ...]:

@@ -54,6 +54,8 @@ front-not_judged = Die Forderungen sind nicht beurteilbar.
 
 front-not_checked = Nicht unabhängig kontrolliert (keine Kontrollpunkte).
 
+front-scale_checked = Maßstab durch { $n } Strecken geprüft (untereinander auf { $worst }); Punkte nicht geprüft (keine Kontrollpunkte).
+
 front-severity = { $level ->
         [error] Abbruch
         [fault] Fehler

@@ -62,6 +62,10 @@ front-not_judged = Requirements cannot be judged.
 
 front-not_checked = Not checked independently (no check points).
 
+# $n = 2
+# $worst = "0.4 mm"
+front-scale_checked = Scale checked by { $n } lengths (within { $worst } of each other); points not checked (no check points).
+
 # $level = "warning"
 front-severity = { $level ->
         [error] error
