@@ -328,6 +328,10 @@ def test_a_project_keeps_what_was_measured_and_takes_photographs_that_come_later
         rb.begin(photos)
     with pytest.raises(InputError, match=r"session\.no_project"):
         rb.mark(tmp_path / "nothing", "undo")
+    (tmp_path / "deleted").mkdir()
+    (tmp_path / "deleted" / "project.toml").write_text("")
+    with pytest.raises(InputError, match=r"project\.no_result"):
+        rb.query(tmp_path / "deleted", distance=("A", "B"))
     (tmp_path / "empty").mkdir()
     with pytest.raises(InputError, match=r"0.*photograph\.too_few_usable"):
         rb.begin(tmp_path / "empty")

@@ -149,10 +149,8 @@ def block_folder(folder: str | Path) -> Path:
     for inner in block_places(folder):
         if (inner / "block.toml").is_file():
             return inner
-    raise InputError(
-        "session.no_project",
-        file=folder,
-    )
+    code = "project.no_result" if (folder / "project.toml").is_file() else "session.no_project"
+    raise InputError(code, file=folder)
 
 
 def given_block(folder: str | Path) -> Path:

@@ -49,8 +49,8 @@ project-missing = Es gibt kein solches Projekt.
        *[other] Prüfen, ob { LIST($near, most: 1) } gemeint ist, oder eines
      } mit einer Angabe wie { OPTION("object", "NAME") } und { OPTION("new", "True") } beginnen.
 
-project-no_result = Das Projekt hat noch kein Ergebnis.
-    .do = Zuerst die Aufnahmen orientieren.
+project-no_result = Das Projekt hat kein aktuelles Ergebnis.
+    .do = Die Aufnahmen orientieren, nach dem Löschen eines Ergebnisses erneut: Fertige Schritte kommen aus dem Projekt.
 
 project-at_url = Ein Projekt kann nicht an einer URL liegen; sein Ordner muss auf diesem Rechner sein.
     .do = Einen Ordner angeben, und die URL für die Produkte: { OPTION("store", "URL") }.

@@ -67,8 +67,8 @@ project-missing = There is no such project.
        *[other] Check whether { LIST($near, most: 1) } is meant, or begin
      } one by an entry such as { OPTION("object", "NAME") }, with { OPTION("new", "True") }.
 
-project-no_result = The project has no result yet.
-    .do = Orient its photographs first.
+project-no_result = The project has no current result.
+    .do = Orient its photographs, again if a result was deleted: finished stages are taken from the project.
 
 project-at_url = A project cannot be at a URL; its folder must be on this machine.
     .do = Give a folder, and the URL for the products: { OPTION("store", "URL") }.

@@ -20,7 +20,7 @@ project-not_a_project = Ce n'est pas un dossier de projet.
 
 project-missing = Il n'y a pas de tel projet.
 
-project-no_result = Le projet n'a pas encore de résultat.
+project-no_result = Le projet n'a pas de résultat actuel.
 
 project-at_url = Un projet ne peut pas se trouver à une URL ; son dossier doit être sur cette machine.
 
