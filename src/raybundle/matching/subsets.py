@@ -1,0 +1,382 @@
+"""Digital image correlation: subsets of a reference image followed through images of the deformed specimen.
+
+The windows of `least_squares` without weights, on coefficients of cubic B-splines, their shapes free.  Subsets stand on
+a grid.  The best matched pass their shape on to their neighbours (Pan 2009), so that the start is good where
+displacements are large.  At the reference, windows are read at pixels: noise then does not displace them (Shao, Dai and
+He 2015).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from enum import IntEnum
+from typing import Literal
+
+import numpy as np
+
+from raybundle.matching.least_squares import LEAST_SHARE, Outcome, WindowMatches, WindowOptions, match_windows
+from raybundle.numerics.arrays import Array, Index, Mask
+
+CORRELATION = 0.75
+"""Least correlation of two windows that are believed to show the same."""
+SEED_CORRELATION = 0.85
+"""The same where no neighbour supports a match."""
+REACH_PX = 3.0
+"""Distance from the place that a neighbour predicts, beyond which a match is another one."""
+TRIED = 64
+"""Subsets that are tried without displacement before features are looked for."""
+PARENTS = 4
+"""Neighbours from which a subset is tried."""
+TORN_PX, TORN_F = 0.25, 4.0
+"""Displacement of the ninths of a window against its shape, and its test quantity, above both of which it is torn.
+Noise alone gives 0.7 of the latter, its quantile of 99.9 % is 1.7; smooth fields reach 0.1 px."""
+CHANGED = 3.0
+"""Standard deviation of residuals in units of the median of all, from which on grey values are others."""
+FEATURES = 3000
+TAPS, KAISER_PX, KAISER = 16, 12.0, 5.0
+"""Pixels on either side that a coefficient is made of; half width and shape of the window of the sinc"""
+SPLINE_POLE = np.sqrt(3) - 2
+"""Of the filter that makes coefficients of grey values (Unser 1993)"""
+GRADIENT_NOISE = 9 * (2 / np.sqrt(3) - 1)
+"""Variance of the spline's slope at a pixel, of white noise of variance 1: the mean of (3 sin w / (2 + cos w))^2"""
+
+
+class State(IntEnum):
+    """What became of a subset."""
+
+    FOLLOWED = 0
+    OUTSIDE = 1
+    FLAT = 2
+    UNSTEADY = 3
+    UNLIKE = 4
+    TORN = 5
+    CHANGED = 6
+    UNREACHED = 7
+
+
+OF_OUTCOME = {
+    Outcome.OUTSIDE: State.OUTSIDE, Outcome.FLAT: State.FLAT, Outcome.MOVED: State.UNSTEADY,
+    Outcome.UNSTEADY: State.UNSTEADY,
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Picture:
+    """An image that is compared."""
+
+    grey: Array
+    """(h, w) uint8 or uint16"""
+    coefficients: Array
+    """(zoom h, zoom w) uint16, of its cubic B-spline"""
+    zoom: Literal[1, 2]
+    """coefficients a pixel"""
+    scale: float
+    """of the coefficients in units of a grey value"""
+
+    @classmethod
+    def of(cls, grey: Array, zoom: Literal[1, 2]) -> Picture:
+        """Of grey values (h, w).  Coefficients are rounded to 1 / 65 535 of their range: 0.01 grey values of 8 bit."""
+        import cv2
+
+        taps = _coefficient_taps(zoom).astype(np.float32)
+        found = np.empty((zoom * grey.shape[0], zoom * grey.shape[1]), np.float32)
+        for i in range(zoom):
+            for j in range(zoom):
+                found[i::zoom, j::zoom] = cv2.sepFilter2D(
+                    grey.astype(np.float32), cv2.CV_32F, taps[j], taps[i], borderType=cv2.BORDER_REFLECT_101
+                )
+        low, high = float(found.min()), float(found.max())
+        scale = 65535 / (high - low) if high > low else 1.0
+        return cls(grey=grey, coefficients=np.rint((found - low) * scale).astype(np.uint16), zoom=zoom, scale=scale)
+
+
+def _coefficient_taps(zoom: int) -> Array:
+    """(zoom, 2 TAPS + 1): weights of the pixels around for the coefficient at a pixel, and half a pixel after it.
+
+    Values between pixels are those of a sinc under a Kaiser window; with them a cubic spline of twice as many values
+    errs by a tenth of what it errs by at the pixels alone (Schafer and Rabiner 1973; Unser 1993).
+    """
+    k = np.arange(-zoom * (TAPS + 1), zoom * (TAPS + 1) + 1)
+    x = k / zoom
+    values = np.sinc(x) * np.i0(KAISER * np.sqrt(np.maximum(1 - (x / KAISER_PX) ** 2, 0))) * (np.abs(x) < KAISER_PX)
+    for j in range(zoom):
+        values[k % zoom == j] /= values[k % zoom == j].sum()
+    n = np.arange(-TAPS, TAPS + 1)
+    impulse = 6 * SPLINE_POLE / (SPLINE_POLE**2 - 1) * SPLINE_POLE ** np.abs(n)
+    found = np.convolve(values, impulse, "same")
+    # correlation, not convolution: the tap at an offset weighs the pixel there
+    return np.stack([found[zoom + j : zoom + j + zoom * (2 * TAPS + 1) : zoom][::-1] for j in range(zoom)])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SubsetGrid:
+    """Where subsets stand in the reference image: in the middle of pixels."""
+
+    xy_px: Array
+    """(n, 2)"""
+    cell: Index
+    """(n, 2) row and column of the grid"""
+    shape: tuple[int, int]
+    """rows and columns of the grid"""
+    step: int
+
+    @classmethod
+    def of(cls, free: Mask, step: int, half: int) -> SubsetGrid:
+        """Subsets of (2 half + 1)^2 pixels, all of them free (h, w) and inside the image."""
+        h, w = free.shape
+        total = np.zeros((h + 1, w + 1), np.int64)
+        total[1:, 1:] = free.cumsum(axis=0, dtype=np.int64).cumsum(axis=1)
+        side, edge = 2 * half + 1, half + 3  # interpolation takes two pixels more
+        rows, columns = np.flatnonzero(free.any(axis=1)), np.flatnonzero(free.any(axis=0))
+        if not len(rows):
+            rows = columns = np.zeros(1, int)
+        y = np.arange(max(int(rows[0]) + half, edge), min(int(rows[-1]) + 1 - half, h - edge), step)
+        x = np.arange(max(int(columns[0]) + half, edge), min(int(columns[-1]) + 1 - half, w - edge), step)
+        top, left = (a.ravel() - half for a in np.meshgrid(y, x, indexing="ij"))
+        whole = total[top + side, left + side] - total[top, left + side] - total[top + side, left] + total[top, left]
+        cell = np.stack(np.unravel_index(np.flatnonzero(whole == side**2), (len(y), len(x))), axis=1)
+        xy = np.stack([x[cell[:, 1]], y[cell[:, 0]]], axis=1) + 0.5 if len(cell) else np.zeros((0, 2))
+        return cls(xy_px=xy, cell=cell, shape=(len(y), len(x)), step=step)
+
+    def neighbours(self) -> Index:
+        """(n, 8) rows of the neighbours of each subset; -1 where there is none."""
+        number = np.full((self.shape[0] + 2, self.shape[1] + 2), -1)
+        number[self.cell[:, 0] + 1, self.cell[:, 1] + 1] = np.arange(len(self.cell))
+        around = [(i, j) for i in (0, 1, 2) for j in (0, 1, 2) if (i, j) != (1, 1)]
+        return np.stack([number[self.cell[:, 0] + i, self.cell[:, 1] + j] for i, j in around], axis=1)
+
+    def raster(self, values: Array) -> Array:
+        """Values (n, ...) as (rows, columns, ...); NaN elsewhere."""
+        found = np.full((*self.shape, *values.shape[1:]), np.nan)
+        found[self.cell[:, 0], self.cell[:, 1]] = values
+        return found
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Followed:
+    """Subsets in one image of the deformed specimen."""
+
+    state: Index
+    """(n,) `State`; the rest is NaN where not FOLLOWED"""
+    xy_px: Array
+    """(n, 2) of the middle of the subset"""
+    affine: Array
+    """(n, 2, 2) deformed_from_reference of small vectors, by the subset alone"""
+    cov_px2: Array
+    """(n, 2, 2) of the displacement, from the noise of both images"""
+    correlation: Array
+    """(n,)"""
+    noise: Array
+    """(n,) standard deviation of a grey value of the reference"""
+    parts_px: Array
+    """(n,) displacement of the ninths of the window against its shape, noise taken off"""
+
+
+def window_options(half: int, *, quadratic: bool) -> WindowOptions:
+    """Of subsets of (2 half + 1)^2 pixels; lengths in the target, two to a pixel."""
+    return WindowOptions(
+        half=half, sigma=1e6, iterations=40, step=2e-4, reach=2 * REACH_PX, loose=1e3, spline=True, quadratic=quadratic
+    )
+
+
+def follow(
+    reference: Picture, target: Picture, grid: SubsetGrid, window: WindowOptions, start: Followed | None = None
+) -> Followed:
+    """Find the subsets of a reference image in another one.
+
+    reference, target  of zoom 1 and 2: what is read between pixels is interpolated from finer ones
+    start              of an image taken shortly before, where displacements are similar
+
+    What the covariance does not show: shapes that a window cannot take (`parts_px`), interpolation of aliased images,
+    noise that neighbouring pixels share, lens distortion, motion towards the camera.
+    """
+    g = _Growth(reference=reference, target=target, grid=grid, window=window)
+    if start is not None:
+        rows = np.flatnonzero(start.state == State.FOLLOWED)
+        g.try_at(rows, start.xy_px[rows], start.affine[rows], CORRELATION)
+    else:
+        rows = np.unique(np.linspace(0, len(grid.xy_px) - 1, TRIED).astype(int))
+        g.try_at(rows, grid.xy_px[rows], np.tile(np.eye(2), (len(rows), 1, 1)), SEED_CORRELATION)
+    g.grow()
+    if (g.state != State.FOLLOWED).any():
+        g.try_features()
+        g.grow()
+    return g.result()
+
+
+@dataclass(slots=True, kw_only=True)
+class _Growth:
+    """The subsets that were found, from the best to their neighbours."""
+
+    reference: Picture
+    target: Picture
+    grid: SubsetGrid
+    window: WindowOptions
+    state: Index = field(init=False)
+    found: WindowMatches = field(init=False)
+
+    def __post_init__(self) -> None:
+        n = len(self.grid.xy_px)
+        self.state = np.full(n, State.UNREACHED)
+        self.found = WindowMatches(
+            xy_px=np.zeros((n, 2)), affine=np.zeros((n, 2, 2)), bend=np.zeros((n, 2, 3)), cov_px2=np.zeros((n, 3)),
+            correlation=np.zeros(n), residual=np.zeros((n, 14)), outcome=np.zeros(n, np.int32),
+        )  # fmt: skip
+
+    def try_at(self, rows: Index, xy: Array, affine: Array, least: float, window: WindowOptions | None = None) -> None:
+        """Match subsets from places and shapes."""
+        if not len(rows):
+            return
+        m = match_windows(
+            self.reference.coefficients, self.target.coefficients, self.grid.xy_px[rows], 2 * xy - 0.5, 2 * affine,
+            window or self.window,
+        )  # fmt: skip
+        m = replace(
+            m, xy_px=(m.xy_px + 0.5) / 2, affine=m.affine / 2, bend=m.bend / 2, cov_px2=m.cov_px2 / 4,
+            residual=m.residual * np.repeat([1, 4, 1], [2, 6, 6]),
+        )  # fmt: skip
+        state = np.array([OF_OUTCOME.get(Outcome(k), State.FOLLOWED) for k in range(len(Outcome))])[m.outcome]
+        good = state == State.FOLLOWED
+        parts, F = _parts(m, self.window)
+        state[good & (parts > TORN_PX) & (F > TORN_F)] = State.TORN
+        state[good & (m.correlation < least)] = State.UNLIKE
+        better = (state == State.FOLLOWED) | (self.state[rows] == State.UNREACHED)
+        at = rows[better]
+        self.state[at] = state[better]
+        for name in ("xy_px", "affine", "bend", "cov_px2", "correlation", "residual"):
+            getattr(self.found, name)[at] = getattr(m, name)[better]
+
+    def grow(self) -> None:
+        """From neighbour to neighbour, those beside the best first, until none is left to be tried."""
+        around = self.grid.neighbours()
+        untried = around >= 0
+        tries = np.zeros(len(around), int)
+        while True:
+            rows = np.flatnonzero((self.state != State.FOLLOWED) & (tries < PARENTS))
+            there = untried[rows] & (self.state[around[rows]] == State.FOLLOWED)
+            quality = np.where(there, self.found.correlation[around[rows]], -1.0)
+            best = quality.argmax(axis=1)
+            rows, best, quality = (a[quality.max(axis=1) > 0] for a in (rows, best, quality.max(axis=1)))
+            if not len(rows):
+                return
+            first = quality >= np.median(quality)
+            rows, best = rows[first], best[first]
+            parent = around[rows, best]
+            untried[rows, best] = False
+            tries[rows] += 1
+            B = self.found.affine[parent]
+            d = self.grid.xy_px[rows] - self.grid.xy_px[parent]
+            self.try_at(rows, self.found.xy_px[parent] + np.einsum("nij,nj->ni", B, d), B, CORRELATION)
+
+    def try_features(self) -> None:
+        """Subsets that are not found yet, from the nearest feature that both images have."""
+        from scipy.spatial import KDTree
+
+        from raybundle.matching.features import Described
+        from raybundle.matching.rootsift import RootSift
+
+        method = RootSift()
+        a, b = (method.detect(p.grey if p.grey.dtype == np.uint8 else _bytes(p.grey), FEATURES)
+                for p in (self.reference, self.target))  # fmt: skip
+        sides = [Described(xy_px=f.xy_px, descriptors=f.descriptors, size_px=(1, 1), scale_px=f.scale_px) for f in (a, b)]
+        pairs = method.match(*sides)
+        if not len(pairs):
+            return
+        p, q = a.rows(pairs[:, 0]), b.rows(pairs[:, 1])
+        size, turn = q.scale_px / p.scale_px, q.angle - p.angle
+        c, s = size * np.cos(turn), size * np.sin(turn)
+        B = np.stack([np.stack([c, -s], axis=1), np.stack([s, c], axis=1)], axis=1)
+        rows = np.flatnonzero(self.state != State.FOLLOWED)
+        near, index = KDTree(p.xy_px).query(self.grid.xy_px[rows], k=1)
+        rows, index = (v[near < 2 * self.window.half] for v in (rows, index))
+        d = self.grid.xy_px[rows] - p.xy_px[index]
+        xy = q.xy_px[index] + np.einsum("nij,nj->ni", B[index], d)
+        self.try_at(rows, xy, B[index], SEED_CORRELATION, replace(self.window, reach=4 * REACH_PX))
+
+    def result(self) -> Followed:
+        """With covariances from noise."""
+        m, state = self.found, self.state
+        rows = np.flatnonzero(state == State.FOLLOWED)
+        nan = np.full(len(state), np.nan)
+        if len(rows):
+            sigma = np.sqrt(m.residual[rows, 0])
+            state[rows[sigma > CHANGED * np.median(sigma)]] = State.CHANGED
+            rows = np.flatnonzero(state == State.FOLLOWED)
+        cov, noise, parts = np.full((len(state), 2, 2), np.nan), nan.copy(), nan.copy()
+        cov[rows], grey = _covariance(m, rows, self.window)
+        noise[rows] = grey / self.reference.scale
+        parts[rows] = _parts(m, self.window)[0][rows]
+        known = state == State.FOLLOWED
+        return Followed(
+            state=state, xy_px=np.where(known[:, None], m.xy_px, np.nan),
+            affine=np.where(known[:, None, None], m.affine, np.nan), cov_px2=cov,
+            correlation=np.where(known, m.correlation, np.nan), noise=noise, parts_px=parts,
+        )  # fmt: skip
+
+
+def _bytes(grey: Array) -> Array:
+    """Grey values of 16 bit as 8, their range stretched."""
+    low, high = np.quantile(grey, [0.001, 0.999])
+    return np.clip((grey - low) * (255 / max(high - low, 1)), 0, 255).astype(np.uint8)
+
+
+def _lost(correlation: Array, window: WindowOptions) -> Array:
+    """Variance of residuals, in units of the contrast."""
+    count = (2 * window.half + 1) ** 2
+    return np.maximum(2 * (1 - correlation) * count / (count - window.unknowns), 1e-12)
+
+
+def _parts(m: WindowMatches, window: WindowOptions) -> tuple[Array, Array]:
+    """Displacement [px] of the ninths of windows against their shape, noise taken off, and its test quantity.
+
+    The sums S of b b' over the parts are in the mean s^2 T of noise alone, and T d d' T / 9 of displacements d.
+    """
+    lost = _lost(m.correlation, window)
+    S, T = (m.residual[:, [k, k + 1, k + 1, k + 2]].reshape(-1, 2, 2) for k in (2, 5))
+    S = S * (lost / np.maximum(m.residual[:, 0], 1e-300))[:, None, None]
+    size = np.maximum(np.trace(T, axis1=1, axis2=2), 1e-300)
+    inverse = np.linalg.inv(T + 1e-9 * size[:, None, None] * np.eye(2))
+    both, noise = (np.trace(k, axis1=1, axis2=2) for k in (inverse @ S @ inverse, inverse * lost[:, None, None]))
+    return np.sqrt(9 * np.maximum(both - noise, 0)), np.trace(inverse @ S, axis1=1, axis2=2) / (2 * lost)
+
+
+def _covariance(m: WindowMatches, rows: Index, window: WindowOptions) -> tuple[Array, Array]:
+    """Covariances (n, 2, 2) of displacements, and standard deviation of a coefficient of the reference image.
+
+    Residuals hold the noise of the reference and that of the target, which interpolation reduces by a share that
+    depends on the place between the pixels.  The gradients of textures lie where interpolation reduces nothing, so
+    that the variance of two whole noises counts.  The gradients' noise is no information (`with_noisy_gradients`).
+    """
+    count, lost = (2 * window.half + 1) ** 2, _lost(m.correlation[rows], window)
+    reduced = _noise_share(m, rows, window.half)
+    one = lost / (1 + reduced)  # variance of one image, in units of the contrast
+    B = m.affine[rows]
+    back = np.linalg.inv(B)
+    Q = m.cov_px2[rows][:, [0, 2, 2, 1]].reshape(-1, 2, 2) / lost[:, None, None]
+    N = np.linalg.inv(back @ Q @ back.swapaxes(1, 2))
+    values, vectors = np.linalg.eigh(N)
+    share = np.maximum(1 - count * GRADIENT_NOISE * one[:, None] / values, LEAST_SHARE)
+    C = np.einsum("nij,nj,nkj->nik", vectors, 2 * one[:, None] / (values * share**2), vectors)
+    return B @ C @ B.swapaxes(1, 2), np.sqrt(m.residual[rows, 0] / (1 + reduced))
+
+
+def _noise_share(m: WindowMatches, rows: Index, half: int) -> Array:
+    """(n,) variance of interpolated white noise of variance 1, in the mean of each window in the target."""
+    from scipy.interpolate import BSpline
+
+    t = np.linspace(0, 1, 65)
+    weights = np.zeros((len(t), 2 * TAPS + 1))
+    for j, taps in enumerate(_coefficient_taps(2)):
+        for offset in range(-2, 4):  # coefficients at offset + j / 2
+            basis = BSpline.basis_element(np.arange(-2.0, 3.0), extrapolate=False)(2 * (t - offset) - j)
+            weights += np.nan_to_num(basis)[:, None] * np.roll(taps, offset)
+    table = (weights**2).sum(axis=1)
+    side = np.arange(-half, half + 1, max(half // 5, 1))
+    u = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2).astype(float)
+    second = np.stack([u[:, 0] ** 2 / 2, u[:, 0] * u[:, 1], u[:, 1] ** 2 / 2], axis=1)
+    found = np.empty(len(rows))
+    for k in range(0, len(rows), 4096):
+        at = rows[k : k + 4096]
+        xy = m.xy_px[at, None] - 0.5 + u @ m.affine[at].swapaxes(1, 2) + second @ m.bend[at].swapaxes(1, 2)
+        found[k : k + 4096] = np.interp(xy % 1, t, table).prod(axis=2).mean(axis=1)
+    return found
