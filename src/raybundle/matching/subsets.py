@@ -167,7 +167,7 @@ class Followed:
     correlation: Array
     """(n,)"""
     noise: Array
-    """(n,) standard deviation of a grey value of the reference"""
+    """(n, 2) standard deviation of a grey value of the reference, and of the target brought to its contrast"""
     parts_px: Array
     """(n,) displacement of the ninths of the window against its shape, noise taken off"""
 
@@ -302,8 +302,12 @@ class _Growth:
             sigma = np.sqrt(m.residual[rows, 0])
             state[rows[sigma > CHANGED * np.median(sigma)]] = State.CHANGED
             rows = np.flatnonzero(state == State.FOLLOWED)
-        cov, noise, parts = np.full((len(state), 2, 2), np.nan), nan.copy(), nan.copy()
-        cov[rows], grey = _covariance(m, rows, self.window)
+        cov, noise, parts = np.full((len(state), 2, 2), np.nan), np.full((len(state), 2), np.nan), nan
+        rough = [
+            _roughness(p.grey, xy[rows], self.window.half)
+            for p, xy in ((self.target, m.xy_px), (self.reference, self.grid.xy_px))
+        ]
+        cov[rows], grey = _covariance(m, rows, self.window, rough[0] - rough[1])
         noise[rows] = grey / self.reference.scale
         parts[rows] = _parts(m, self.window)[0][rows]
         known = state == State.FOLLOWED
@@ -340,24 +344,72 @@ def _parts(m: WindowMatches, window: WindowOptions) -> tuple[Array, Array]:
     return np.sqrt(9 * np.maximum(both - noise, 0)), np.trace(inverse @ S, axis1=1, axis2=2) / (2 * lost)
 
 
-def _covariance(m: WindowMatches, rows: Index, window: WindowOptions) -> tuple[Array, Array]:
-    """Covariances (n, 2, 2) of displacements, and standard deviation of a coefficient of the reference image.
+def _covariance(m: WindowMatches, rows: Index, window: WindowOptions, difference: Array) -> tuple[Array, Array]:
+    """Covariances (n, 2, 2) of displacements, and standard deviations (n, 2) of a grey value of both images.
+
+    difference  (n,) of the noise variances, target less reference, in units of the contrast
 
     Residuals hold the noise of the reference and that of the target, which interpolation reduces by a share that
     depends on the place between the pixels.  The gradients of textures lie where interpolation reduces nothing, so
     that the variance of two whole noises counts.  The gradients' noise is no information (`with_noisy_gradients`).
     """
-    count, lost = (2 * window.half + 1) ** 2, _lost(m.correlation[rows], window)
+    lost = _lost(m.correlation[rows], window)
     reduced = _noise_share(m, rows, window.half)
-    one = lost / (1 + reduced)  # variance of one image, in units of the contrast
+    own = np.clip(np.median((1 - reduced * difference / lost) / (1 + reduced)), 0, 1) if len(rows) else 0.5
+    first, second = own * lost, (1 - own) * lost / reduced
     B = m.affine[rows]
     back = np.linalg.inv(B)
     Q = m.cov_px2[rows][:, [0, 2, 2, 1]].reshape(-1, 2, 2) / lost[:, None, None]
     N = np.linalg.inv(back @ Q @ back.swapaxes(1, 2))
     values, vectors = np.linalg.eigh(N)
-    share = np.maximum(1 - count * GRADIENT_NOISE * one[:, None] / values, LEAST_SHARE)
-    C = np.einsum("nij,nj,nkj->nik", vectors, 2 * one[:, None] / (values * share**2), vectors)
-    return B @ C @ B.swapaxes(1, 2), np.sqrt(m.residual[rows, 0] / (1 + reduced))
+    count = 1 / np.square(_shift_kernel(window.half, quadratic=window.quadratic)).sum()
+    share = np.maximum(1 - count * GRADIENT_NOISE * first[:, None] / values, LEAST_SHARE)
+    C = np.einsum("nij,nj,nkj->nik", vectors, (first + second)[:, None] / (values * share**2), vectors)
+    noise = np.sqrt(np.stack([first, second], axis=1) * (m.residual[rows, 0] / lost)[:, None])
+    return B @ C @ B.swapaxes(1, 2), noise
+
+
+def _shift_kernel(half: int, *, quadratic: bool) -> Array:
+    """(side, side): weights of the pixels of a window in its displacement, by what its shape leaves to the shift."""
+    side = 2 * half + 1
+    u = np.arange(-half, half + 1.0)
+    x, y = (a.ravel() for a in np.meshgrid(u, u))
+    columns = [np.ones_like(x), x, y, *([x * x, x * y, y * y] if quadratic else [])]
+    return np.linalg.pinv(np.stack(columns, axis=1))[0].reshape(side, side)
+
+
+def overlap_correlation(window: WindowOptions, step: int, reach: int) -> Array:
+    """Correlations of displacements of subsets whose windows overlap, (2 reach + 1, 2 reach + 1) by steps between.
+
+    Noise of pixels that two subsets share is common to both.  Of texture that is alike everywhere; a plane shape
+    weighs pixels equally, a quadratic one by a - b (u^2 + v^2).
+    """
+    kernel, side = _shift_kernel(window.half, quadratic=window.quadratic), 2 * window.half + 1
+    found = np.zeros((2 * reach + 1, 2 * reach + 1))
+    for i in range(-reach, reach + 1):
+        for j in range(-reach, reach + 1):
+            di, dj = abs(i) * step, abs(j) * step
+            if max(di, dj) < side:
+                found[i + reach, j + reach] = (kernel[di:, dj:] * kernel[: side - di, : side - dj]).sum()
+    return found / found[reach, reach]
+
+
+def _roughness(grey: Array, xy: Array, half: int) -> Array:
+    """(n,) variance of what differs from pixel to pixel, as white noise does, by that of the window around places.
+
+    Second differences along rows and columns, of which white noise of variance 1 has the variance 1.
+    """
+    import cv2
+
+    values = grey.astype(np.float32)
+    second = np.array([1.0, -2.0, 1.0], np.float32) / np.float32(np.sqrt(6))
+    side = (2 * half + 1, 2 * half + 1)
+    rough = cv2.sepFilter2D(values, cv2.CV_32F, second, second) ** 2
+    mean = cv2.boxFilter(values, cv2.CV_64F, side)
+    variance = cv2.sqrBoxFilter(values, cv2.CV_64F, side, normalize=True) - mean**2
+    at = np.floor(xy).astype(int)
+    found = cv2.boxFilter(rough, cv2.CV_64F, side) / np.maximum(variance, 1e-9)
+    return found[at[:, 1], at[:, 0]]
 
 
 def _noise_share(m: WindowMatches, rows: Index, half: int) -> Array:

@@ -53,26 +53,6 @@ class RigidMotion:
         return self.shift + d @ np.array([[c, s], [-s, c]]) - d
 
 
-def overlap_correlation(half: int, step: int, reach: int, *, quadratic: bool) -> Array:
-    """Correlations of displacements of subsets whose windows overlap, (2 reach + 1, 2 reach + 1) by steps between.
-
-    The displacement of a subset is a mean over its pixels, weighted by what its shape leaves to the shift: of a plane
-    shape equally, of a quadratic one by a - b (u^2 + v^2).  Noise of pixels that two subsets share is common to both.
-    """
-    side = 2 * half + 1
-    u = np.arange(-half, half + 1.0)
-    x, y = (a.ravel() for a in np.meshgrid(u, u))
-    columns = [np.ones_like(x), x, y, *([x * x, x * y, y * y] if quadratic else [])]
-    kernel = np.linalg.pinv(np.stack(columns, axis=1))[0].reshape(side, side)
-    found = np.zeros((2 * reach + 1, 2 * reach + 1))
-    for i in range(-reach, reach + 1):
-        for j in range(-reach, reach + 1):
-            di, dj = abs(i) * step, abs(j) * step
-            if max(di, dj) < side:
-                found[i + reach, j + reach] = (kernel[di:, dj:] * kernel[: side - di, : side - dj]).sum()
-    return found / found[reach, reach]
-
-
 def strain_field(
     displacement: Array, cov: Array, cell: Index, shape: tuple[int, int], step: float, gauge: int, correlation: Array
 ) -> StrainField:
@@ -83,7 +63,7 @@ def strain_field(
     cell, shape   (n, 2) row and column of each place, and their numbers
     step          distance of neighbours [px]
     gauge         planes of (2 gauge + 1)^2 places
-    correlation   (4 gauge + 1, 4 gauge + 1) of displacements by steps between them (`overlap_correlation`)
+    correlation   (4 gauge + 1, 4 gauge + 1) of displacements by steps between them (`raybundle.matching.subsets.overlap_correlation`)
 
     Only places take part that are connected with the middle through neighbours that have a displacement: across a
     crack no plane is laid.  Limits: what the covariance does not show is the curvature of the field within the plane.
