@@ -1,0 +1,236 @@
+"""`raybundle strain`: displacements and strains of a flat specimen from the images of one camera."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import MISSING, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.errors import InputError, Message, note, warning
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import ANY, POSITIVE, Range, keywords, made, setting
+
+if TYPE_CHECKING:
+    from raybundle.io.photos.photo import Photo
+    from raybundle.matching.subsets import Followed, SubsetGrid
+    from raybundle.metrology.strain import RigidMotion, StrainField
+    from raybundle.numerics.arrays import Array, Mask
+
+BENT_PX, BENT_SHARE = 0.02, 0.05
+"""Displacement within subsets against their shape, and the share of subsets above it, from which on this is reported:
+it displaces a subset by up to a quarter of itself, which is the bias that digital image correlation usually allows."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StrainSettings:
+    """Images of a specimen, and how they are evaluated."""
+
+    reference: Path
+    """before the load"""
+    deformed: tuple[Path, ...]
+    """under load, in the order of time"""
+    out: Path = setting(MISSING, "New folder for tables, maps and result.json.", metavar="FOLDER")
+    step: int = setting(10, "Distance between subsets.", metavar="PX", limits=Range(low=1, high=1000))
+    window: int = setting(31, "Side of a subset, odd.", metavar="PX", limits=Range(low=9, high=301))
+    gauge: int = setting(
+        5, "Subsets along the side of the plane for a strain, odd.", metavar="COUNT", limits=Range(low=3, high=51)
+    )  # fmt: skip
+    shape: Literal["affine", "quadratic"] = setting("affine", "Deformation within a subset.")
+    extent: tuple[float, float, float, float] | None = setting(
+        None, "Part of the reference image in pixels.  [default: all]", metavar="LEFT TOP RIGHT BOTTOM",
+        limits=(ANY, ANY, ANY, ANY),
+    )  # fmt: skip
+    mask: Path | None = setting(None, "Image that is black outside the specimen.", metavar="FILE")
+    scale: float | None = setting(
+        None, "Millimetres on the specimen per pixel.  [default: pixels only]", metavar="MM", limits=POSITIVE
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StrainImage:
+    """What one image shows of the specimen."""
+
+    name: str
+    followed: Followed
+    displacement: Array
+    """(n, 2) of the subsets [px], x to the right, y down; NaN where a subset was not followed"""
+    rigid: RigidMotion
+    relative: Array
+    """(n, 2) displacement less the common rigid motion"""
+    strain: StrainField
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Strains:
+    """Displacements and strains of all images."""
+
+    settings: StrainSettings
+    grid: SubsetGrid
+    images: tuple[StrainImage, ...]
+    reported: tuple[Message, ...]
+    files: tuple[Path, ...]
+
+
+@keywords(StrainSettings)
+def strain(
+    reference: str | Path, deformed: str | Path | Sequence[str | Path], out: str | Path, *,
+    progress: Progress = silent, **settings: Any,
+) -> Strains:  # fmt: skip
+    """Measure displacements and strains of a flat specimen by digital image correlation.
+
+    reference  image before the load
+    deformed   images under load, in the order of time, of the same size
+    out        new folder: displacements.csv, strain.csv, maps, result.json
+    settings   as of the command line, by the names of `StrainSettings`: step=10, window=31, scale=0.05
+    raises     InputError for images of other sizes, and where no subset is found again
+    Limits: motion towards the camera and lens distortion look like strain.
+    """
+    several = [deformed] if isinstance(deformed, str | Path) else [*deformed]
+    given = {"reference": Path(reference), "deformed": tuple(Path(d) for d in several), "out": Path(out), **settings}
+    return run_strain(made(StrainSettings, given), progress)
+
+
+def run_strain(settings: StrainSettings, progress: Progress = silent) -> Strains:
+    """Follow the subsets through the images, and write what came of it."""
+    import numpy as np
+
+    from raybundle.commands.strain_files import write_strains
+    from raybundle.io.folders import check_new_folder
+    from raybundle.io.photos.photo import read_grey, read_photo
+    from raybundle.matching.subsets import Followed, Picture, State, SubsetGrid, follow, window_options
+
+    s = settings
+    check_new_folder(s.out)
+    photos = [read_photo(p) for p in (s.reference, *s.deformed)]
+    _check(photos)
+    reference = read_grey(photos[0])
+    window = window_options(s.window // 2, quadratic=s.shape == "quadratic")
+    grid = SubsetGrid.of(_free(s, photos[0]), s.step, window.half)
+    if not len(grid.xy_px):
+        raise InputError("strain.no_subset", window=2 * window.half + 1, file=s.reference)
+    first, previous = Picture.of(reference, 1), None
+    images, found = list[StrainImage](), list[Followed]()
+    for k, photo in enumerate(photos[1:]):
+        progress("following subsets", k / len(s.deformed))
+        f = follow(first, Picture.of(read_grey(photo), 2), grid, window, previous)
+        if (f.state == State.FOLLOWED).any():
+            previous = f
+        found.append(f)
+    if previous is None:
+        raise InputError("strain.nothing_followed", n=len(grid.xy_px), names=[p.name for p in photos[1:]])
+    for photo, f in zip(photos[1:], found, strict=True):
+        images.append(_image(s, photo.name, grid, f))
+    done = Strains(
+        settings=s, grid=grid, images=tuple(images), reported=tuple(m for i in images for m in _reported(s, i)),
+        files=(),
+    )  # fmt: skip
+    progress("writing", 0.9)
+    files = write_strains(done, reference, np.array([photos[0].width_px, photos[0].height_px]))
+    return Strains(settings=s, grid=grid, images=done.images, reported=done.reported, files=files)
+
+
+def _check(photos: Sequence[Photo]) -> None:
+    """Raise InputError for images that cannot be compared."""
+    first = photos[0]
+    for photo in photos[1:]:
+        if (photo.width_px, photo.height_px) != (first.width_px, first.height_px):
+            raise InputError(
+                "strain.other_size", width_px=photo.width_px, height_px=photo.height_px, reference=first.name,
+                reference_width_px=first.width_px, reference_height_px=first.height_px, file=photo.path,
+            )  # fmt: skip
+        if photo.sha256 == first.sha256:
+            raise InputError("strain.same_image", reference=first.name, file=photo.path)
+
+
+def _free(s: StrainSettings, photo: Photo) -> Mask:
+    """(h, w) pixels of the specimen."""
+    import numpy as np
+
+    from raybundle.io.photos.photo import read_grey, read_photo
+
+    free = np.ones((photo.height_px, photo.width_px), bool)
+    if s.extent is not None:
+        left, top, right, bottom = s.extent
+        if not (left < right and top < bottom):
+            raise InputError("strain.empty_extent", extent=[float(v) for v in s.extent])
+        y, x = np.ogrid[: photo.height_px, : photo.width_px]
+        free &= (x >= left) & (x + 1 <= right) & (y >= top) & (y + 1 <= bottom)
+    if s.mask is not None:
+        mask = read_photo(s.mask)
+        if (mask.width_px, mask.height_px) != (photo.width_px, photo.height_px):
+            raise InputError(
+                "strain.other_size", width_px=mask.width_px, height_px=mask.height_px, reference=photo.name,
+                reference_width_px=photo.width_px, reference_height_px=photo.height_px, file=s.mask,
+            )  # fmt: skip
+        free &= read_grey(mask) > 0
+    return free
+
+
+def _image(s: StrainSettings, name: str, grid: SubsetGrid, f: Followed) -> StrainImage:
+    import numpy as np
+
+    from raybundle.matching.subsets import State, overlap_correlation, window_options
+    from raybundle.metrology.strain import rigid_motion, strain_field
+
+    d = f.xy_px - grid.xy_px
+    good = f.state == State.FOLLOWED
+    window = window_options(s.window // 2, quadratic=s.shape == "quadratic")
+    gauge = s.gauge // 2
+    rho = overlap_correlation(window, s.step, max(2 * gauge, -(-s.window // s.step)))
+    middle = len(rho) // 2
+    near = rho[middle - 2 * gauge : middle + 2 * gauge + 1, middle - 2 * gauge : middle + 2 * gauge + 1]
+    rigid = rigid_motion(grid.xy_px[good], d[good], f.cov_px2[good], float(rho.sum()))
+    return StrainImage(
+        name=name, followed=f, displacement=d, rigid=rigid,
+        relative=np.where(good[:, None], d - rigid.displacement(grid.xy_px), np.nan),
+        strain=strain_field(d, f.cov_px2, grid.cell, grid.shape, float(s.step), gauge, near),
+    )  # fmt: skip
+
+
+def state_counts(f: Followed) -> dict[str, int]:
+    """Subsets by what became of them, without states that none has."""
+    import numpy as np
+
+    from raybundle.matching.subsets import State
+
+    counts = np.bincount(f.state, minlength=len(State)).tolist()
+    return {state.name.lower(): n for state, n in zip(State, counts, strict=True) if n}
+
+
+def _reported(s: StrainSettings, image: StrainImage) -> list[Message]:
+    """What an image's result does not show."""
+    import numpy as np
+
+    found = list[Message]()
+    counts = state_counts(image.followed)
+    good = counts.pop("followed", 0)
+    if counts:
+        total, reasons = good + sum(counts.values()), [f"{n} {state}" for state, n in counts.items()]
+        found.append(warning("strain.not_followed", name=image.name, n=sum(counts.values()), of=total, states=reasons))
+    parts = image.followed.parts_px
+    share = float((parts > BENT_PX).sum() / max(good, 1)) if s.shape == "affine" else 0.0
+    if share > BENT_SHARE and np.nanmedian(parts) > 0:
+        found.append(warning("strain.bent", name=image.name, share=share, limit_px=BENT_PX))
+    if not np.isfinite(image.strain.strain).any():
+        found.append(warning("strain.no_strain", name=image.name, gauge=s.gauge))
+    return found
+
+
+def summary_of(image: StrainImage) -> list[Message]:
+    """How far a specimen has moved, and by how much it is strained."""
+    import numpy as np
+
+    f, e = image.followed, image.strain
+    sigma = np.sqrt(np.nanmedian(np.diagonal(f.cov_px2, axis1=1, axis2=2), axis=0))
+    found = [
+        note("strain.displacements", name=image.name, n=int(np.isfinite(f.correlation).sum()), of=len(f.state),
+             u_px=float(image.rigid.shift[0]), v_px=float(image.rigid.shift[1]),
+             rotation_deg=float(np.degrees(image.rigid.rotation)), sigma_px=float(np.hypot(*sigma) / np.sqrt(2))),
+    ]  # fmt: skip
+    if np.isfinite(e.strain).any():
+        xx, yy, xy = (1e6 * np.nanmedian(e.strain, axis=0)).tolist()
+        largest = float(1e6 * np.nanmax(e.principal[:, 0]))
+        std = 1e6 * float(np.sqrt(np.nanmedian(np.diagonal(e.cov, axis1=1, axis2=2))))
+        found.append(note("strain.strains", xx=xx, yy=yy, xy=xy, sigma=std, largest=largest))
+    return found
