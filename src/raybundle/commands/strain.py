@@ -21,6 +21,9 @@ BENT_PX, BENT_SHARE = 0.02, 0.05
 """Displacement within subsets against their shape, and the share of subsets above it, from which on this is reported:
 it displaces a subset by up to a quarter of itself, which is the bias that digital image correlation usually allows."""
 
+LARGEST = 0.99
+"""Quantile of the largest normal strains that is reported: single ones beside weak texture are uncertain"""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StrainSettings:
@@ -230,7 +233,7 @@ def summary_of(image: StrainImage) -> list[Message]:
     ]  # fmt: skip
     if np.isfinite(e.strain).any():
         xx, yy, xy = (1e6 * np.nanmedian(e.strain, axis=0)).tolist()
-        largest = float(1e6 * np.nanmax(e.principal[:, 0]))
+        largest = float(1e6 * np.nanquantile(e.principal[:, 0], LARGEST))
         std = 1e6 * float(np.sqrt(np.nanmedian(np.diagonal(e.cov, axis1=1, axis2=2))))
         found.append(note("strain.strains", xx=xx, yy=yy, xy=xy, sigma=std, largest=largest))
     return found

@@ -10,12 +10,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
-from typing import Literal
+from functools import cached_property
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from raybundle.matching.least_squares import LEAST_SHARE, Outcome, WindowMatches, WindowOptions, match_windows
 from raybundle.numerics.arrays import Array, Index, Mask
+
+if TYPE_CHECKING:
+    from raybundle.matching.features import Features
 
 CORRELATION = 0.75
 """Least correlation of two windows that are believed to show the same."""
@@ -30,6 +34,10 @@ PARENTS = 4
 TORN_PX, TORN_F = 0.25, 4.0
 """Displacement of the ninths of a window against its shape, and its test quantity, above both of which it is torn.
 Noise alone gives 0.7 of the latter, its quantile of 99.9 % is 1.7; smooth fields reach 0.1 px."""
+WEAK_PX = 0.15
+"""Standard deviation of a displacement, from which on its subset is called flat."""
+LOST_SHARE = 0.02
+"""Of the subsets, that were followed before and no longer are, from which on features are looked for."""
 CHANGED = 3.0
 """Standard deviation of residuals in units of the median of all, from which on grey values are others."""
 FEATURES = 3000
@@ -60,7 +68,7 @@ OF_OUTCOME = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class Picture:
     """An image that is compared."""
 
@@ -88,6 +96,13 @@ class Picture:
         low, high = float(found.min()), float(found.max())
         scale = 65535 / (high - low) if high > low else 1.0
         return cls(grey=grey, coefficients=np.rint((found - low) * scale).astype(np.uint16), zoom=zoom, scale=scale)
+
+    @cached_property
+    def features(self) -> Features:
+        """That a start is sought from, computed when it is."""
+        from raybundle.matching.rootsift import RootSift
+
+        return RootSift().detect(self.grey if self.grey.dtype == np.uint8 else _bytes(self.grey), FEATURES)
 
 
 def _coefficient_taps(zoom: int) -> Array:
@@ -198,7 +213,10 @@ def follow(
         rows = np.unique(np.linspace(0, len(grid.xy_px) - 1, TRIED).astype(int))
         g.try_at(rows, grid.xy_px[rows], np.tile(np.eye(2), (len(rows), 1, 1)), SEED_CORRELATION)
     g.grow()
-    if (g.state != State.FOLLOWED).any():
+    missing = g.state != State.FOLLOWED
+    if start is not None:
+        missing &= start.state == State.FOLLOWED
+    if missing.mean() > (0 if start is None else LOST_SHARE):
         g.try_features()
         g.grow()
     return g.result()
@@ -275,11 +293,9 @@ class _Growth:
         from raybundle.matching.features import Described
         from raybundle.matching.rootsift import RootSift
 
-        method = RootSift()
-        a, b = (method.detect(p.grey if p.grey.dtype == np.uint8 else _bytes(p.grey), FEATURES)
-                for p in (self.reference, self.target))  # fmt: skip
+        a, b = self.reference.features, self.target.features
         sides = [Described(xy_px=f.xy_px, descriptors=f.descriptors, size_px=(1, 1), scale_px=f.scale_px) for f in (a, b)]
-        pairs = method.match(*sides)
+        pairs = RootSift().match(*sides)
         if not len(pairs):
             return
         p, q = a.rows(pairs[:, 0]), b.rows(pairs[:, 1])
@@ -308,6 +324,12 @@ class _Growth:
             for p, xy in ((self.target, m.xy_px), (self.reference, self.grid.xy_px))
         ]
         cov[rows], grey = _covariance(m, rows, self.window, rough[0] - rough[1])
+        weak = np.trace(cov[rows], axis1=1, axis2=2) > WEAK_PX**2
+        state[rows[weak]], cov[rows[weak]] = State.FLAT, np.nan
+        rows, grey = rows[~weak], grey[~weak]
+        if len(rows):
+            weak = _weak(self.reference, self.grid.xy_px, self.window.half, np.median(grey / self.reference.scale, axis=0))
+            state[weak & (state != State.FOLLOWED) & (state != State.OUTSIDE)] = State.FLAT
         noise[rows] = grey / self.reference.scale
         parts[rows] = _parts(m, self.window)[0][rows]
         known = state == State.FOLLOWED
@@ -392,6 +414,21 @@ def overlap_correlation(window: WindowOptions, step: int, reach: int) -> Array:
             if max(di, dj) < side:
                 found[i + reach, j + reach] = (kernel[di:, dj:] * kernel[: side - di, : side - dj]).sum()
     return found / found[reach, reach]
+
+
+def _weak(reference: Picture, xy: Array, half: int, noise: Array) -> Mask:
+    """(n,) where gradients of the reference promise no useful displacement, at noises (2,) of both images."""
+    import cv2
+
+    gx, gy = (cv2.Sobel(reference.grey, cv2.CV_64F, k, 1 - k, ksize=1) / 2 for k in (1, 0))
+    side, at = (2 * half + 1, 2 * half + 1), np.floor(xy).astype(int)
+    xx, yy, xy_ = (
+        cv2.boxFilter(a * b, cv2.CV_64F, side, normalize=False)[at[:, 1], at[:, 0]]
+        for a, b in ((gx, gx), (gy, gy), (gx, gy))
+    )
+    own = side[0] ** 2 * noise[0] ** 2 / 2  # of noise alone
+    least = (xx + yy) / 2 - np.hypot((xx - yy) / 2, xy_) - own
+    return least * WEAK_PX**2 < noise @ noise
 
 
 def _roughness(grey: Array, xy: Array, half: int) -> Array:

@@ -8,8 +8,8 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
 
-LEAST_SHARE = 0.5
-"""Of the displacements around a place that are needed for its strain."""
+LEAST_SHARE = 0.25
+"""Of the displacements around a place that are needed for its strain: as a corner of the grid has."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,6 +1,6 @@
 strain-displacements = { $name }: { $n } von { $of } Subsets verfolgt (Standardabweichung { NUM($sigma_px, digits: 2) } px); gemeinsame Bewegung { NUM($u_px, digits: 4) } px nach rechts, { NUM($v_px, digits: 4) } px nach unten, { NUM($rotation_deg, digits: 3) } Grad.
 
-strain-strains = Dehnung im Median [1e-6]: xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) } (Standardabweichung eines Wertes { NUM($sigma, digits: 2) }); größte { NUM($largest, digits: 3) }.
+strain-strains = Dehnung im Median [1e-6]: xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) } (Standardabweichung eines Wertes { NUM($sigma, digits: 2) }); 99 % der Normaldehnungen unter { NUM($largest, digits: 3) }.
 
 strain-not_followed = { $name }: { $n } von { $of } Subsets nicht verfolgt ({ LIST($states, most: 7) }).
     .why = outside: verlässt das Bild. flat: ohne Textur. unsteady: konvergiert nicht. unlike: Korrelation unter 0.75. torn: Teile bewegen sich auseinander. changed: Grauwerte verändert. unreached: kein Nachbar verfolgt.

@@ -12,7 +12,7 @@ strain-displacements = { $name }: { $n } of { $of } subsets followed (standard d
 # $xy = 20
 # $sigma = 110
 # $largest = 4300
-strain-strains = Median strain [1e-6]: xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) } (standard deviation of one value { NUM($sigma, digits: 2) }); largest { NUM($largest, digits: 3) }.
+strain-strains = Median strain [1e-6]: xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) } (standard deviation of one value { NUM($sigma, digits: 2) }); 99 % of the normal strains below { NUM($largest, digits: 3) }.
 
 # $name = "load-07.tif"
 # $n = 50
