@@ -66,7 +66,9 @@ def test_interpolation_of_coarse_speckles_gives_no_bias():
     assert np.abs(error.mean(axis=0) - [0.25, 0]).max() < 0.001
     wide = WindowOptions(half=10, sigma=1e6, loose=1e3, iterations=40)
     n = len(grid.xy_px)
-    m = match_windows(a.astype(np.uint16), b.astype(np.uint16), grid.xy_px, grid.xy_px, np.tile(np.eye(2), (n, 1, 1)), wide)
+    m = match_windows(
+        a.astype(np.uint16), b.astype(np.uint16), grid.xy_px, grid.xy_px, np.tile(np.eye(2), (n, 1, 1)), wide
+    )
     assert (m.xy_px - grid.xy_px).mean(axis=0)[0] - 0.25 > 0.02
 
 

@@ -15,10 +15,10 @@ XY = CELL[:, ::-1] * float(STEP)
 RHO = overlap_correlation(window_options(HALF, quadratic=False), STEP, 2 * GAUGE)
 
 
-def cov(n=len(XY)):
+def cov():
     """Of another size and direction at each place."""
     rng = np.random.default_rng(4)
-    L = np.tril(rng.uniform(0.3, 1.0, (n, 2, 2))) * 0.005
+    L = np.tril(rng.uniform(0.3, 1.0, (len(XY), 2, 2))) * 0.005
     return L @ L.swapaxes(1, 2)
 
 

@@ -125,7 +125,7 @@ def run_strain(settings: StrainSettings, progress: Progress = silent) -> Strains
     for photo, f in zip(photos[1:], found, strict=True):
         images.append(_image(s, photo.name, grid, f))
     done = Strains(
-        settings=s, grid=grid, images=tuple(images), reported=tuple(m for i in images for m in _reported(s, i)),
+        settings=s, grid=grid, images=tuple(images), reported=_reported(s, images),
         files=(),
     )  # fmt: skip
     progress("writing", 0.9)
@@ -201,23 +201,28 @@ def state_counts(f: Followed) -> dict[str, int]:
     return {state.name.lower(): n for state, n in zip(State, counts, strict=True) if n}
 
 
-def _reported(s: StrainSettings, image: StrainImage) -> list[Message]:
-    """What an image's result does not show."""
+def _reported(s: StrainSettings, images: Sequence[StrainImage]) -> tuple[Message, ...]:
+    """What the results do not show, of the image of which it is most true."""
     import numpy as np
 
     found = list[Message]()
-    counts = state_counts(image.followed)
-    good = counts.pop("followed", 0)
-    if counts:
-        total, reasons = good + sum(counts.values()), [f"{n} {state}" for state, n in counts.items()]
-        found.append(warning("strain.not_followed", name=image.name, n=sum(counts.values()), of=total, states=reasons))
-    parts = image.followed.parts_px
-    share = float((parts > BENT_PX).sum() / max(good, 1)) if s.shape == "affine" else 0.0
-    if share > BENT_SHARE and np.nanmedian(parts) > 0:
-        found.append(warning("strain.bent", name=image.name, share=share, limit_px=BENT_PX))
-    if not np.isfinite(image.strain.strain).any():
-        found.append(warning("strain.no_strain", name=image.name, gauge=s.gauge))
-    return found
+    lost = [int((~np.isfinite(i.followed.correlation)).sum()) for i in images]
+    if any(lost):
+        worst = images[int(np.argmax(lost))]
+        reasons = [f"{n} {state}" for state, n in state_counts(worst.followed).items() if state != "followed"]
+        found.append(warning("strain.not_followed", name=worst.name, images=sum(n > 0 for n in lost), n=max(lost),
+                             of=len(worst.displacement), states=reasons))  # fmt: skip
+    bent = [
+        float((i.followed.parts_px > BENT_PX).sum() / max(len(i.displacement) - n, 1))
+        for i, n in zip(images, lost, strict=True)
+    ]
+    if s.shape == "affine" and max(bent) > BENT_SHARE:
+        worst = images[int(np.argmax(bent))]
+        found.append(warning("strain.bent", name=worst.name, share=max(bent), limit_px=BENT_PX))
+    none = [i.name for i in images if not np.isfinite(i.strain.strain).any()]
+    if none:
+        found.append(warning("strain.no_strain", names=none, gauge=s.gauge))
+    return tuple(found)
 
 
 def summary_of(image: StrainImage) -> list[Message]:
@@ -225,11 +230,14 @@ def summary_of(image: StrainImage) -> list[Message]:
     import numpy as np
 
     f, e = image.followed, image.strain
+    if not np.isfinite(f.correlation).any():
+        return []
     sigma = np.sqrt(np.nanmedian(np.diagonal(f.cov_px2, axis1=1, axis2=2), axis=0))
+    shift, rotation = image.rigid.shift.tolist(), float(np.degrees(image.rigid.rotation))
     found = [
         note("strain.displacements", name=image.name, n=int(np.isfinite(f.correlation).sum()), of=len(f.state),
-             u_px=float(image.rigid.shift[0]), v_px=float(image.rigid.shift[1]),
-             rotation_deg=float(np.degrees(image.rigid.rotation)), sigma_px=float(np.hypot(*sigma) / np.sqrt(2))),
+             sigma_px=float(np.sqrt(np.mean(sigma**2)))),
+        note("strain.motion", u_px=shift[0], v_px=shift[1], rotation_deg=rotation),
     ]  # fmt: skip
     if np.isfinite(e.strain).any():
         xx, yy, xy = (1e6 * np.nanmedian(e.strain, axis=0)).tolist()

@@ -20,8 +20,8 @@ RAMP = np.array([(48, 18, 59), (70, 107, 227), (40, 188, 235), (50, 242, 152), (
 """From low to high (after Turbo by Anton Mikhailov)"""
 ENDS = 0.01
 """Share of the values on either side that the colours do not tell apart"""
-SHOWN_PX, BAR_PX, MARGIN_PX = 1000, 18, 96
-"""Longer side of a map, width of its colour bar and of the room for its figures"""
+SHOWN_PX, BAR_PX, MARGIN_PX = (500, 1000), 18, 96
+"""Longer side of a map at least and at most, width of its colour bar and of the room for its figures"""
 FADED = 0.35
 """Strength of the reference image below the colours"""
 
@@ -119,7 +119,7 @@ def _contents(done: Strains, size: Array) -> dict[str, Any]:
     return {
         "reference": s.reference.name, "width_px": int(size[0]), "height_px": int(size[1]), "step_px": s.step,
         "window_px": s.window // 2 * 2 + 1, "shape": s.shape, "scale_mm_per_px": s.scale,
-        "strain": "Green-Lagrange, tensor shear; x right, y down",
+        "strain": "green-lagrange", "shear": "tensor", "axes": ["right", "down"],
         "strain_gauge_px": (s.gauge // 2 * 2) * s.step + s.window // 2 * 2 + 1,
         "subsets": len(done.grid.xy_px), "images": [_of_image(i, state_counts(i.followed)) for i in done.images],
         "warnings": [{"code": m.code, "severity": m.severity.value, "message": m.text()} for m in done.reported],
@@ -128,7 +128,7 @@ def _contents(done: Strains, size: Array) -> dict[str, Any]:
 
 def _of_image(image: StrainImage, counts: dict[str, int]) -> dict[str, Any]:
     f, e, r = image.followed, image.strain, image.rigid
-    some = bool(np.isfinite(e.strain).any())
+    followed, some = (bool(np.isfinite(v).any()) for v in (f.correlation, e.strain))
     sigma = np.sqrt(np.diag(r.cov))
     return {
         "image": image.name, "states": counts,
@@ -136,8 +136,9 @@ def _of_image(image: StrainImage, counts: dict[str, int]) -> dict[str, Any]:
             "centre_px": r.centre.tolist(), "shift_px": r.shift.tolist(), "sigma_shift_px": sigma[:2].tolist(),
             "rotation_deg": float(np.degrees(r.rotation)), "sigma_rotation_deg": float(np.degrees(sigma[2])),
         },
-        "median_sd_px": np.sqrt(np.nanmedian(np.diagonal(f.cov_px2, axis1=1, axis2=2), axis=0)).tolist(),
-        "noise": np.nanmedian(f.noise, axis=0).tolist(),
+        "median_sd_px": np.sqrt(np.nanmedian(np.diagonal(f.cov_px2, axis1=1, axis2=2), axis=0)).tolist()
+        if followed else None,
+        "noise": np.nanmedian(f.noise, axis=0).tolist() if followed else None,
         "median_strain": np.nanmedian(e.strain, axis=0).tolist() if some else None,
         "median_sd_strain": np.sqrt(np.nanmedian(np.diagonal(e.cov, axis1=1, axis2=2), axis=0)).tolist()
         if some else None,
@@ -160,7 +161,7 @@ def _draw(path: Path, done: Strains, reference: Array, values: Array, title: str
     from PIL import Image, ImageDraw, ImageFont
 
     h, w = reference.shape
-    zoom = SHOWN_PX / max(h, w)
+    zoom = np.clip(max(h, w), *SHOWN_PX) / max(h, w)
     size = (max(round(zoom * w), 1), max(round(zoom * h), 1))
     grey = cv2.resize(reference, size, interpolation=cv2.INTER_AREA if zoom < 1 else cv2.INTER_LINEAR)
     low, high = np.quantile(grey, [0.01, 0.99])
@@ -191,7 +192,7 @@ def _draw(path: Path, done: Strains, reference: Array, values: Array, title: str
         for k in range(6):
             text = f"{low + (high - low) * k / 5:.3g}"
             draw.text((size[0] + BAR_PX + 18, 50 + tall * (1 - k / 5)), text, fill=(40, 40, 40), font=font, anchor="lm")
-    sheet.save(path)
+    sheet.save(path, compress_level=1)
 
 
 def _coloured(share: Array) -> Array:

@@ -31,15 +31,17 @@ TRIED = 64
 """Subsets that are tried without displacement before features are looked for."""
 PARENTS = 4
 """Neighbours from which a subset is tried."""
-TORN_PX, TORN_F = 0.25, 4.0
+TORN_PX, TORN_F, NOISE_F = 0.25, 4.0, 2.0
 """Displacement of the ninths of a window against its shape, and its test quantity, above both of which it is torn.
-Noise alone gives 0.7 of the latter, its quantile of 99.9 % is 1.7; smooth fields reach 0.1 px."""
+Smooth fields reach 0.1 px.  Noise alone gives 0.7 of the test quantity; the last is its quantile of 99.9 % in windows of 21 to 41 px."""
 WEAK_PX = 0.15
 """Standard deviation of a displacement, from which on its subset is called flat."""
 LOST_SHARE = 0.02
 """Of the subsets, that were followed before and no longer are, from which on features are looked for."""
 CHANGED = 3.0
 """Standard deviation of residuals in units of the median of all, from which on grey values are others."""
+EDGE_PX = 3.0
+"""Distance from the edge of an image that interpolation and the iterations need."""
 FEATURES = 3000
 TAPS, KAISER_PX, KAISER = 16, 12.0, 5.0
 """Pixels on either side that a coefficient is made of; half width and shape of the window of the sinc"""
@@ -141,7 +143,7 @@ class SubsetGrid:
         h, w = free.shape
         total = np.zeros((h + 1, w + 1), np.int64)
         total[1:, 1:] = free.cumsum(axis=0, dtype=np.int64).cumsum(axis=1)
-        side, edge = 2 * half + 1, half + 3  # interpolation takes two pixels more
+        side, edge = 2 * half + 1, half + int(EDGE_PX)
         rows, columns = np.flatnonzero(free.any(axis=1)), np.flatnonzero(free.any(axis=0))
         if not len(rows):
             rows = columns = np.zeros(1, int)
@@ -184,7 +186,7 @@ class Followed:
     noise: Array
     """(n, 2) standard deviation of a grey value of the reference, and of the target brought to its contrast"""
     parts_px: Array
-    """(n,) displacement of the ninths of the window against its shape, noise taken off"""
+    """(n,) displacement of the ninths of the window against its shape; 0 where noise explains it"""
 
 
 def window_options(half: int, *, quadratic: bool) -> WindowOptions:
@@ -294,7 +296,9 @@ class _Growth:
         from raybundle.matching.rootsift import RootSift
 
         a, b = self.reference.features, self.target.features
-        sides = [Described(xy_px=f.xy_px, descriptors=f.descriptors, size_px=(1, 1), scale_px=f.scale_px) for f in (a, b)]
+        sides = [
+            Described(xy_px=f.xy_px, descriptors=f.descriptors, size_px=(1, 1), scale_px=f.scale_px) for f in (a, b)
+        ]
         pairs = RootSift().match(*sides)
         if not len(pairs):
             return
@@ -308,6 +312,20 @@ class _Growth:
         d = self.grid.xy_px[rows] - p.xy_px[index]
         xy = q.xy_px[index] + np.einsum("nij,nj->ni", B[index], d)
         self.try_at(rows, xy, B[index], SEED_CORRELATION, replace(self.window, reach=4 * REACH_PX))
+
+    def _leave(self) -> None:
+        """Mark those that lie outside the image where the nearest subset that was followed predicts them."""
+        from scipy.spatial import KDTree
+
+        good = np.flatnonzero(self.state == State.FOLLOWED)
+        rows = np.flatnonzero(np.isin(self.state, (State.UNREACHED, State.UNSTEADY)))
+        if len(good) and len(rows):
+            near = good[KDTree(self.grid.xy_px[good]).query(self.grid.xy_px[rows])[1]]
+            u, B = self.grid.xy_px[rows] - self.grid.xy_px[near], self.found.affine[near]
+            reach = self.window.half * np.abs(B).sum(axis=2) + EDGE_PX
+            xy = self.found.xy_px[near] + np.einsum("nij,nj->ni", B, u)
+            size = np.array(self.target.grey.shape[::-1])
+            self.state[rows[((xy < reach) | (xy > size - reach)).any(axis=1)]] = State.OUTSIDE
 
     def result(self) -> Followed:
         """With covariances from noise."""
@@ -328,10 +346,14 @@ class _Growth:
         state[rows[weak]], cov[rows[weak]] = State.FLAT, np.nan
         rows, grey = rows[~weak], grey[~weak]
         if len(rows):
-            weak = _weak(self.reference, self.grid.xy_px, self.window.half, np.median(grey / self.reference.scale, axis=0))
+            weak = _weak(
+                self.reference, self.grid.xy_px, self.window.half, np.median(grey / self.reference.scale, axis=0)
+            )
             state[weak & (state != State.FOLLOWED) & (state != State.OUTSIDE)] = State.FLAT
+            self._leave()
         noise[rows] = grey / self.reference.scale
-        parts[rows] = _parts(m, self.window)[0][rows]
+        size, F = (v[rows] for v in _parts(m, self.window))
+        parts[rows] = np.where(F > NOISE_F, size, 0.0)
         known = state == State.FOLLOWED
         return Followed(
             state=state, xy_px=np.where(known[:, None], m.xy_px, np.nan),
@@ -451,14 +473,13 @@ def _roughness(grey: Array, xy: Array, half: int) -> Array:
 
 def _noise_share(m: WindowMatches, rows: Index, half: int) -> Array:
     """(n,) variance of interpolated white noise of variance 1, in the mean of each window in the target."""
-    from scipy.interpolate import BSpline
-
     t = np.linspace(0, 1, 65)
     weights = np.zeros((len(t), 2 * TAPS + 1))
     for j, taps in enumerate(_coefficient_taps(2)):
         for offset in range(-2, 4):  # coefficients at offset + j / 2
-            basis = BSpline.basis_element(np.arange(-2.0, 3.0), extrapolate=False)(2 * (t - offset) - j)
-            weights += np.nan_to_num(basis)[:, None] * np.roll(taps, offset)
+            a = np.abs(2 * (t - offset) - j)
+            basis = np.where(a < 1, 4 - 6 * a**2 + 3 * a**3, np.maximum(2 - a, 0) ** 3) / 6
+            weights += basis[:, None] * np.roll(taps, offset)
     table = (weights**2).sum(axis=1)
     side = np.arange(-half, half + 1, max(half // 5, 1))
     u = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2).astype(float)

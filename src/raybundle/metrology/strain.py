@@ -63,7 +63,7 @@ def strain_field(
     cell, shape   (n, 2) row and column of each place, and their numbers
     step          distance of neighbours [px]
     gauge         planes of (2 gauge + 1)^2 places
-    correlation   (4 gauge + 1, 4 gauge + 1) of displacements by steps between them (`raybundle.matching.subsets.overlap_correlation`)
+    correlation   (4 gauge + 1, 4 gauge + 1) of displacements by steps between them
 
     Only places take part that are connected with the middle through neighbours that have a displacement: across a
     crack no plane is laid.  Limits: what the covariance does not show is the curvature of the field within the plane.
@@ -145,11 +145,14 @@ def _strains(G: Array, C: Array, count: Index) -> StrainField:
 
 
 def rigid_motion(xy: Array, displacement: Array, cov: Array, shared: float) -> RigidMotion:
-    """The rotation and shift that fit displacements (n, 2) at places (n, 2) best, all of one weight.
+    """The rotation and shift that fit displacements (n, 2) at places (n, 2) best, all of one weight; NaN of none.
 
     cov     (n, 2, 2)
     shared  sum of the correlations of a displacement with all others and itself
     """
+    if not len(xy):
+        nan = np.full(2, np.nan)
+        return RigidMotion(centre=nan, shift=nan, rotation=float("nan"), cov=np.full((3, 3), np.nan))
     centre = xy.mean(axis=0)
     p, q = xy - centre, xy + displacement
     shift = q.mean(axis=0) - centre

@@ -1,16 +1,21 @@
-strain-displacements = { $name }: { $n } von { $of } Subsets verfolgt (Standardabweichung { NUM($sigma_px, digits: 2) } px); gemeinsame Bewegung { NUM($u_px, digits: 4) } px nach rechts, { NUM($v_px, digits: 4) } px nach unten, { NUM($rotation_deg, digits: 3) } Grad.
+strain-displacements = { $name }: { $n } von { $of } Subsets verfolgt, Standardabweichung { NUM($sigma_px, digits: 2) } px.
 
-strain-strains = Dehnung im Median [1e-6]: xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) } (Standardabweichung eines Wertes { NUM($sigma, digits: 2) }); 99 % der Normaldehnungen unter { NUM($largest, digits: 3) }.
+strain-motion = Gemeinsame Bewegung { NUM($u_px, digits: 4) } px nach rechts, { NUM($v_px, digits: 4) } px nach unten, { NUM($rotation_deg, digits: 3) } Grad.
 
-strain-not_followed = { $name }: { $n } von { $of } Subsets nicht verfolgt ({ LIST($states, most: 7) }).
+strain-strains = Dehnung im Median [1e-6]: xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) }, je ± { NUM($sigma, digits: 2) }; 99 % unter { NUM($largest, digits: 3) }.
+
+strain-not_followed = { $name }{ $images ->
+        [one] {""}
+        *[other] , das schlechteste von { $images } Bildern
+    }: { $n } von { $of } Subsets nicht verfolgt ({ LIST($states, most: 7) }).
     .why = outside: verlässt das Bild. flat: ohne Textur. unsteady: konvergiert nicht. unlike: Korrelation unter 0.75. torn: Teile bewegen sich auseinander. changed: Grauwerte verändert. unreached: kein Nachbar verfolgt.
     .do = Die Spalte state in displacements.csv mit den Bildern vergleichen.
 
-strain-bent = { $name }: { PERCENT($share) } % der Subsets verformen sich stärker als affin (Teile um { $limit_px } px oder mehr verschoben).
-    .why = Die Standardabweichungen enthalten das nicht.
+strain-bent = { $name }: { PERCENT($share) } % der Subsets verformen sich stärker als affin ({ $limit_px } px).
+    .why = Teile dieser Subsets sind gegen ihre Form verschoben. Die Standardabweichungen enthalten das nicht.
     .do = { OPTION("shape", "quadratic") } oder ein kleineres { OPTION("window", "PX") } verwenden.
 
-strain-no_strain = { $name }: keine Dehnung, weil nirgends { $gauge } x { $gauge } Subsets zur Hälfte verfolgt und verbunden sind.
+strain-no_strain = { LIST($names, most: 3) }: keine Dehnung, weil nirgends { $gauge } x { $gauge } Subsets zur Hälfte verfolgt und verbunden sind.
     .do = Kleineres { OPTION("step", "PX") } oder { OPTION("gauge", "COUNT") } verwenden.
 
 strain-no_subset = In die Probe passt kein Subset von { $window } x { $window } Pixeln.

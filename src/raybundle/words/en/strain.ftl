@@ -1,37 +1,43 @@
 # $name = "load-07.tif"
 # $n = 1200
 # $of = 1250
+# $sigma_px = 0.006
+strain-displacements = { $name }: { $n } of { $of } subsets followed, standard deviation { NUM($sigma_px, digits: 2) } px.
+
 # $u_px = 3.21
 # $v_px = -0.42
 # $rotation_deg = 0.12
-# $sigma_px = 0.006
-strain-displacements = { $name }: { $n } of { $of } subsets followed (standard deviation { NUM($sigma_px, digits: 2) } px); common motion { NUM($u_px, digits: 4) } px right, { NUM($v_px, digits: 4) } px down, { NUM($rotation_deg, digits: 3) } deg.
+strain-motion = Common motion { NUM($u_px, digits: 4) } px right, { NUM($v_px, digits: 4) } px down, { NUM($rotation_deg, digits: 3) } deg.
 
 # $xx = 1210
 # $yy = -350
 # $xy = 20
 # $sigma = 110
 # $largest = 4300
-strain-strains = Median strain [1e-6]: xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) } (standard deviation of one value { NUM($sigma, digits: 2) }); 99 % of the normal strains below { NUM($largest, digits: 3) }.
+strain-strains = Median strain [1e-6]: xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) }, each ± { NUM($sigma, digits: 2) }; 99 % below { NUM($largest, digits: 3) }.
 
 # $name = "load-07.tif"
+# $images = 3
 # $n = 50
 # $of = 1250
 # $states = ["40 outside", "10 torn"]
-strain-not_followed = { $name }: { $n } of { $of } subsets were not followed ({ LIST($states, most: 7) }).
+strain-not_followed = { $name }{ $images ->
+        [one] {""}
+        *[other] , worst of { $images } images
+    }: { $n } of { $of } subsets were not followed ({ LIST($states, most: 7) }).
     .why = outside: leaves the image. flat: no texture. unsteady: no convergence. unlike: correlation below 0.75. torn: parts move apart. changed: grey values changed. unreached: no neighbour was followed.
     .do = Compare displacements.csv, column state, with the images.
 
 # $name = "load-07.tif"
 # $share = 0.2
 # $limit_px = 0.02
-strain-bent = { $name }: { PERCENT($share) } % of the subsets deform by more than an affine map (parts displaced by { $limit_px } px or more).
-    .why = The standard deviations do not contain this.
+strain-bent = { $name }: { PERCENT($share) } % of the subsets deform by more than an affine map ({ $limit_px } px).
+    .why = Parts of these subsets are displaced against their shape. The standard deviations do not contain this.
     .do = Use { OPTION("shape", "quadratic") } or a smaller { OPTION("window", "PX") }.
 
-# $name = "load-07.tif"
+# $names = ["load-07.tif"]
 # $gauge = 5
-strain-no_strain = { $name }: no strain, because no { $gauge } x { $gauge } subsets are half followed and connected.
+strain-no_strain = { LIST($names, most: 3) }: no strain, because no { $gauge } x { $gauge } subsets are half followed and connected.
     .do = Use a smaller { OPTION("step", "PX") } or { OPTION("gauge", "COUNT") }.
 
 # $window = 31
