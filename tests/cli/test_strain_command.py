@@ -56,9 +56,11 @@ def test_a_series_of_several_kinds_of_files(series, tmp_path, capsys):
     F = MOTION[0]
     E = (F.T @ F - np.eye(2)) / 2
     strains = rows_of(out / "strain.csv")
-    for name, truth in (("exx", E[0, 0]), ("eyy", E[1, 1]), ("exy", E[0, 1])):
-        error, sigma = (np.array([float(r[k]) for r in strains]) for k in (name, f"sd_{name}"))
-        assert 0.7 < np.mean(((error - truth) / sigma) ** 2) < 1.3
+    found, sigma = (
+        np.array([[float(r[f"{k}e{a}"]) for a in ("xx", "yy", "xy")] for r in strains]) for k in ("", "sd_")
+    )
+    # some twenty planes share no subset, and both images have the noise of the reference in common
+    assert 0.75 < np.mean(((found - [E[0, 0], E[1, 1], E[0, 1]]) / sigma) ** 2) < 1.25
     contents = json.loads((out / "result.json").read_text())
     assert contents["strain_gauge_px"] == 69
     assert contents["images"][0]["rigid_motion"]["rotation_deg"] == pytest.approx(3.0, abs=0.01)

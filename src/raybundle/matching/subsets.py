@@ -33,7 +33,8 @@ PARENTS = 4
 """Neighbours from which a subset is tried."""
 TORN_PX, TORN_F, NOISE_F = 0.25, 4.0, 2.0
 """Displacement of the ninths of a window against its shape, and its test quantity, above both of which it is torn.
-Smooth fields reach 0.1 px.  Noise alone gives 0.7 of the test quantity; the last is its quantile of 99.9 % in windows of 21 to 41 px."""
+Smooth fields reach 0.1 px.  Noise alone gives 0.7 of the test quantity; the last is its quantile of 99.9 % in windows
+of 21 to 41 px."""
 WEAK_PX = 0.15
 """Standard deviation of a displacement, from which on its subset is called flat."""
 LOST_SHARE = 0.02
