@@ -6,7 +6,7 @@ Figures go into benchmarks/results/strain_truth.json.
 
 interpolation  speckles of three sizes, shifted by parts of a pixel in the Fourier domain: largest bias of these windows
                and of those with cubic convolution (as tie points are matched), noise over the bound of Cramer and Rao
-rendered       rotation, strain, light, noise of one image, a large motion, a crack: chi-square of displacements and
+rendered       rotation, strain, light, noise of one image, compression, a large motion, a crack: chi-square of displacements and
                of strains
 challenge      images of the DIC challenge (Reu et al. 2018) in the regression tests of DICe: samples 14 and 15 with
                commanded displacements, which are functions of the place after the motion; sample 12, a real tensile
@@ -27,18 +27,13 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 from tests.matching.specimen import deformed, found, image, motion, moved  # noqa: E402
-from tests.matching.test_subsets import cracked  # noqa: E402
+from tests.matching.test_subsets import cracked, developed  # noqa: E402
 
 from raybundle.io.photos.photo import read_grey, read_photo  # noqa: E402
 from raybundle.matching.least_squares import Outcome, WindowOptions, match_windows  # noqa: E402
-from raybundle.matching.subsets import (  # noqa: E402
-    Picture,
-    State,
-    SubsetGrid,
-    follow,
-    overlap_correlation,
-    window_options,
-)  # fmt: skip
+from raybundle.matching.spline_pictures import Picture  # noqa: E402
+from raybundle.matching.subset_noise import overlap_correlation  # noqa: E402
+from raybundle.matching.subsets import State, SubsetGrid, follow, window_options  # noqa: E402
 from raybundle.metrology.strain import strain_field  # noqa: E402
 from raybundle.numerics.statistics import mahalanobis2  # noqa: E402
 
@@ -111,6 +106,9 @@ RENDERED = {
     "noise 2 and 6": (motion(shift=(0.25, 0.5)), {"noise": 6.0}),
     "turned by 175 deg": (motion(175.0), {}),
     "moved by 26 px": (motion(shift=(23.4, -11.7)), {}),
+    "JPEG 95": (motion(shift=(0.37, 0.61)), {}),
+    "JPEG 80": (motion(shift=(0.37, 0.61)), {}),
+    "mosaic of colours": (motion(shift=(0.37, 0.61)), {}),
 }
 
 
@@ -121,7 +119,10 @@ def rendered(seeds=4, step=10, half=10, gauge=2):
         displacement, strain, bias, share = [], [], [], []
         E = (F.T @ F - np.eye(2)) / 2
         for seed in range(seeds):
-            grid, f = found(image(2 * seed), deformed(2 * seed + 1, F, shift, **light), step=step, half=half)
+            pair = image(2 * seed), deformed(2 * seed + 1, F, shift, **light)
+            if name.startswith(("JPEG", "mosaic")):
+                pair = [developed(name.removeprefix("JPEG ").partition(" ")[0], p) for p in pair]
+            grid, f = found(*pair, step=step, half=half)
             good = f.state == State.FOLLOWED
             error = (f.xy_px - moved(grid.xy_px, F, shift))[good]
             e = strain_field(f.xy_px - grid.xy_px, f.cov_px2, grid.cell, grid.shape, float(step), gauge, near)

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from raybundle.matching.subsets import Picture, SubsetGrid, follow, window_options
+from raybundle.matching.spline_pictures import Picture
+from raybundle.matching.subsets import SubsetGrid, follow, window_options
 from tests.matching.scenes import Texture
 
 WIDTH, HEIGHT = 340, 300

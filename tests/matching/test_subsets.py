@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from raybundle.matching.subsets import Picture, State, SubsetGrid, follow, overlap_correlation, window_options
+from raybundle.matching.spline_pictures import Picture
+from raybundle.matching.subset_noise import overlap_correlation
+from raybundle.matching.subsets import State, SubsetGrid, follow, window_options
 from raybundle.numerics.statistics import mahalanobis2
 from tests.matching.specimen import HEIGHT, MIDDLE, TEXTURE, WIDTH, deformed, found, image, motion, moved
 
@@ -45,6 +47,28 @@ def test_noise_of_each_image_is_estimated(reference):
         _, f = found(reference, deformed(2, F, shift, noise=noise))
         expected = np.hypot([2.0, noise], 12**-0.5)
         np.testing.assert_allclose(np.nanmedian(f.noise, axis=0), expected, rtol=0.12, atol=0.15)
+
+
+def developed(how, grey):
+    """As a camera writes it: compressed, or interpolated from a mosaic of colours."""
+    import cv2
+
+    if how == "mosaic":
+        return cv2.cvtColor(cv2.cvtColor(grey, cv2.COLOR_BayerBG2RGB), cv2.COLOR_RGB2GRAY)
+    return cv2.imdecode(cv2.imencode(".jpg", grey, [cv2.IMWRITE_JPEG_QUALITY, int(how)])[1], cv2.IMREAD_GRAYSCALE)
+
+
+@pytest.mark.parametrize("how", ["95", "80", "mosaic"])
+def test_noise_that_neighbouring_pixels_share_is_in_the_covariance(how):
+    F, shift = motion(shift=(0.37, 0.61))
+    chi = []
+    for seed in (10, 12):
+        a, b = (developed(how, g) for g in (image(seed), deformed(seed + 1, F, shift)))
+        grid, f = found(a, b)
+        good = f.state == State.FOLLOWED
+        assert good.mean() > 0.95
+        chi.append(mahalanobis2((f.xy_px - moved(grid.xy_px, F, shift))[good], f.cov_px2[good]).mean() / 2)
+    assert 0.85 < np.mean(chi) < 1.2
 
 
 def test_interpolation_of_coarse_speckles_gives_no_bias():

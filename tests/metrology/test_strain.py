@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy.stats import chi2, kstest
 
-from raybundle.matching.subsets import overlap_correlation, window_options
+from raybundle.matching.subset_noise import overlap_correlation
+from raybundle.matching.subsets import window_options
 from raybundle.metrology.strain import connected, rigid_motion, strain_field
 from raybundle.numerics.statistics import mahalanobis2
 

@@ -101,7 +101,8 @@ def run_strain(settings: StrainSettings, progress: Progress = silent) -> Strains
     from raybundle.commands.strain_files import write_strains
     from raybundle.io.folders import check_new_folder
     from raybundle.io.photos.photo import read_grey, read_photo
-    from raybundle.matching.subsets import Followed, Picture, State, SubsetGrid, follow, window_options
+    from raybundle.matching.spline_pictures import Picture
+    from raybundle.matching.subsets import Followed, State, SubsetGrid, follow, window_options
 
     s = settings
     check_new_folder(s.out)
@@ -173,7 +174,8 @@ def _free(s: StrainSettings, photo: Photo) -> Mask:
 def _image(s: StrainSettings, name: str, grid: SubsetGrid, f: Followed) -> StrainImage:
     import numpy as np
 
-    from raybundle.matching.subsets import State, overlap_correlation, window_options
+    from raybundle.matching.subset_noise import overlap_correlation
+    from raybundle.matching.subsets import State, window_options
     from raybundle.metrology.strain import rigid_motion, strain_field
 
     d = f.xy_px - grid.xy_px

@@ -54,7 +54,7 @@ class WindowOptions:
     loose: float = 0.1
     """standard deviation of the elements of the affine map that is given: it is an observation, too"""
     spline: bool = False
-    """whether both images hold coefficients of a cubic B-spline (`raybundle.matching.subsets.Picture`);
+    """whether both images hold coefficients of a cubic B-spline (`raybundle.matching.spline_pictures`);
     otherwise grey values, interpolated by cubic convolution"""
     quadratic: bool = False
     """whether the map has second derivatives, too"""

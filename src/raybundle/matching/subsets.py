@@ -10,16 +10,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
-from functools import cached_property
-from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from raybundle.matching.least_squares import LEAST_SHARE, Outcome, WindowMatches, WindowOptions, match_windows
+from raybundle.matching.least_squares import Outcome, WindowMatches, WindowOptions, match_windows
+from raybundle.matching.spline_pictures import Picture
+from raybundle.matching.subset_noise import WEAK_PX, displacement_covariance, part_displacements, weak_texture
 from raybundle.numerics.arrays import Array, Index, Mask
-
-if TYPE_CHECKING:
-    from raybundle.matching.features import Features
 
 CORRELATION = 0.75
 """Least correlation of two windows that are believed to show the same."""
@@ -35,21 +32,12 @@ TORN_PX, TORN_F, NOISE_F = 0.25, 4.0, 2.0
 """Displacement of the ninths of a window against its shape, and its test quantity, above both of which it is torn.
 Smooth fields reach 0.1 px.  Noise alone gives 0.7 of the test quantity; the last is its quantile of 99.9 % in windows
 of 21 to 41 px."""
-WEAK_PX = 0.15
-"""Standard deviation of a displacement, from which on its subset is called flat."""
 LOST_SHARE = 0.02
 """Of the subsets, that were followed before and no longer are, from which on features are looked for."""
 CHANGED = 3.0
 """Standard deviation of residuals in units of the median of all, from which on grey values are others."""
 EDGE_PX = 3.0
 """Distance from the edge of an image that interpolation and the iterations need."""
-FEATURES = 3000
-TAPS, KAISER_PX, KAISER = 16, 12.0, 5.0
-"""Pixels on either side that a coefficient is made of; half width and shape of the window of the sinc"""
-SPLINE_POLE = np.sqrt(3) - 2
-"""Of the filter that makes coefficients of grey values (Unser 1993)"""
-GRADIENT_NOISE = 9 * (2 / np.sqrt(3) - 1)
-"""Variance of the spline's slope at a pixel, of white noise of variance 1: the mean of (3 sin w / (2 + cos w))^2"""
 
 
 class State(IntEnum):
@@ -69,61 +57,6 @@ OF_OUTCOME = {
     Outcome.OUTSIDE: State.OUTSIDE, Outcome.FLAT: State.FLAT, Outcome.MOVED: State.UNSTEADY,
     Outcome.UNSTEADY: State.UNSTEADY,
 }  # fmt: skip
-
-
-@dataclass(frozen=True, kw_only=True)
-class Picture:
-    """An image that is compared."""
-
-    grey: Array
-    """(h, w) uint8 or uint16"""
-    coefficients: Array
-    """(zoom h, zoom w) uint16, of its cubic B-spline"""
-    zoom: Literal[1, 2]
-    """coefficients a pixel"""
-    scale: float
-    """of the coefficients in units of a grey value"""
-
-    @classmethod
-    def of(cls, grey: Array, zoom: Literal[1, 2]) -> Picture:
-        """Of grey values (h, w).  Coefficients are rounded to 1 / 65 535 of their range: 0.01 grey values of 8 bit."""
-        import cv2
-
-        taps = _coefficient_taps(zoom).astype(np.float32)
-        found = np.empty((zoom * grey.shape[0], zoom * grey.shape[1]), np.float32)
-        for i in range(zoom):
-            for j in range(zoom):
-                found[i::zoom, j::zoom] = cv2.sepFilter2D(
-                    grey.astype(np.float32), cv2.CV_32F, taps[j], taps[i], borderType=cv2.BORDER_REFLECT_101
-                )
-        low, high = float(found.min()), float(found.max())
-        scale = 65535 / (high - low) if high > low else 1.0
-        return cls(grey=grey, coefficients=np.rint((found - low) * scale).astype(np.uint16), zoom=zoom, scale=scale)
-
-    @cached_property
-    def features(self) -> Features:
-        """That a start is sought from, computed when it is."""
-        from raybundle.matching.rootsift import RootSift
-
-        return RootSift().detect(self.grey if self.grey.dtype == np.uint8 else _bytes(self.grey), FEATURES)
-
-
-def _coefficient_taps(zoom: int) -> Array:
-    """(zoom, 2 TAPS + 1): weights of the pixels around for the coefficient at a pixel, and half a pixel after it.
-
-    Values between pixels are those of a sinc under a Kaiser window; with them a cubic spline of twice as many values
-    errs by a tenth of what it errs by at the pixels alone (Schafer and Rabiner 1973; Unser 1993).
-    """
-    k = np.arange(-zoom * (TAPS + 1), zoom * (TAPS + 1) + 1)
-    x = k / zoom
-    values = np.sinc(x) * np.i0(KAISER * np.sqrt(np.maximum(1 - (x / KAISER_PX) ** 2, 0))) * (np.abs(x) < KAISER_PX)
-    for j in range(zoom):
-        values[k % zoom == j] /= values[k % zoom == j].sum()
-    n = np.arange(-TAPS, TAPS + 1)
-    impulse = 6 * SPLINE_POLE / (SPLINE_POLE**2 - 1) * SPLINE_POLE ** np.abs(n)
-    found = np.convolve(values, impulse, "same")
-    # correlation, not convolution: the tap at an offset weighs the pixel there
-    return np.stack([found[zoom + j : zoom + j + zoom * (2 * TAPS + 1) : zoom][::-1] for j in range(zoom)])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -258,7 +191,7 @@ class _Growth:
         )  # fmt: skip
         state = np.array([OF_OUTCOME.get(Outcome(k), State.FOLLOWED) for k in range(len(Outcome))])[m.outcome]
         good = state == State.FOLLOWED
-        parts, F = _parts(m, self.window)
+        parts, F = part_displacements(m, self.window)
         state[good & (parts > TORN_PX) & (F > TORN_F)] = State.TORN
         state[good & (m.correlation < least)] = State.UNLIKE
         better = (state == State.FOLLOWED) | (self.state[rows] == State.UNREACHED)
@@ -338,22 +271,18 @@ class _Growth:
             state[rows[sigma > CHANGED * np.median(sigma)]] = State.CHANGED
             rows = np.flatnonzero(state == State.FOLLOWED)
         cov, noise, parts = np.full((len(state), 2, 2), np.nan), np.full((len(state), 2), np.nan), nan
-        rough = [
-            _roughness(p.grey, xy[rows], self.window.half)
-            for p, xy in ((self.target, m.xy_px), (self.reference, self.grid.xy_px))
-        ]
-        cov[rows], grey = _covariance(m, rows, self.window, rough[0] - rough[1])
+        if len(rows):
+            at = self.grid.xy_px[rows]
+            cov[rows], noise[rows] = displacement_covariance(self.reference, self.target, at, m, rows, self.window)
         weak = np.trace(cov[rows], axis1=1, axis2=2) > WEAK_PX**2
         state[rows[weak]], cov[rows[weak]] = State.FLAT, np.nan
-        rows, grey = rows[~weak], grey[~weak]
+        rows = rows[~weak]
         if len(rows):
-            weak = _weak(
-                self.reference, self.grid.xy_px, self.window.half, np.median(grey / self.reference.scale, axis=0)
-            )
+            weak = weak_texture(self.reference, self.grid.xy_px, self.window.half, np.median(noise[rows], axis=0))
             state[weak & (state != State.FOLLOWED) & (state != State.OUTSIDE)] = State.FLAT
             self._leave()
-        noise[rows] = grey / self.reference.scale
-        size, F = (v[rows] for v in _parts(m, self.window))
+        noise[state != State.FOLLOWED] = np.nan
+        size, F = (v[rows] for v in part_displacements(m, self.window))
         parts[rows] = np.where(F > NOISE_F, size, 0.0)
         known = state == State.FOLLOWED
         return Followed(
@@ -361,133 +290,3 @@ class _Growth:
             affine=np.where(known[:, None, None], m.affine, np.nan), cov_px2=cov,
             correlation=np.where(known, m.correlation, np.nan), noise=noise, parts_px=parts,
         )  # fmt: skip
-
-
-def _bytes(grey: Array) -> Array:
-    """Grey values of 16 bit as 8, their range stretched."""
-    low, high = np.quantile(grey, [0.001, 0.999])
-    return np.clip((grey - low) * (255 / max(high - low, 1)), 0, 255).astype(np.uint8)
-
-
-def _lost(correlation: Array, window: WindowOptions) -> Array:
-    """Variance of residuals, in units of the contrast."""
-    count = (2 * window.half + 1) ** 2
-    return np.maximum(2 * (1 - correlation) * count / (count - window.unknowns), 1e-12)
-
-
-def _parts(m: WindowMatches, window: WindowOptions) -> tuple[Array, Array]:
-    """Displacement [px] of the ninths of windows against their shape, noise taken off, and its test quantity.
-
-    The sums S of b b' over the parts are in the mean s^2 T of noise alone, and T d d' T / 9 of displacements d.
-    """
-    lost = _lost(m.correlation, window)
-    S, T = (m.residual[:, [k, k + 1, k + 1, k + 2]].reshape(-1, 2, 2) for k in (2, 5))
-    S = S * (lost / np.maximum(m.residual[:, 0], 1e-300))[:, None, None]
-    size = np.maximum(np.trace(T, axis1=1, axis2=2), 1e-300)
-    inverse = np.linalg.inv(T + 1e-9 * size[:, None, None] * np.eye(2))
-    both, noise = (np.trace(k, axis1=1, axis2=2) for k in (inverse @ S @ inverse, inverse * lost[:, None, None]))
-    return np.sqrt(9 * np.maximum(both - noise, 0)), np.trace(inverse @ S, axis1=1, axis2=2) / (2 * lost)
-
-
-def _covariance(m: WindowMatches, rows: Index, window: WindowOptions, difference: Array) -> tuple[Array, Array]:
-    """Covariances (n, 2, 2) of displacements, and standard deviations (n, 2) of a grey value of both images.
-
-    difference  (n,) of the noise variances, target less reference, in units of the contrast
-
-    Residuals hold the noise of the reference and that of the target, which interpolation reduces by a share that
-    depends on the place between the pixels.  The gradients of textures lie where interpolation reduces nothing, so
-    that the variance of two whole noises counts.  The gradients' noise is no information (`with_noisy_gradients`).
-    """
-    lost = _lost(m.correlation[rows], window)
-    reduced = _noise_share(m, rows, window.half)
-    own = np.clip(np.median((1 - reduced * difference / lost) / (1 + reduced)), 0, 1) if len(rows) else 0.5
-    first, second = own * lost, (1 - own) * lost / reduced
-    B = m.affine[rows]
-    back = np.linalg.inv(B)
-    Q = m.cov_px2[rows][:, [0, 2, 2, 1]].reshape(-1, 2, 2) / lost[:, None, None]
-    N = np.linalg.inv(back @ Q @ back.swapaxes(1, 2))
-    values, vectors = np.linalg.eigh(N)
-    count = 1 / np.square(_shift_kernel(window.half, quadratic=window.quadratic)).sum()
-    share = np.maximum(1 - count * GRADIENT_NOISE * first[:, None] / values, LEAST_SHARE)
-    C = np.einsum("nij,nj,nkj->nik", vectors, (first + second)[:, None] / (values * share**2), vectors)
-    noise = np.sqrt(np.stack([first, second], axis=1) * (m.residual[rows, 0] / lost)[:, None])
-    return B @ C @ B.swapaxes(1, 2), noise
-
-
-def _shift_kernel(half: int, *, quadratic: bool) -> Array:
-    """(side, side): weights of the pixels of a window in its displacement, by what its shape leaves to the shift."""
-    side = 2 * half + 1
-    u = np.arange(-half, half + 1.0)
-    x, y = (a.ravel() for a in np.meshgrid(u, u))
-    columns = [np.ones_like(x), x, y, *([x * x, x * y, y * y] if quadratic else [])]
-    return np.linalg.pinv(np.stack(columns, axis=1))[0].reshape(side, side)
-
-
-def overlap_correlation(window: WindowOptions, step: int, reach: int) -> Array:
-    """Correlations of displacements of subsets whose windows overlap, (2 reach + 1, 2 reach + 1) by steps between.
-
-    Noise of pixels that two subsets share is common to both.  Of texture that is alike everywhere; a plane shape
-    weighs pixels equally, a quadratic one by a - b (u^2 + v^2).
-    """
-    kernel, side = _shift_kernel(window.half, quadratic=window.quadratic), 2 * window.half + 1
-    found = np.zeros((2 * reach + 1, 2 * reach + 1))
-    for i in range(-reach, reach + 1):
-        for j in range(-reach, reach + 1):
-            di, dj = abs(i) * step, abs(j) * step
-            if max(di, dj) < side:
-                found[i + reach, j + reach] = (kernel[di:, dj:] * kernel[: side - di, : side - dj]).sum()
-    return found / found[reach, reach]
-
-
-def _weak(reference: Picture, xy: Array, half: int, noise: Array) -> Mask:
-    """(n,) where gradients of the reference promise no useful displacement, at noises (2,) of both images."""
-    import cv2
-
-    gx, gy = (cv2.Sobel(reference.grey, cv2.CV_64F, k, 1 - k, ksize=1) / 2 for k in (1, 0))
-    side, at = (2 * half + 1, 2 * half + 1), np.floor(xy).astype(int)
-    xx, yy, xy_ = (
-        cv2.boxFilter(a * b, cv2.CV_64F, side, normalize=False)[at[:, 1], at[:, 0]]
-        for a, b in ((gx, gx), (gy, gy), (gx, gy))
-    )
-    own = side[0] ** 2 * noise[0] ** 2 / 2  # of noise alone
-    least = (xx + yy) / 2 - np.hypot((xx - yy) / 2, xy_) - own
-    return least * WEAK_PX**2 < noise @ noise
-
-
-def _roughness(grey: Array, xy: Array, half: int) -> Array:
-    """(n,) variance of what differs from pixel to pixel, as white noise does, by that of the window around places.
-
-    Second differences along rows and columns, of which white noise of variance 1 has the variance 1.
-    """
-    import cv2
-
-    values = grey.astype(np.float32)
-    second = np.array([1.0, -2.0, 1.0], np.float32) / np.float32(np.sqrt(6))
-    side = (2 * half + 1, 2 * half + 1)
-    rough = cv2.sepFilter2D(values, cv2.CV_32F, second, second) ** 2
-    mean = cv2.boxFilter(values, cv2.CV_64F, side)
-    variance = cv2.sqrBoxFilter(values, cv2.CV_64F, side, normalize=True) - mean**2
-    at = np.floor(xy).astype(int)
-    found = cv2.boxFilter(rough, cv2.CV_64F, side) / np.maximum(variance, 1e-9)
-    return found[at[:, 1], at[:, 0]]
-
-
-def _noise_share(m: WindowMatches, rows: Index, half: int) -> Array:
-    """(n,) variance of interpolated white noise of variance 1, in the mean of each window in the target."""
-    t = np.linspace(0, 1, 65)
-    weights = np.zeros((len(t), 2 * TAPS + 1))
-    for j, taps in enumerate(_coefficient_taps(2)):
-        for offset in range(-2, 4):  # coefficients at offset + j / 2
-            a = np.abs(2 * (t - offset) - j)
-            basis = np.where(a < 1, 4 - 6 * a**2 + 3 * a**3, np.maximum(2 - a, 0) ** 3) / 6
-            weights += basis[:, None] * np.roll(taps, offset)
-    table = (weights**2).sum(axis=1)
-    side = np.arange(-half, half + 1, max(half // 5, 1))
-    u = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2).astype(float)
-    second = np.stack([u[:, 0] ** 2 / 2, u[:, 0] * u[:, 1], u[:, 1] ** 2 / 2], axis=1)
-    found = np.empty(len(rows))
-    for k in range(0, len(rows), 4096):
-        at = rows[k : k + 4096]
-        xy = m.xy_px[at, None] - 0.5 + u @ m.affine[at].swapaxes(1, 2) + second @ m.bend[at].swapaxes(1, 2)
-        found[k : k + 4096] = np.interp(xy % 1, t, table).prod(axis=2).mean(axis=1)
-    return found
