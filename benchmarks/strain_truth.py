@@ -6,8 +6,8 @@ Figures go into benchmarks/results/strain_truth.json.
 
 interpolation  speckles of three sizes, shifted by parts of a pixel in the Fourier domain: largest bias of these windows
                and of those with cubic convolution (as tie points are matched), noise over the bound of Cramer and Rao
-rendered       rotation, strain, light, noise of one image, compression, a large motion, a crack: chi-square of displacements and
-               of strains
+rendered       rotation, strain, light, noise of one image, compression, large motions, a crack: chi-square of
+               displacements and of strains
 challenge      images of the DIC challenge (Reu et al. 2018) in the regression tests of DICe: samples 14 and 15 with
                commanded displacements, which are functions of the place after the motion; sample 12, a real tensile
                test, beside the solutions of DICe that are stored there

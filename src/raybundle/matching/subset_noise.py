@@ -12,6 +12,8 @@ GRADIENT_NOISE = 9 * (2 / np.sqrt(3) - 1)
 """Variance of the spline's slope at a pixel, of white noise of variance 1: the mean of (3 sin w / (2 + cos w))^2"""
 WEAK_PX = 0.15
 """Standard deviation of a displacement, from which on its subset is called flat."""
+NOISE_F = 2.0
+"""Quantile of 99.9 % of the test quantity of `part_displacements` under noise alone, in windows of 21 to 41 px."""
 SAMPLE, LAGS = 300, 8
 """Subsets from which the correlation of noise is estimated, and the distance up to which it is [px]: a JPEG block."""
 
@@ -77,7 +79,9 @@ def _coloured_noise(
     """
     from scipy.ndimage import map_coordinates
 
-    some = np.unique(np.linspace(0, len(rows) - 1, SAMPLE).astype(int))
+    fit = np.flatnonzero(part_displacements(m, window)[1][rows] < NOISE_F)  # residuals of others are no noise alone
+    fit = fit if len(fit) else np.arange(len(rows))
+    some = fit[np.unique(np.linspace(0, len(fit) - 1, SAMPLE).astype(int))]
     side, half = 2 * window.half + 1, window.half
     v, u = (a.ravel() for a in np.mgrid[-half : half + 1, -half : half + 1])
     at = np.floor(xy[some]).astype(int)

@@ -15,7 +15,7 @@ import numpy as np
 
 from raybundle.matching.least_squares import Outcome, WindowMatches, WindowOptions, match_windows
 from raybundle.matching.spline_pictures import Picture
-from raybundle.matching.subset_noise import WEAK_PX, displacement_covariance, part_displacements, weak_texture
+from raybundle.matching.subset_noise import NOISE_F, WEAK_PX, displacement_covariance, part_displacements, weak_texture
 from raybundle.numerics.arrays import Array, Index, Mask
 
 CORRELATION = 0.75
@@ -28,10 +28,9 @@ TRIED = 64
 """Subsets that are tried without displacement before features are looked for."""
 PARENTS = 4
 """Neighbours from which a subset is tried."""
-TORN_PX, TORN_F, NOISE_F = 0.25, 4.0, 2.0
+TORN_PX, TORN_F = 0.25, 4.0
 """Displacement of the ninths of a window against its shape, and its test quantity, above both of which it is torn.
-Smooth fields reach 0.1 px.  Noise alone gives 0.7 of the test quantity; the last is its quantile of 99.9 % in windows
-of 21 to 41 px."""
+Smooth fields reach 0.1 px."""
 LOST_SHARE = 0.02
 """Of the subsets, that were followed before and no longer are, from which on features are looked for."""
 CHANGED = 3.0
@@ -189,7 +188,8 @@ class _Growth:
             m, xy_px=(m.xy_px + 0.5) / 2, affine=m.affine / 2, bend=m.bend / 2, cov_px2=m.cov_px2 / 4,
             residual=m.residual * np.repeat([1, 4, 1], [2, 6, 6]),
         )  # fmt: skip
-        state = np.array([OF_OUTCOME.get(Outcome(k), State.FOLLOWED) for k in range(len(Outcome))])[m.outcome]
+        of_outcome: Index = np.array([OF_OUTCOME.get(k, State.FOLLOWED) for k in Outcome])
+        state = of_outcome[m.outcome]
         good = state == State.FOLLOWED
         parts, F = part_displacements(m, self.window)
         state[good & (parts > TORN_PX) & (F > TORN_F)] = State.TORN
@@ -241,7 +241,7 @@ class _Growth:
         c, s = size * np.cos(turn), size * np.sin(turn)
         B = np.stack([np.stack([c, -s], axis=1), np.stack([s, c], axis=1)], axis=1)
         rows = np.flatnonzero(self.state != State.FOLLOWED)
-        near, index = KDTree(p.xy_px).query(self.grid.xy_px[rows], k=1)
+        near, index = (np.asarray(v) for v in KDTree(p.xy_px).query(self.grid.xy_px[rows], k=1))
         rows, index = (v[near < 2 * self.window.half] for v in (rows, index))
         d = self.grid.xy_px[rows] - p.xy_px[index]
         xy = q.xy_px[index] + np.einsum("nij,nj->ni", B[index], d)
