@@ -385,13 +385,16 @@ def _write(found: Movements | None, folder: Path, limit: Limit | None, changes: 
     from raybundle.workflows.epochs.tables import (
         DISPLACEMENTS,
         EPOCHS,
+        STRAINS,
         epochs_json,
         write_displacements,
         write_epochs,
+        write_strains,
     )
 
     if found is not None:
         write_displacements(found, folder / DISPLACEMENTS, limit)
+        write_strains(found, folder / STRAINS)
         write_epochs(epochs_json(found, limit, changes), folder / EPOCHS)
 
 
