@@ -91,8 +91,8 @@ from raybundle.commands.show import show as show
 from raybundle.commands.spreadsheet import Spreadsheet as Spreadsheet
 from raybundle.commands.spreadsheet import SpreadsheetSettings as SpreadsheetSettings
 from raybundle.commands.spreadsheet import spreadsheet as spreadsheet
-from raybundle.commands.strain import StrainSettings as StrainSettings
-from raybundle.commands.strain import Strains as Strains
+from raybundle.commands.strain_results import StrainSettings as StrainSettings
+from raybundle.commands.strain_results import Strains as Strains
 from raybundle.commands.surface import MeasuredSurface as MeasuredSurface
 from raybundle.commands.surface import SurfaceSettings as SurfaceSettings
 from raybundle.commands.target_settings import ChooseSettings as ChooseSettings

@@ -10,7 +10,8 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, report
-from raybundle.commands.strain import StrainSettings, run_strain, state_counts, summary_of
+from raybundle.commands.strain import run_strain, summary_of
+from raybundle.commands.strain_results import StrainSettings, state_counts
 from raybundle.settings import made
 
 

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import MISSING, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
+from raybundle.commands.strain_results import StrainImage, Strains, StrainSettings, state_counts
 from raybundle.errors import InputError, Message, note, warning
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, POSITIVE, Range, keywords, made, setting
+from raybundle.settings import keywords, made
 
 if TYPE_CHECKING:
     from raybundle.io.photos.photo import Photo
     from raybundle.matching.subsets import Followed, SubsetGrid
-    from raybundle.metrology.strain import RigidMotion, StrainField
-    from raybundle.numerics.arrays import Array, Mask
+    from raybundle.numerics.arrays import Mask
 
 BENT_PX, BENT_SHARE = 0.02, 0.05
 """Displacement within subsets against their shape, and the share of subsets above it, from which on this is reported:
@@ -23,56 +22,6 @@ it displaces a subset by up to a quarter of itself, which is the bias that digit
 
 LARGEST = 0.99
 """Quantile of the largest normal strains that is reported: single ones beside weak texture are uncertain"""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StrainSettings:
-    """Images of a specimen, and how they are evaluated."""
-
-    reference: Path
-    """before the load"""
-    deformed: tuple[Path, ...]
-    """under load, in the order of time"""
-    out: Path = setting(MISSING, "New folder for tables, maps and result.json.", metavar="FOLDER")
-    step: int = setting(10, "Distance between subsets.", metavar="PX", limits=Range(low=1, high=1000))
-    window: int = setting(31, "Side of a subset, odd.", metavar="PX", limits=Range(low=9, high=301))
-    gauge: int = setting(
-        5, "Subsets along the side of the plane for a strain, odd.", metavar="COUNT", limits=Range(low=3, high=51)
-    )  # fmt: skip
-    shape: Literal["affine", "quadratic"] = setting("affine", "Deformation within a subset.")
-    extent: tuple[float, float, float, float] | None = setting(
-        None, "Part of the reference image in pixels.  [default: all]", metavar="LEFT TOP RIGHT BOTTOM",
-        limits=(ANY, ANY, ANY, ANY),
-    )  # fmt: skip
-    mask: Path | None = setting(None, "Image that is black outside the specimen.", metavar="FILE")
-    scale: float | None = setting(
-        None, "Millimetres on the specimen per pixel.  [default: pixels only]", metavar="MM", limits=POSITIVE
-    )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StrainImage:
-    """What one image shows of the specimen."""
-
-    name: str
-    followed: Followed
-    displacement: Array
-    """(n, 2) of the subsets [px], x to the right, y down; NaN where a subset was not followed"""
-    rigid: RigidMotion
-    relative: Array
-    """(n, 2) displacement less the common rigid motion"""
-    strain: StrainField
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Strains:
-    """Displacements and strains of all images."""
-
-    settings: StrainSettings
-    grid: SubsetGrid
-    images: tuple[StrainImage, ...]
-    reported: tuple[Message, ...]
-    files: tuple[Path, ...]
 
 
 @keywords(StrainSettings)
@@ -191,16 +140,6 @@ def _image(s: StrainSettings, name: str, grid: SubsetGrid, f: Followed) -> Strai
         relative=np.where(good[:, None], d - rigid.displacement(grid.xy_px), np.nan),
         strain=strain_field(d, f.cov_px2, grid.cell, grid.shape, float(s.step), gauge, near),
     )  # fmt: skip
-
-
-def state_counts(f: Followed) -> dict[str, int]:
-    """Subsets by what became of them, without states that none has."""
-    import numpy as np
-
-    from raybundle.matching.subsets import State
-
-    counts = np.bincount(f.state, minlength=len(State)).tolist()
-    return {state.name.lower(): n for state, n in zip(State, counts, strict=True) if n}
 
 
 def _reported(s: StrainSettings, images: Sequence[StrainImage]) -> tuple[Message, ...]:

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from raybundle.commands.strain_results import StrainImage, Strains, state_counts
 from raybundle.errors import phrase
 
 if TYPE_CHECKING:
-    from raybundle.commands.strain import StrainImage, Strains
     from raybundle.numerics.arrays import Array
 
 DISPLACEMENTS, STRAIN, RESULT, MAPS = "displacements.csv", "strain.csv", "result.json", "maps"
@@ -113,8 +113,6 @@ def _strains(done: Strains) -> dict[str, Any]:
 
 
 def _contents(done: Strains, size: Array) -> dict[str, Any]:
-    from raybundle.commands.strain import state_counts
-
     s = done.settings
     return {
         "reference": s.reference.name, "width_px": int(size[0]), "height_px": int(size[1]), "step_px": s.step,
