@@ -1,4 +1,4 @@
-"""Images of a flat specimen whose displacements are known at every place."""
+"""Images of a flat specimen with known displacements at every place."""
 
 import numpy as np
 

@@ -19,7 +19,7 @@ RAMP = np.array([(48, 18, 59), (70, 107, 227), (40, 188, 235), (50, 242, 152), (
                  (251, 128, 34), (210, 49, 5), (122, 4, 3)], float)  # fmt: skip
 """From low to high (after Turbo by Anton Mikhailov)"""
 ENDS = 0.01
-"""Share of the values on either side that the colours do not tell apart"""
+"""Share of the values on either side that have the colour of the end"""
 SHOWN_PX, BAR_PX, MARGIN_PX = (500, 1000), 18, 96
 """Longer side of a map at least and at most, width of its colour bar and of the room for its figures"""
 FADED = 0.35

@@ -126,7 +126,7 @@ def shift_kernel(half: int, *, quadratic: bool) -> Array:
 
 
 def overlap_correlation(window: WindowOptions, step: int, reach: int) -> Array:
-    """Correlations of displacements of subsets whose windows overlap, (2 reach + 1, 2 reach + 1) by steps between.
+    """Correlations of displacements of overlapping subsets, (2 reach + 1, 2 reach + 1) by steps between.
 
     Noise of pixels that two subsets share is common to both.  Of texture that is alike everywhere; a plane shape
     weighs pixels equally, a quadratic one by a - b (u^2 + v^2).
