@@ -36,26 +36,27 @@ template <class Rows, class Kernel> nb::tuple best(const Rows& a, const Rows& b,
 constexpr int kLargestHalf = 256;  // pixels
 
 nb::tuple match_windows(Image reference, Image target, Const xy_reference, Const xy_start, Const affine_start, int half, double sigma,
-                        int iterations, double step, double reach, double loose) {
+                        int iterations, double step, double reach, double loose, bool spline, bool quadratic) {
   const size_t n = xy_reference.size() / 2;
   if (xy_start.size() != 2 * n || affine_start.size() != 4 * n) throw std::invalid_argument("windows have the wrong size");
   if (xy_reference.size() % 2 || half < 2 || half > kLargestHalf) throw std::invalid_argument("half a window is not from 2 to 256 pixels");
-  auto xy = make({n, 2}), affine = make({n, 2, 2}), covariance = make({n, 3}), correlation = make({n});
+  auto xy = make({n, 2}), affine = make({n, 2, 2}), bend = make({n, 2, 3}), covariance = make({n, 3}), correlation = make({n});
   auto residual = make({n, size_t(kResidual)});
   auto outcome = array<int32_t>({n});
   std::fill_n(residual.data(), kResidual * n, 0.0);
+  std::fill_n(bend.data(), 6 * n, 0.0);
   std::copy_n(xy_start.data(), 2 * n, xy.data());
   std::copy_n(affine_start.data(), 4 * n, affine.data());
   const Grey from{reference.data(), int(reference.shape(1)), int(reference.shape(0))};
   const Grey to{target.data(), int(target.shape(1)), int(target.shape(0))};
   const double* c = xy_reference.data();
-  double *p = xy.data(), *B = affine.data(), *Q = covariance.data(), *r = correlation.data(), *e = residual.data();
+  double *p = xy.data(), *B = affine.data(), *C = bend.data(), *Q = covariance.data(), *r = correlation.data(), *e = residual.data();
   int32_t* o = outcome.data();
   {
     nb::gil_scoped_release release;
-    imaging_kernels().match(from, to, {half, sigma, iterations, step, reach, loose}, 0, int(n), c, p, B, Q, r, e, o);
+    imaging_kernels().match(from, to, {half, sigma, iterations, step, reach, loose, spline, quadratic}, 0, int(n), c, p, B, C, Q, r, e, o);
   }
-  return nb::make_tuple(xy, affine, covariance, correlation, residual, outcome);
+  return nb::make_tuple(xy, affine, bend, covariance, correlation, residual, outcome);
 }
 
 nb::tuple fit_dots(Image image, Const xy, Const shape, Const window, int iterations, double step, double reach, double slope) {

@@ -25,11 +25,13 @@ static inline V load(const float* a) {
 }
 static inline void store(float* a, V v) { std::memcpy(a, &v, sizeof v); }
 
-// Coefficients of 1, t, t^2, t^3 in the weights of the four neighbours, cubic convolution (Keys 1981, a = -1/2).
-constexpr float kCubic[4][4] = {{0, 1, 0, 0}, {-0.5, 0, 0.5, 0}, {1, -2.5, 2, -0.5}, {-0.5, 1.5, -1.5, 0.5}};
+// Coefficients of 1, t, t^2, t^3 in the weights of the four neighbours.
+typedef double Basis[4][4];
+constexpr Basis kConvolution = {{0, 1, 0, 0}, {-0.5, 0, 0.5, 0}, {1, -2.5, 2, -0.5}, {-0.5, 1.5, -1.5, 0.5}};  // Keys 1981, a = -1/2
+constexpr Basis kSpline = {{1 / 6.0, 2 / 3.0, 1 / 6.0, 0}, {-0.5, 0, 0.5, 0}, {0.5, -1, 0.5, 0}, {-1 / 6.0, 0.5, -0.5, 1 / 6.0}};  // Unser 1993
 
-static inline double cubic(double t, int i) { return kCubic[0][i] + t * (kCubic[1][i] + t * (kCubic[2][i] + t * kCubic[3][i])); }
-static inline double slope(double t, int i) { return kCubic[1][i] + t * (2 * kCubic[2][i] + 3 * t * kCubic[3][i]); }
+static inline double cubic(const Basis& k, double t, int i) { return k[0][i] + t * (k[1][i] + t * (k[2][i] + t * k[3][i])); }
+static inline double slope(const Basis& k, double t, int i) { return k[1][i] + t * (2 * k[2][i] + 3 * t * k[3][i]); }
 
 #if defined(__GNUC__)
 typedef int32_t Whole __attribute__((vector_size(kBytes)));
@@ -84,32 +86,27 @@ static inline V greys(const uint16_t* p, const int32_t* place, float base) {
 }
 
 struct Repeated {
-  alignas(kBytes) float of[4][kLanes];
+  V of[4];
+  explicit Repeated(const Basis& basis) {
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < kLanes; ++i) of[k][i] = float(basis[k][i % 4]);
+  }
 };
-constexpr Repeated kRepeated = [] {
-  Repeated r{};
-  for (int k = 0; k < 4; ++k)
-    for (int i = 0; i < kLanes; ++i) r.of[k][i] = kCubic[k][i % 4];
-  return r;
-}();
-static inline V cubic(V t) {
-  const auto& k = kRepeated.of;
-  return load(k[0]) + t * (load(k[1]) + t * (load(k[2]) + t * load(k[3])));
-}
+static inline V cubic(const Repeated& k, V t) { return k.of[0] + t * (k.of[1] + t * (k.of[2] + t * k.of[3])); }
 
 // Four places, one of each group of four lanes, weighted: the sum of each group is to be formed.
-template <int lane> static inline V weighted(const uint16_t* p, int64_t width, const int32_t* place, V tx, V ty, float base) {
-  const V wx = cubic(pick<lane, lane, lane, lane>(tx, tx)), wy = cubic(pick<lane, lane, lane, lane>(ty, ty));
+template <int lane> static inline V weighted(const Repeated& basis, const uint16_t* p, int64_t width, const int32_t* place, V tx, V ty, float base) {
+  const V wx = cubic(basis, pick<lane, lane, lane, lane>(tx, tx)), wy = cubic(basis, pick<lane, lane, lane, lane>(ty, ty));
   const auto line = [&](int j) { return greys(p + j * width, place + lane, base); };
   return wx * ((pick<0, 0, 0, 0>(wy, wy) * line(0) + pick<1, 1, 1, 1>(wy, wy) * line(1)) +
                (pick<2, 2, 2, 2>(wy, wy) * line(2) + pick<3, 3, 3, 3>(wy, wy) * line(3)));
 }
 
 // Grey values after p at places, at tx, ty of the way to their neighbours; two pixels and more away from the border.
-static inline V sample(const uint16_t* p, int64_t width, const int32_t* place, V tx, V ty, float base) {
+static inline V sample(const Repeated& basis, const uint16_t* p, int64_t width, const int32_t* place, V tx, V ty, float base) {
   p -= width + 1;
-  return across(weighted<0>(p, width, place, tx, ty, base), weighted<1>(p, width, place, tx, ty, base),
-                weighted<2>(p, width, place, tx, ty, base), weighted<3>(p, width, place, tx, ty, base));
+  return across(weighted<0>(basis, p, width, place, tx, ty, base), weighted<1>(basis, p, width, place, tx, ty, base),
+                weighted<2>(basis, p, width, place, tx, ty, base), weighted<3>(basis, p, width, place, tx, ty, base));
 }
 static inline Whole floored(V x) {
   const Whole i = __builtin_convertvector(x, Whole);
@@ -118,11 +115,15 @@ static inline Whole floored(V x) {
 static inline V real(Whole i) { return __builtin_convertvector(i, V); }
 #else
 static inline void sums(V a, V b, V c, V d, double* into) { into[0] = a, into[1] = b, into[2] = c, into[3] = d; }
-static inline V sample(const uint16_t* p, int64_t width, const int32_t* place, V tx, V ty, float base) {
+struct Repeated {
+  const Basis& of;
+  explicit Repeated(const Basis& basis) : of(basis) {}
+};
+static inline V sample(const Repeated& basis, const uint16_t* p, int64_t width, const int32_t* place, V tx, V ty, float base) {
   p += *place - width - 1;
   V sum = 0;
   for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 4; ++i) sum += float(cubic(tx, i) * cubic(ty, j)) * (p[j * width + i] - base);
+    for (int i = 0; i < 4; ++i) sum += float(cubic(basis.of, tx, i) * cubic(basis.of, ty, j)) * (p[j * width + i] - base);
   return sum;
 }
 typedef int32_t Whole;
@@ -144,19 +145,21 @@ static inline void products_of_four(const float* a, const float* rows, int n, do
 
 static inline bool inside(const Grey& g, double x, double y) { return x >= 2.5 && y >= 2.5 && x <= g.width - 2.5 && y <= g.height - 2.5; }
 
-// Corners of the window u = (+-h, +-h) under p + B u.
-static bool window_inside(const Grey& g, const double* p, const double* B, double h) {
-  if (!(h * (std::abs(B[2]) + std::abs(B[3])) * g.width < 1e9)) return false;  // places are counted with 32 bit
+// Corners of the window u = (+-h, +-h) under p + B u, and as far around as curvature C displaces them.
+static bool window_inside(const Grey& g, const double* p, const double* B, const double* C, double h) {
+  const double r[2] = {h * h * (0.5 * std::abs(C[0]) + std::abs(C[1]) + 0.5 * std::abs(C[2])),
+                       h * h * (0.5 * std::abs(C[3]) + std::abs(C[4]) + 0.5 * std::abs(C[5]))};
+  if (!((h * (std::abs(B[2]) + std::abs(B[3])) + r[1]) * g.width < 1e9)) return false;  // places are counted with 32 bit
   for (int a = -1; a <= 1; a += 2)
     for (int b = -1; b <= 1; b += 2)
-      if (!inside(g, p[0] + h * (B[0] * a + B[1] * b), p[1] + h * (B[2] * a + B[3] * b))) return false;
+      for (int s = -1; s <= 1; s += 2)
+        if (!inside(g, p[0] + h * (B[0] * a + B[1] * b) + s * r[0], p[1] + h * (B[2] * a + B[3] * b) + s * r[1])) return false;
   return true;
 }
 
 constexpr int kLight = 4;     // brightness, contrast, slope of the illumination in x and y
-constexpr int kShape = 6;     // shift, affine map
-constexpr int kColumns = 8;   // and displacements as (u^2 + v^2) / 2 along x and y, which are not adjusted
-constexpr int kUnknowns = kLight + kShape;
+constexpr int kAffine = 6;    // shift, affine map
+constexpr int kQuadratic = 12;  // and displacements as u^2 / 2, u v, v^2 / 2 along x and y
 
 // L L' = N (lower) with the inverse of its diagonal; false where N, which had `taken` more on its diagonal before
 // unknowns were eliminated, is not positive definite beyond rounding.
@@ -189,7 +192,11 @@ template <int n> static void solve(const double L[n][n], const double* inverse, 
 
 // The reference window.  Arrays end with positions of weight 0, so that rows of whole vectors fit in.
 // The columns have what the light explains taken from them: of brightness, contrast and slopes the rest is free.
-struct Window {
+// With kShape unknowns of the shape; an affine one has displacements as (u^2 + v^2) / 2 along x and y in columns that are not adjusted.
+template <int kShape> struct Window {
+  static constexpr int kColumns = kShape == kAffine ? 8 : kQuadratic, kUnknowns = kLight + kShape;
+  const Basis& basis;
+  const Repeated repeated;
   int half, side, count, filled;  // positions that count, positions in an array
   double total = 0;
   std::vector<float> room;
@@ -203,7 +210,7 @@ struct Window {
   double N[kColumns][kColumns];         // of the columns
   double taken[kShape];
 
-  Window(int half, double sigma) : half(half), side(2 * half + 1), count(side * side) {
+  Window(const Basis& basis, int half, double sigma) : basis(basis), repeated(basis), half(half), side(2 * half + 1), count(side * side) {
     const auto whole = [](int n) { return (n + kLanes - 1) / kLanes * kLanes; };
     filled = whole(count - side + whole(side)), row = whole(side + 3);
     place.resize(size_t(filled));
@@ -250,7 +257,8 @@ struct Window {
     float wx[4], wy[4], dx[4], dy[4];
     for (int k = 0; k < 4; ++k) {
       const double tx = c[0] - 0.5 - x, ty = c[1] - 0.5 - y;
-      wx[k] = float(cubic(tx, k)), wy[k] = float(cubic(ty, k)), dx[k] = float(slope(tx, k)), dy[k] = float(slope(ty, k));
+      wx[k] = float(cubic(basis, tx, k)), wy[k] = float(cubic(basis, ty, k));
+      dx[k] = float(slope(basis, tx, k)), dy[k] = float(slope(basis, ty, k));
     }
     int64_t sum = 0;
     for (int j = 0; j < wide; ++j) {
@@ -292,7 +300,11 @@ struct Window {
       const V x = load(u + i), y = load(v + i), t = load(T + i), gx = load(g + i) * back, gy = load(g + n + i) * back;
       const V bent = 0.5f * (x * x + y * y), lit = (t + bright) * unit;
       const V of_light[kLight] = {V{} + 1.0f, t, x * lit, y * lit};
-      const V of_shape[kColumns] = {gx, gy, gx * x, gx * y, gy * x, gy * y, gx * bent, gy * bent};
+      V of_shape[kColumns] = {gx, gy, gx * x, gx * y, gy * x, gy * y, gx * bent, gy * bent};
+      if constexpr (kShape == kQuadratic) {
+        const V second[3] = {0.5f * x * x, x * y, 0.5f * y * y};
+        for (int k = 0; k < 3; ++k) of_shape[6 + k] = gx * second[k], of_shape[9 + k] = gy * second[k];
+      }
       store(g + i, gx), store(g + n + i, gy);
       for (int k = 0; k < kLight; ++k) store(light + k * n + i, of_light[k]), store(weighted + k * n + i, load(w + i) * of_light[k]);
       for (int k = 0; k < kColumns; ++k) store(column + k * n + i, of_shape[k]);
@@ -324,7 +336,7 @@ struct Window {
 
   // Grey values of the target less those of the reference, both normalised; sums with the weighted columns and the
   // weighted square sum; false where the target has no contrast.
-  bool compare(const Grey& target, const double* p, const double* B, double* with, double& square) {
+  bool compare(const Grey& target, const double* p, const double* B, const double* C, double* with, double& square) {
     const int x0 = int(p[0] - 0.5), y0 = int(p[1] - 0.5), n = filled;
     const uint16_t* pixel = target.data + int64_t(y0) * target.width + x0;
     const double fx = p[0] - 0.5 - x0, fy = p[1] - 0.5 - y0;
@@ -332,13 +344,19 @@ struct Window {
     const float b0 = float(B[0] - 1), b1 = float(B[1]), b2 = float(B[2]), b3 = float(B[3] - 1);
     for (int i = 0; i < n; i += kLanes) {
       // the places less their own positions in the window: small numbers, as with grey values
-      const V x = px + (qx + b0 * load(u + i) + b1 * load(v + i)), y = py + (qy + b2 * load(u + i) + b3 * load(v + i));
+      const V a = load(u + i), b = load(v + i);
+      V x = px + (qx + b0 * a + b1 * b), y = py + (qy + b2 * a + b3 * b);
+      if constexpr (kShape == kQuadratic) {
+        const V aa = 0.5f * a * a, ab = a * b, bb = 0.5f * b * b;
+        x += float(C[0]) * aa + float(C[1]) * ab + float(C[2]) * bb;
+        y += float(C[3]) * aa + float(C[4]) * ab + float(C[5]) * bb;
+      }
       const Whole ix = floored(x), iy = floored(y);
-      const Whole at = (iy + floored(load(v + i))) * target.width + ix + floored(load(u + i));
+      const Whole at = (iy + floored(b)) * target.width + ix + floored(a);
       store(tx + i, x - real(ix)), store(ty + i, y - real(iy));
       std::memcpy(place.data() + i, &at, sizeof at);
     }
-    for (int i = 0; i < n; i += kLanes) store(e + i, sample(pixel, target.width, place.data() + i, load(tx + i), load(ty + i), base));
+    for (int i = 0; i < n; i += kLanes) store(e + i, sample(repeated, pixel, target.width, place.data() + i, load(tx + i), load(ty + i), base));
     double mean;
     if (normalise(e, mean) == 0) return false;
     base += float(std::round(mean));
@@ -374,8 +392,8 @@ struct Window {
       s[0] += x * x, s[1] += x * y, s[2] += y * y;
     }
     sums(s[0], s[1], s[2], V{}, t);
-    double a[2], bend[3], c[2][kShape];
-    for (int i = 0; i < 2; ++i) {
+    double a[2] = {}, bend[3] = {}, c[2][kShape] = {};
+    if constexpr (kShape == kAffine) for (int i = 0; i < 2; ++i) {
       std::copy_n(N[kShape + i], kShape, c[i]);
       solve<kShape>(L, inverse, c[i]);
       a[i] = -with[kShape + i];
@@ -404,14 +422,16 @@ struct Window {
   }
 };
 
-static void match(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
-                  double* xy, double* affine, double* covariance, double* correlation, double* residual, int32_t* outcome) {
-  Window o(patch.half, patch.sigma);
+template <int kShape>
+static void match_as(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
+                     double* xy, double* affine, double* bend, double* covariance, double* correlation, double* residual, int32_t* outcome) {
+  Window<kShape> o(patch.spline ? kSpline : kConvolution, patch.half, patch.sigma);
   const int h = patch.half;
   for (int n = begin; n < end; ++n) {
     const double* c = xy_reference + 2 * n;
     double* p = xy + 2 * n;
     double* B = affine + 4 * n;
+    double* C = bend + 6 * n;
     const double start[2] = {p[0], p[1]};
     const double given[4] = {B[0], B[1], B[2], B[3]}, size = given[0] * given[3] - given[1] * given[2];
     if (!(std::abs(size) > 1e-3)) {
@@ -419,8 +439,8 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       continue;
     }
     correlation[n] = 0;
-    const double unit[4] = {1, 0, 0, 1};
-    if (!window_inside(reference, c, unit, h)) {
+    const double unit[4] = {1, 0, 0, 1}, none[6] = {};
+    if (!window_inside(reference, c, unit, none, h)) {
       outcome[n] = outside;
       continue;
     }
@@ -431,12 +451,12 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
     outcome[n] = unsteady;
     o.base = float(std::round(o.level));
     for (int iteration = 0; iteration < patch.iterations; ++iteration) {
-      if (!window_inside(target, p, B, h)) {
+      if (!window_inside(target, p, B, C, h)) {
         outcome[n] = outside;
         break;
       }
-      double with[kColumns], square, d[kShape], N[kShape][kShape], L[kShape][kShape], inverse[kShape];
-      if (!o.compare(target, p, B, with, square)) {
+      double with[Window<kShape>::kColumns], square, d[kShape], N[kShape][kShape], L[kShape][kShape], inverse[kShape];
+      if (!o.compare(target, p, B, C, with, square)) {
         outcome[n] = flat;
         break;
       }
@@ -457,8 +477,8 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       }
       solve<kShape>(L, inverse, d);
       const double limit = 0.25 * h;
-      const double longest = std::max({std::abs(d[0]), std::abs(d[1]), h * std::abs(d[2]), h * std::abs(d[3]), h * std::abs(d[4]),
-                                       h * std::abs(d[5])});
+      double longest = 0;
+      for (int k = 0; k < kShape; ++k) longest = std::max(longest, std::abs(d[k]) * (k < 2 ? 1 : k < kAffine ? h : 0.5 * h * h));
       if (longest > limit)
         for (double& x : d) x *= limit / longest;
       // W <- W o M^-1 with M(u) = u + t + A u (Baker and Matthews 2004)
@@ -470,6 +490,11 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       const double sx = B[0] * d[0] + B[1] * d[1], sy = B[2] * d[0] + B[3] * d[1];
       p[0] -= sx;
       p[1] -= sy;
+      if constexpr (kShape == kQuadratic)  // to first order: at the end nothing is left of d
+        for (int k = 0; k < 3; ++k) {
+          C[k] -= B[0] * d[6 + k] + B[1] * d[9 + k];
+          C[3 + k] -= B[2] * d[6 + k] + B[3] * d[9 + k];
+        }
       correlation[n] = product;
       const double x = p[0] - start[0], y = p[1] - start[1];
       if (x * x + y * y > patch.reach * patch.reach) {
@@ -479,7 +504,7 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       if (sx * sx + sy * sy < patch.step * patch.step && longest <= limit) {
         outcome[n] = matched;
         // variance of a grey value in units of the normalised window, times the cofactor of the shift, in the target
-        double variance = square / o.total * o.count / (o.count - kUnknowns), Q[2][2];
+        double variance = square / o.total * o.count / (o.count - o.kUnknowns), Q[2][2];
         for (int k = 0; k < 2; ++k) {
           double unit_vector[kShape] = {};
           unit_vector[k] = 1;
@@ -496,6 +521,12 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       }
     }
   }
+}
+
+static void match(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
+                  double* xy, double* affine, double* bend, double* covariance, double* correlation, double* residual, int32_t* outcome) {
+  const auto kernel = patch.quadratic ? match_as<kQuadratic> : match_as<kAffine>;
+  kernel(reference, target, patch, begin, end, xy_reference, xy, affine, bend, covariance, correlation, residual, outcome);
 }
 
 extern const ImagingKernels imaging;

@@ -18,6 +18,8 @@ struct Patch {
   double step;        // the iteration ends below this shift [px]
   double reach;       // largest shift from the start [px]
   double loose;       // standard deviation of the affine map that is given
+  bool spline;        // the images are coefficients of a cubic B-spline; false: grey values, interpolated by convolution
+  bool quadratic;     // the shape has curvature
 };
 
 // What became of a point: see least_squares.py.
@@ -33,9 +35,9 @@ struct ImagingKernels {
   // The same of the directions of vectors of bytes: products divided by both lengths.
   void (*best_bytes)(const uint8_t* a, int n, const uint8_t* b, int m, int k, int32_t* first, float* value, float* second,
                      int32_t* reverse);
-  // Affine least-squares matching of points of a reference image in a target image.
+  // Least-squares matching of points of a reference image in a target image; bend: curvature, u^2 / 2, u v, v^2 / 2 of x, then y.
   void (*match)(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
-                double* xy, double* affine, double* covariance, double* correlation, double* residual, int32_t* outcome);
+                double* xy, double* affine, double* bend, double* covariance, double* correlation, double* residual, int32_t* outcome);
 };
 
 namespace baseline { extern const ImagingKernels imaging; }

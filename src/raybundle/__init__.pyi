@@ -91,6 +91,8 @@ from raybundle.commands.show import show as show
 from raybundle.commands.spreadsheet import Spreadsheet as Spreadsheet
 from raybundle.commands.spreadsheet import SpreadsheetSettings as SpreadsheetSettings
 from raybundle.commands.spreadsheet import spreadsheet as spreadsheet
+from raybundle.commands.strain_results import StrainSettings as StrainSettings
+from raybundle.commands.strain_results import Strains as Strains
 from raybundle.commands.surface import MeasuredSurface as MeasuredSurface
 from raybundle.commands.surface import SurfaceSettings as SurfaceSettings
 from raybundle.commands.target_settings import ChooseSettings as ChooseSettings
@@ -211,6 +213,8 @@ __all__ = [
     "SpreadsheetSettings",
     "Stations",
     "StraightFilm",
+    "StrainSettings",
+    "Strains",
     "SurfaceSettings",
     "ZoomSettings",
     "__version__",
@@ -275,6 +279,7 @@ __all__ = [
     "select_block",
     "show",
     "spreadsheet",
+    "strain",
     "surface",
     "table",
     "table_names",
@@ -1948,6 +1953,38 @@ def rpc_project(
 
     to_ground  Compute ground points of POINTS (point,x_px,y_px,h_m).
     model      Sensor model. auto: the RPC, if the file has one, else the rigorous model.
+    """
+
+def strain(
+    reference: str | Path,
+    deformed: str | Path | Sequence[str | Path],
+    out: str | Path,
+    *,
+    progress: Progress = ...,
+    step: int = 10,
+    window: int = 31,
+    gauge: int = 5,
+    shape: Literal['affine', 'quadratic'] = 'affine',
+    extent: tuple[float, float, float, float] | list[float] | None = None,
+    mask: str | Path | None = None,
+    scale: float | None = None,
+) -> Strains:
+    """Measure displacements and strains of a flat specimen by digital image correlation.
+
+    reference  image before the load
+    deformed   images under load, in the order of time, of the same size
+    out        new folder: displacements.csv, strain.csv, maps, result.json
+    settings   as of the command line, by the names of `StrainSettings`: step=10, window=31, scale=0.05
+    raises     InputError for images of other sizes, and where no subset is found again
+    Limits: motion towards the camera and lens distortion look like strain.
+
+    step    Distance between subsets.
+    window  Side of a subset, odd.
+    gauge   Subsets along the side of the plane for a strain, odd.
+    shape   Deformation within a subset.
+    extent  Part of the reference image in pixels.  [default: all]
+    mask    Image that is black outside the specimen.
+    scale   Millimetres on the specimen per pixel.  [default: pixels only]
     """
 
 def surface(

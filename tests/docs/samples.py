@@ -52,6 +52,18 @@ def dates(folder):
         shutil.copy(photo, part)
 
 
+def specimen(folder):
+    """Images of a specimen before and under load, which is pulled to the right."""
+    from PIL import Image
+
+    from tests.matching.specimen import deformed, image, motion
+
+    Image.fromarray(image(0)).save(folder / "load-00.png")
+    for k in (1, 2):
+        F, shift = motion(0.2 * k, strain=(0.004 * k, -0.0012 * k, 0.0), shift=(0.7 * k, 0.1))
+        Image.fromarray(deformed(k, F, shift)).save(folder / f"load-0{k}.png")
+
+
 def flight(folder):
     """Eighteen photographs from a drone, control and check points, and how the camera hung as its gimbal tells."""
     raybundle(folder, "demo", "--set", "flight", "--out", "pit")
@@ -189,6 +201,7 @@ def heights(folder):
 SAMPLES = {
     "heights": heights,
     "dates": dates,
+    "specimen": specimen,
     "facade": facade,
     "facade-project": facade_project,
     "flight": flight,

@@ -149,6 +149,7 @@ def test_where_both_windows_are_noisy_the_noise_of_gradients_is_no_information()
         WindowOptions(),
         WindowOptions(half=5, sigma=2.5, loose=0.02),
         WindowOptions(half=12, sigma=100.0, iterations=6),
+        WindowOptions(sigma=100.0, loose=1.0, spline=True),
     ],
 )
 def test_the_kernel_gives_what_the_twin_gives(affine_pair, options):
@@ -169,6 +170,33 @@ def test_the_kernel_gives_what_the_twin_gives(affine_pair, options):
     np.testing.assert_allclose(a.correlation[good], b.correlation[good], atol=1e-7)
     size = np.abs(b.residual[good]).max(axis=0)
     np.testing.assert_allclose(a.residual[good] / size, b.residual[good] / size, rtol=1e-3, atol=1e-6)
+
+
+@needs_kernel
+def test_curved_windows_by_the_kernel_are_those_of_the_twin(affine_pair):
+    reference, target, xy = affine_pair
+    reference, target, xy = noisy(reference, 150, 1), noisy(target, 150, 2), xy[::3]
+    options = WindowOptions(half=10, sigma=100.0, loose=1.0, iterations=60, spline=True, quadratic=True)
+    a, b = (
+        match(reference, target, xy, start(xy), identity(len(xy)), options)
+        for match in (match_windows, match_windows_twin)
+    )
+    np.testing.assert_array_equal(a.outcome, b.outcome)
+    good = a.outcome == Outcome.MATCHED
+    assert good.sum() > 30
+    assert np.abs(b.bend[good]).max() > 1e-4
+    for name, tolerance in (
+        ("xy_px", 1e-6),
+        ("affine", 1e-6),
+        ("bend", 1e-7),
+        ("cov_px2", 1e-9),
+        ("correlation", 1e-7),
+    ):
+        np.testing.assert_allclose(getattr(a, name)[good], getattr(b, name)[good], atol=tolerance, err_msg=name)
+    size = np.abs(b.residual[good, :8]).max(axis=0)
+    np.testing.assert_allclose(a.residual[good, :8] / size, b.residual[good, :8] / size, rtol=1e-3, atol=1e-5)
+    assert not a.residual[:, 8:].any()
+    assert not b.residual[:, 8:].any()
 
 
 KERNELS = [pytest.param(match_windows, id="kernel"), pytest.param(match_windows_twin, id="twin")]

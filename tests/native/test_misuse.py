@@ -258,7 +258,7 @@ def windows(half=5, start=None, at=25.0):
     xy = np.full((3, 2), at)
     affine = np.tile(np.eye(2), (3, 1, 1))
     start = xy if start is None else start
-    return native.module().match_windows(grey(), grey(), xy, start, affine, half, 1.0, 20, 0.01, 5.0, 0.1)
+    return native.module().match_windows(grey(), grey(), xy, start, affine, half, 1.0, 20, 0.01, 5.0, 0.1, False, False)
 
 
 @pytest.mark.parametrize("what", SIZES)
@@ -287,7 +287,19 @@ def test_wild_numbers_end_with_an_outcome():
             image, n = grey(*rng.integers(1, 60, 2)), 3
             draw = lambda *shape: rng.choice(wild) * rng.random(shape)  # noqa: E731
             m.match_windows(
-                image, image, draw(n, 2), draw(n, 2), draw(n, 2, 2), int(rng.integers(2, 20)), 1.0, 5, 0.01, 5.0, 0.1
+                image,
+                image,
+                draw(n, 2),
+                draw(n, 2),
+                draw(n, 2, 2),
+                int(rng.integers(2, 20)),
+                1.0,
+                5,
+                0.01,
+                5.0,
+                0.1,
+                bool(rng.integers(2)),
+                bool(rng.integers(2)),
             )
             m.fit_dots(image, draw(n, 2), draw(n, 3), draw(n), 5, 0.01, 5.0, 0.5)
             h, w = image.shape
@@ -297,7 +309,19 @@ def test_wild_numbers_end_with_an_outcome():
             )  # fmt: skip
             m.fit_corners(image, draw(n, 2), draw(n, 2), draw(n, 2), draw(n, 2), draw(n), 1.0, 5)
         m.match_windows(
-            grey(0, 0), grey(0, 0), np.ones((1, 2)), np.ones((1, 2)), np.ones((1, 2, 2)), 5, 1.0, 5, 0.01, 5.0, 0.1
+            grey(0, 0),
+            grey(0, 0),
+            np.ones((1, 2)),
+            np.ones((1, 2)),
+            np.ones((1, 2, 2)),
+            5,
+            1.0,
+            5,
+            0.01,
+            5.0,
+            0.1,
+            False,
+            False,
         )
         reduced(solver(), tuple(np.full_like(a, np.nan) for a in state()))
 

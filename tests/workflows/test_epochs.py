@@ -14,6 +14,7 @@ from raybundle.commands.epochs import EpochsSettings, epochs, groups_of, message
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
+from raybundle.metrology.congruence import STRAINED
 from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.epochs.cameras import cameras_by_dates
 from raybundle.workflows.epochs.dated_points import by_dates
@@ -35,6 +36,7 @@ from raybundle.workflows.epochs.tables import (
     exceeded,
     read_displacements,
     write_displacements,
+    write_strains,
     write_velocities,
 )
 from tests.workflows.dated_network import DAYS, Plan, network
@@ -171,6 +173,23 @@ def test_tables_are_read_as_written(done, tmp_path):
     assert min(contents["variance_of_areas_between_halves_of_dates"].values()) >= 1
     assert exceeded(m, limit)
     assert not exceeded(m, replace(limit, length=1.0))
+
+
+def test_strains_of_the_surface_stand_in_a_table(done, tmp_path):
+    m, _, which = done
+    write_strains(m, tmp_path / "s.csv")
+    with (tmp_path / "s.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    strains = m.stability.congruence.strains
+    assert len(rows) == len(strains) > 20
+    assert {r["to"] for r in rows} == set(m.dates.names[1:])
+    moved = {m.stability.congruence.ids[k] for k in which}
+    still = [float(r["F"]) for r in rows if not moved & set(r["points"].split())]
+    assert 0.5 < np.mean(still) < 1.5
+    with_moved = [r for r in rows if moved & set(r["points"].split()) and r["to"] == m.dates.names[2]]
+    assert all(len(r["points"].split()) == STRAINED for r in rows)
+    assert max(float(r["F"]) for r in with_moved) > 5
+    assert {r["significant"] for r in rows} == {"yes", ""}
 
 
 def test_the_camera_of_all_dates_is_one_and_would_be_two(done):

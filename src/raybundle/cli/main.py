@@ -52,6 +52,7 @@ TASKS: dict[str, dict[str, str]] = {
         "compare": "Compare two results.",
         "epochs": "Adjust photographs of several dates; detect what moved.",
         "moved": "Detect displacements between epochs of the same points.",
+        "strain": "Measure displacements and strains of a flat specimen.",
     },
     "Surface and maps": {
         "surface": "Compute point cloud, DSM, orthophoto and mesh.",

@@ -107,6 +107,8 @@ TRADE_WORDS: dict[str, str] = {
     "distance": "query RESULT",
     "deformation": "moved BEFORE AFTER --out FOLDER",
     "monitoring": "epochs PROJECT --add PHOTOS",
+    "dic": "strain REFERENCE DEFORMED --out FOLDER",
+    "image-correlation": "strain REFERENCE DEFORMED --out FOLDER",
     "inspection": "measure PHOTOS --out RESULT",
     # exchange and the rest
     "colmap": "convert RESULT --to colmap --out PATH",

@@ -395,10 +395,12 @@ def _write(
     from raybundle.workflows.epochs.tables import (
         DISPLACEMENTS,
         EPOCHS,
+        STRAINS,
         VELOCITIES,
         epochs_json,
         write_displacements,
         write_epochs,
+        write_strains,
         write_velocities,
     )
 
@@ -406,6 +408,7 @@ def _write(
         if found.trends:
             write_velocities(trends_of(found, significance), folder / VELOCITIES)
         write_displacements(found, folder / DISPLACEMENTS, limit)
+        write_strains(found, folder / STRAINS)
         write_epochs(epochs_json(found, limit, changes), folder / EPOCHS)
 
 

@@ -53,6 +53,16 @@ class WindowOptions:
     """largest shift from the starting point [px]"""
     loose: float = 0.1
     """standard deviation of the elements of the affine map that is given: it is an observation, too"""
+    spline: bool = False
+    """whether both images hold coefficients of a cubic B-spline (`raybundle.matching.spline_pictures`);
+    otherwise grey values, interpolated by cubic convolution"""
+    quadratic: bool = False
+    """whether the map has second derivatives, too"""
+
+    @property
+    def unknowns(self) -> int:
+        """Of a window: light, and shape."""
+        return UNKNOWNS + 6 * self.quadratic
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,6 +73,8 @@ class WindowMatches:
     """(n, 2) in the target"""
     affine: Array
     """(n, 2, 2) target_from_reference of small vectors"""
+    bend: Array
+    """(n, 2, 3) second derivatives of x and y in the target along uu, uv and vv [1 / px]; 0 of an affine map"""
     cov_px2: Array
     """(n, 3) variances of x and y and their covariance, from grey values alone"""
     correlation: Array
@@ -76,7 +88,7 @@ class WindowMatches:
 
     Then of a surface that is curved within the window: displacements p k |u|^2 / 2 at places u of the reference window,
     p a vector in the target, have k = p'a / p'M p, of variance residual[0] / p'M p.  a as x, y; M as xx, xy, yy; last
-    the share r of [px^2] of k that the match is displaced by, p k r."""
+    the share r of [px^2] of k that the match is displaced by, p k r.  All 0 of a quadratic map."""
     outcome: Index
     """(n,) `Outcome`"""
 
@@ -105,12 +117,13 @@ def match_windows(
     if module is None:
         return match_windows_twin(*arguments, options)
     o = options
-    xy, affine, covariance, correlation, residual, outcome = module.match_windows(
-        *arguments, o.half, o.sigma, o.iterations, o.step, o.reach, o.loose
+    xy, affine, bend, covariance, correlation, residual, outcome = module.match_windows(
+        *arguments, o.half, o.sigma, o.iterations, o.step, o.reach, o.loose, o.spline, o.quadratic
     )
     return WindowMatches(
-        xy_px=xy, affine=affine, cov_px2=covariance, correlation=correlation, residual=residual, outcome=outcome
-    )
+        xy_px=xy, affine=affine, bend=bend, cov_px2=covariance, correlation=correlation, residual=residual,
+        outcome=outcome,
+    )  # fmt: skip
 
 
 def with_noisy_gradients(found: WindowMatches, xy_reference: Array, options: WindowOptions) -> WindowMatches:
@@ -172,14 +185,14 @@ def match_windows_twin(
     """The same with NumPy, point by point."""
     n = len(xy_reference)
     result = WindowMatches(
-        xy_px=xy_start.copy(), affine=affine_start.copy(), cov_px2=np.zeros((n, 3)), correlation=np.zeros(n),
-        residual=np.zeros((n, FIGURES)), outcome=np.full(n, Outcome.UNSTEADY, np.int32),
+        xy_px=xy_start.copy(), affine=affine_start.copy(), bend=np.zeros((n, 2, 3)), cov_px2=np.zeros((n, 3)),
+        correlation=np.zeros(n), residual=np.zeros((n, FIGURES)), outcome=np.full(n, Outcome.UNSTEADY, np.int32),
     )  # fmt: skip
     side = np.arange(-options.half, options.half + 1.0)
     u = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
     w = np.exp(-(u**2).sum(axis=1) / (2 * options.sigma**2))
     for i in range(n):
-        window = _Window.of(reference, xy_reference[i], u, w)
+        window = _Window.of(reference, xy_reference[i], u, w, options)
         if isinstance(window, Outcome):
             result.outcome[i] = window
             continue
@@ -202,32 +215,37 @@ class _Window:
     """standard deviation of the grey values"""
 
     @classmethod
-    def of(cls, image: Array, centre: Array, u: Array, w: Array) -> _Window | Outcome:
+    def of(cls, image: Array, centre: Array, u: Array, w: Array, options: WindowOptions) -> _Window | Outcome:
         if not _inside(image, centre + u[[0, -1]]):
             return Outcome.OUTSIDE
-        T, gx, gy = _sample(image, centre + u)
+        T, gx, gy = _sample(image, centre + u, options.spline)
         level = w @ T / w.sum()
         T, contrast = _normalised(T, w)
         if contrast == 0:
             return Outcome.FLAT
         gx, gy = gx / contrast, gy / contrast
         slope = u * (T + level / contrast)[:, None] / u.max()
-        columns = [gx, gy, gx * u[:, 0], gx * u[:, 1], gy * u[:, 0], gy * u[:, 1], np.ones_like(T), T, *slope.T]
-        J = np.stack(columns, axis=1)
+        second = _second(u).T if options.quadratic else ()
+        columns = [gx, gy, gx * u[:, 0], gx * u[:, 1], gy * u[:, 0], gy * u[:, 1]]
+        columns += [g * s for g in (gx, gy) for s in second]
+        J = np.stack([*columns, np.ones_like(T), T, *slope.T], axis=1)
         N = J.T @ (w[:, None] * J)
         return cls(u, w, T, J, N, float(level), contrast)
 
 
 def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options: WindowOptions) -> None:
-    p, B = result.xy_px[i].copy(), result.affine[i].copy()
-    start, total, h = p.copy(), o.w.sum(), options.half
+    p, B, C = result.xy_px[i].copy(), result.affine[i].copy(), result.bend[i]
+    start, total, h, unknowns = p.copy(), o.w.sum(), options.half, options.unknowns
+    unit = np.concatenate([[1, 1], np.full(4, h), np.full(6 * options.quadratic, h**2 / 2)])
+    corners = h * np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]])
     outcome = Outcome.UNSTEADY
     for _ in range(options.iterations):
-        at = p + o.u @ B.T
-        if not _inside(target, p + h * np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]]) @ B.T):
+        at = p + o.u @ B.T + _second(o.u) @ C.T
+        around = np.abs(C) @ [h**2 / 2, h**2, h**2 / 2]
+        if not all(_inside(target, p + corners @ B.T + sign * around) for sign in (-1, 1)):
             outcome = Outcome.OUTSIDE
             break
-        G, contrast = _normalised(_sample(target, at)[0], o.w)
+        G, contrast = _normalised(_sample(target, at, options.spline)[0], o.w)
         if contrast == 0:
             outcome = Outcome.FLAT
             break
@@ -235,16 +253,16 @@ def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options
         square = float(o.w @ e**2)
         result.correlation[i] = 1 - square / (2 * total)
         weight = max(square / total, 1e-4) / options.loose**2
-        prior = np.concatenate([[0, 0], np.full(4, weight), np.zeros(UNKNOWNS - 6)])
+        prior = np.concatenate([[0, 0], np.full(4, weight), np.zeros(unknowns - 6)])
         D = np.linalg.inv(result.affine[i]) @ B - np.eye(2)
-        deviation = np.concatenate([[0, 0], D.ravel(), np.zeros(UNKNOWNS - 6)])
+        deviation = np.concatenate([[0, 0], D.ravel(), np.zeros(unknowns - 6)])
         try:
             Q = np.linalg.inv(o.N + np.diag(prior))
         except np.linalg.LinAlgError:
             outcome = Outcome.FLAT
             break
         d = Q @ (o.J.T @ (o.w * e) + prior * deviation)
-        longest = float(max(np.abs(d[:2]).max(), h * np.abs(d[2:6]).max()))
+        longest = float((np.abs(d[: len(unit)]) * unit).max())
         if longest > h / 4:
             d = d * (h / 4 / longest)
         A = np.eye(2) + d[2:6].reshape(2, 2)
@@ -253,15 +271,19 @@ def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options
         B = B @ np.linalg.inv(A)
         shift = B @ d[:2]
         p = p - shift
+        if options.quadratic:
+            C -= B @ d[6:12].reshape(2, 3)
         if np.hypot(*(p - start)) > options.reach:
             outcome = Outcome.MOVED
             break
         if np.hypot(*shift) < options.step and longest <= h / 4:
             outcome = Outcome.MATCHED
-            variance = square / total * len(o.u) / (len(o.u) - UNKNOWNS)
-            C = variance * B @ Q[:2, :2] @ B.T
-            result.cov_px2[i] = C[0, 0], C[1, 1], C[0, 1]
+            variance = square / total * len(o.u) / (len(o.u) - unknowns)
+            K = variance * B @ Q[:2, :2] @ B.T
+            result.cov_px2[i] = K[0, 0], K[1, 1], K[0, 1]
             result.residual[i] = _judged(o, e, Q, square, B, h)
+            if options.quadratic:
+                result.residual[i, 8:] = 0
             break
     result.xy_px[i], result.affine[i], result.outcome[i] = p, B, outcome
 
@@ -277,9 +299,15 @@ def _judged(o: _Window, e: Array, Q: Array, square: float, B: Array, half: int) 
     left = o.w[:, None] * (bent - o.J @ taken)
     M, T, D = (C.T @ S @ C for S in (b.T @ b, (o.w[:, None] * g).T @ (o.w[:, None] * g), left.T @ bent * o.contrast**2))
     a = -C.T @ (left.T @ e) * o.contrast**2
-    variance = square / o.w.sum() * len(o.u) / (len(o.u) - UNKNOWNS) * o.contrast**2
+    variance = square / o.w.sum() * len(o.u) / (len(o.u) - len(Q)) * o.contrast**2
     upper = [0, 0, 1], [0, 1, 1]
     return np.array([variance, o.level, *M[upper], *T[upper], *a, *D[upper], np.trace(taken[:2]) / 2])
+
+
+def _second(u: Array) -> Array:
+    """(n, 3) of second derivatives at places u."""
+    x, y = u.T
+    return np.stack([x * x / 2, x * y, y * y / 2], axis=1)
 
 
 def _inside(image: Array, xy: Array) -> bool:
@@ -294,11 +322,11 @@ def _normalised(a: Array, w: Array) -> tuple[Array, float]:
     return (a / scale, scale) if scale > 1e-6 else (a, 0.0)
 
 
-def _sample(image: Array, xy: Array) -> tuple[Array, Array, Array]:
-    """Grey values and gradient by cubic convolution (Keys 1981, a = -1/2) at (n, 2) of the pixel frame."""
+def _sample(image: Array, xy: Array, spline: bool = False) -> tuple[Array, Array, Array]:  # noqa: FBT001, FBT002
+    """Grey values and gradient at (n, 2) of the pixel frame: cubic convolution, or cubic B-spline of coefficients."""
     at = xy - 0.5
     whole = np.floor(at).astype(int)
-    (wx, dx), (wy, dy) = (_cubic(at[:, k] - whole[:, k]) for k in (0, 1))
+    (wx, dx), (wy, dy) = ((_spline if spline else _cubic)(at[:, k] - whole[:, k]) for k in (0, 1))
     offset = np.arange(-1, 3)
     grey = image[(whole[:, 1, None] + offset)[:, :, None], (whole[:, 0, None] + offset)[:, None]].astype(float)
     return (
@@ -308,7 +336,16 @@ def _sample(image: Array, xy: Array) -> tuple[Array, Array, Array]:
     )
 
 
+def _spline(t: Array) -> tuple[Array, Array]:
+    """Weights of four neighbouring coefficients for value and slope (Unser 1993)."""
+    t2, t3 = t**2, t**3
+    w = [(1 - t) ** 3 / 6, (3 * t3 - 6 * t2 + 4) / 6, (1 + 3 * t + 3 * t2 - 3 * t3) / 6, t3 / 6]
+    d = [-((1 - t) ** 2) / 2, 1.5 * t2 - 2 * t, 0.5 + t - 1.5 * t2, t2 / 2]
+    return np.stack(w, axis=1), np.stack(d, axis=1)
+
+
 def _cubic(t: Array) -> tuple[Array, Array]:
+    """The same for cubic convolution (Keys 1981, a = -1/2)."""
     t2, t3 = t**2, t**3
     w = [-0.5 * t3 + t2 - 0.5 * t, 1.5 * t3 - 2.5 * t2 + 1, -1.5 * t3 + 2 * t2 + 0.5 * t, 0.5 * t3 - 0.5 * t2]
     d = [-1.5 * t2 + 2 * t - 0.5, 4.5 * t2 - 5 * t, -4.5 * t2 + 4 * t + 0.5, 1.5 * t2 - t]

@@ -20,6 +20,7 @@ from raybundle.metrology.areas import SMALLEST, AreaTest, groups_of, patches_of
 from raybundle.metrology.congruence_model import LEAST, Factor, Family, Model, axes_onto, model_of
 from raybundle.metrology.consensus import stable_starts
 from raybundle.metrology.point_set import PointSet
+from raybundle.metrology.surface_strain import SurfaceStrain, surface_strains
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.rotation import cross_matrix
 from raybundle.numerics.statistics import fisher_tail
@@ -31,6 +32,8 @@ AGREE = 5.0
 """Standard deviations by which points may differ in the search for those that stayed, before their datum is known"""
 CONTRADICTED = 0.001
 """Probability of the global test below which points that stayed contradict each other: what moved is not explained"""
+STRAINED = 2 * SMALLEST - 1
+"""Points of the patches of which strains are stated: three times what a plane of displacements needs"""
 ROUNDS = 4
 """Fits of the axes of an epoch to those of the first: turns are small after each"""
 
@@ -95,6 +98,8 @@ class Congruence:
     """(n,) displaced points that a wrong measurement explains as well: neither moved nor stable"""
     in_area: Mask | None = None
     """(n,) points that moved with an area, not by their own test"""
+    strains: tuple[SurfaceStrain, ...] = ()
+    """Of the surface at patches of `STRAINED` neighbours and groups of the user, from the first epoch to each other"""
     patch_sizes: tuple[tuple[int, float, float], ...] = ()
     """Of patches of so many neighbours the smallest mean displacement that is found with `POWER`, median, if nothing
     moved and with what moved [m]"""
@@ -125,6 +130,7 @@ class Congruence:
         return replace(
             self, xyz=by.points(self.xyz), displacement=d, covariance=C,
             detectable=by.scale * self.detectable, transforms=tuple(by.after(t) for t in self.transforms),
+            strains=tuple(s.in_axes(by) for s in self.strains),
         )  # fmt: skip
 
 
@@ -203,7 +209,9 @@ def congruence(
     if errors is not None and state.own.any():
         p = _with_errors(model, moved, state.own, p, errors)
         untested = state.own & (p >= alpha) & ~replace(state, own=untested).moved
-    d, C = model.displacements(moved)
+    d, joined = model.displacements(moved)
+    j, i = np.meshgrid(np.arange(len(d)), np.arange(n), indexing="ij")
+    strained = [k for k, a in enumerate(family.areas) if a.given or len(a.points) == STRAINED]
     shown = [*range(len(named)), *(k for k in state.active if not family.areas[k].given)]
     least, least_before = model.detectable(moved, alpha), model.detectable(np.zeros(n, bool), alpha)
     if errors is not None:
@@ -211,7 +219,11 @@ def congruence(
         least = np.maximum(least, [errors.detectable(i, C, alpha) for i, C in enumerate(each)])
     return Congruence(
         epochs=tuple(e.name for e in epochs), ids=ids, xyz=first.xyz, moved=moved & ~untested,
-        displacement=d, covariance=C,
+        displacement=d, covariance=joined[j, i, :, j, i, :],
+        strains=surface_strains(
+            first.xyz, d, joined, [family.areas[k] for k in strained], family.factors[strained],
+            1 / np.maximum(1 / family.freedom[strained] + 1 / model.freedom, 1e-9),
+        ),
         statistic=F, p_value=p, limit=alpha, detectable=least,
         detectable_before=least_before, untested=untested,
         before=model.whole(np.zeros(n, bool)), after=model.whole(moved),

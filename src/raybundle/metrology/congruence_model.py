@@ -197,7 +197,7 @@ class Model:
         )  # fmt: skip
 
     def displacements(self, moved: Mask) -> tuple[Array, Array]:
-        """(k, n, 3) displacements in the datum of the points that stayed, and their covariances (k, n, 3, 3)."""
+        """(k, n, 3) displacements in the datum of points that stayed, and their joint covariance (k, n, 3, k, n, 3)."""
         rows = self.rows(np.flatnonzero(~moved)).ravel()
         B, Q = self.B, self.Q
         Bs = B[rows]
@@ -207,9 +207,7 @@ class Model:
         S[:, rows] -= B @ A
         C = S @ Q @ S.T
         d = (S @ self.d).reshape(self.later, self.points, 3)
-        C = C.reshape(self.later, self.points, 3, self.later, self.points, 3)
-        j, i = np.meshgrid(np.arange(self.later), np.arange(self.points), indexing="ij")
-        return d, C[j, i, :, j, i, :]
+        return d, C.reshape(self.later, self.points, 3, self.later, self.points, 3)
 
     def detectable(self, moved: Mask, alpha: float) -> Array:
         """(n,) smallest displacement of the last epoch that is found [m], in the direction known worst."""

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.io.digits import COUNT, PROBABILITY, SHORT, STD, TEST, Digits, by_sigma, reported
+from raybundle.io.digits import COUNT, PIXEL, PROBABILITY, SHORT, STD, TEST, Digits, by_sigma, reported
 from raybundle.io.formats.base import Displaced
 from raybundle.io.tables import Column, read_table, write_table
 from raybundle.metrology.areas import AreaTest
@@ -21,7 +21,8 @@ from raybundle.results.contents import clean
 from raybundle.workflows.epochs.matching_errors import OF_PLACES, SCALES
 from raybundle.workflows.epochs.movements import MOVED, UNTESTED, Movements, exceeding
 
-DISPLACEMENTS, VELOCITIES, EPOCHS = "displacements.csv", "velocities.csv", "epochs.json"
+DISPLACEMENTS, STRAINS, VELOCITIES = "displacements.csv", "surface_strain.csv", "velocities.csv"
+EPOCHS = "epochs.json"
 AXES = "XYZ"
 EXCEEDS, TESTED = "p_exceeds_limit", "p_tested"
 
@@ -135,6 +136,37 @@ def write_velocities(found: Trends, path: Path) -> None:
         "p_accelerated": np.array([x.p_accelerated for x in t]), "motion": [x.verdict(found.limit) for x in t],
     }  # fmt: skip
     rules |= dict.fromkeys(("p_none", "p_constant", "p_accelerated"), PROBABILITY)
+    write_table(path, columns, rules)
+
+
+def write_strains(m: Movements, path: Path) -> None:
+    """The table of the strains of patches and groups against the first date; directions are vectors of length 1."""
+    c, names = m.stability.congruence, m.dates.names
+    S = c.strains
+    e, std, vectors, rho, principal, principal_std, centre = (
+        np.array([f(s) for s in S], float).reshape(len(S), -1)
+        for f in (
+            lambda s: s.strain, lambda s: np.sqrt(np.diag(s.cov)), lambda s: np.vstack([s.axes, s.direction]),
+            lambda s: correlation(s.cov)[[0, 0, 1], [1, 2, 2]], lambda s: s.principal, lambda s: s.principal_std,
+            lambda s: s.centre,
+        )
+    )  # fmt: skip
+    F, p = (np.array([getattr(s, n) for s in S], float) for n in ("F", "p_value"))
+    parts = ("xx", "yy", "xy")
+    columns: dict[str, Sequence[str] | Array] = {
+        "area": [s.name for s in S], "points": [" ".join(c.ids[k] for k in s.points.tolist()) for s in S],
+        "from": [names[0]] * len(S), "to": [names[s.later + 1] for s in S],
+        **{a: centre[:, k] for k, a in enumerate(AXES)},
+        **{f"{v}{a}": vectors[:, 3 * j + k] for j, v in enumerate(("x_", "y_", "normal_")) for k, a in enumerate(AXES)},
+        **{f"e{a}": e[:, k] for k, a in enumerate(parts)}, **{f"sd_e{a}": std[:, k] for k, a in enumerate(parts)},
+        **{f"r_{a}": rho[:, k] for k, a in enumerate(("xx_yy", "xx_xy", "yy_xy"))},
+        **{f"e{k + 1}": principal[:, k] for k in range(2)}, **{f"sd_e{k + 1}": principal_std[:, k] for k in range(2)},
+        **{f"direction_{a}": vectors[:, 9 + k] for k, a in enumerate(AXES)}, "F": F, "p": p,
+        "significant": ["yes" if q * len(S) < c.significance else "" for q in p],
+    }  # fmt: skip
+    rules: dict[str, Digits] = {name: STD for name, v in columns.items() if isinstance(v, np.ndarray)}
+    rules |= {f"e{a}": by_sigma(std[:, k]) for k, a in enumerate(parts)} | {"F": TEST, "p": PROBABILITY}
+    rules |= {f"e{k + 1}": by_sigma(principal_std[:, k]) for k in range(2)} | dict.fromkeys(AXES, PIXEL)
     write_table(path, columns, rules)
 
 

@@ -1,0 +1,188 @@
+"""`raybundle strain`: displacements and strains of a flat specimen from the images of one camera."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from raybundle.commands.strain_results import StrainImage, Strains, StrainSettings, state_counts
+from raybundle.errors import InputError, Message, note, warning
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import keywords, made
+
+if TYPE_CHECKING:
+    from raybundle.io.photos.photo import Photo
+    from raybundle.matching.subsets import Followed, SubsetGrid
+    from raybundle.numerics.arrays import Mask
+
+BENT_PX, BENT_SHARE = 0.02, 0.05
+"""Displacement within subsets against their shape, and the share of subsets above it, from which on this is reported:
+it displaces a subset by up to a quarter of itself, which is the bias that digital image correlation usually allows."""
+
+LARGEST = 0.99
+"""Quantile of the largest normal strains that is reported: single ones beside weak texture are uncertain"""
+
+
+@keywords(StrainSettings)
+def strain(
+    reference: str | Path, deformed: str | Path | Sequence[str | Path], out: str | Path, *,
+    progress: Progress = silent, **settings: Any,
+) -> Strains:  # fmt: skip
+    """Measure displacements and strains of a flat specimen by digital image correlation.
+
+    reference  image before the load
+    deformed   images under load, in the order of time, of the same size
+    out        new folder: displacements.csv, strain.csv, maps, result.json
+    settings   as of the command line, by the names of `StrainSettings`: step=10, window=31, scale=0.05
+    raises     InputError for images of other sizes, and where no subset is found again
+    Limits: motion towards the camera and lens distortion look like strain.
+    """
+    several = [deformed] if isinstance(deformed, str | Path) else [*deformed]
+    given = {"reference": Path(reference), "deformed": tuple(Path(d) for d in several), "out": Path(out), **settings}
+    return run_strain(made(StrainSettings, given), progress)
+
+
+def run_strain(settings: StrainSettings, progress: Progress = silent) -> Strains:
+    """Follow the subsets through the images, and write what came of it."""
+    import numpy as np
+
+    from raybundle.commands.strain_files import write_strains
+    from raybundle.io.folders import check_new_folder
+    from raybundle.io.photos.photo import read_grey, read_photo
+    from raybundle.matching.spline_pictures import Picture
+    from raybundle.matching.subsets import Followed, State, SubsetGrid, follow, window_options
+
+    s = settings
+    check_new_folder(s.out)
+    photos = [read_photo(p) for p in (s.reference, *s.deformed)]
+    _check(photos)
+    reference = read_grey(photos[0])
+    window = window_options(s.window // 2, quadratic=s.shape == "quadratic")
+    grid = SubsetGrid.of(_free(s, photos[0]), s.step, window.half)
+    if not len(grid.xy_px):
+        raise InputError("strain.no_subset", window=2 * window.half + 1, file=s.reference)
+    first, previous = Picture.of(reference, 1), None
+    images, found = list[StrainImage](), list[Followed]()
+    for k, photo in enumerate(photos[1:]):
+        progress("following subsets", k / len(s.deformed))
+        f = follow(first, Picture.of(read_grey(photo), 2), grid, window, previous)
+        if (f.state == State.FOLLOWED).any():
+            previous = f
+        found.append(f)
+    if previous is None:
+        raise InputError("strain.nothing_followed", n=len(grid.xy_px), names=[p.name for p in photos[1:]])
+    for photo, f in zip(photos[1:], found, strict=True):
+        images.append(_image(s, photo.name, grid, f))
+    done = Strains(
+        settings=s, grid=grid, images=tuple(images), reported=_reported(s, images),
+        files=(),
+    )  # fmt: skip
+    progress("writing", 0.9)
+    files = write_strains(done, reference, np.array([photos[0].width_px, photos[0].height_px]))
+    return Strains(settings=s, grid=grid, images=done.images, reported=done.reported, files=files)
+
+
+def _check(photos: Sequence[Photo]) -> None:
+    """Raise InputError for images that cannot be compared."""
+    first = photos[0]
+    for photo in photos[1:]:
+        if (photo.width_px, photo.height_px) != (first.width_px, first.height_px):
+            raise InputError(
+                "strain.other_size", width_px=photo.width_px, height_px=photo.height_px, reference=first.name,
+                reference_width_px=first.width_px, reference_height_px=first.height_px, file=photo.path,
+            )  # fmt: skip
+        if photo.sha256 == first.sha256:
+            raise InputError("strain.same_image", reference=first.name, file=photo.path)
+
+
+def _free(s: StrainSettings, photo: Photo) -> Mask:
+    """(h, w) pixels of the specimen."""
+    import numpy as np
+
+    from raybundle.io.photos.photo import read_grey, read_photo
+
+    free = np.ones((photo.height_px, photo.width_px), bool)
+    if s.extent is not None:
+        left, top, right, bottom = s.extent
+        if not (left < right and top < bottom):
+            raise InputError("strain.empty_extent", extent=[float(v) for v in s.extent])
+        y, x = np.ogrid[: photo.height_px, : photo.width_px]
+        free &= (x >= left) & (x + 1 <= right) & (y >= top) & (y + 1 <= bottom)
+    if s.mask is not None:
+        mask = read_photo(s.mask)
+        if (mask.width_px, mask.height_px) != (photo.width_px, photo.height_px):
+            raise InputError(
+                "strain.other_size", width_px=mask.width_px, height_px=mask.height_px, reference=photo.name,
+                reference_width_px=photo.width_px, reference_height_px=photo.height_px, file=s.mask,
+            )  # fmt: skip
+        free &= read_grey(mask) > 0
+    return free
+
+
+def _image(s: StrainSettings, name: str, grid: SubsetGrid, f: Followed) -> StrainImage:
+    import numpy as np
+
+    from raybundle.matching.subset_noise import overlap_correlation
+    from raybundle.matching.subsets import State, window_options
+    from raybundle.metrology.strain import rigid_motion, strain_field
+
+    d = f.xy_px - grid.xy_px
+    good = f.state == State.FOLLOWED
+    window = window_options(s.window // 2, quadratic=s.shape == "quadratic")
+    gauge = s.gauge // 2
+    rho = overlap_correlation(window, s.step, max(2 * gauge, -(-s.window // s.step)))
+    middle = len(rho) // 2
+    near = rho[middle - 2 * gauge : middle + 2 * gauge + 1, middle - 2 * gauge : middle + 2 * gauge + 1]
+    rigid = rigid_motion(grid.xy_px[good], d[good], f.cov_px2[good], float(rho.sum()))
+    return StrainImage(
+        name=name, followed=f, displacement=d, rigid=rigid,
+        relative=np.where(good[:, None], d - rigid.displacement(grid.xy_px), np.nan),
+        strain=strain_field(d, f.cov_px2, grid.cell, grid.shape, float(s.step), gauge, near),
+    )  # fmt: skip
+
+
+def _reported(s: StrainSettings, images: Sequence[StrainImage]) -> tuple[Message, ...]:
+    """What the results do not show, of the image of which it is most true."""
+    import numpy as np
+
+    found = list[Message]()
+    lost = [int((~np.isfinite(i.followed.correlation)).sum()) for i in images]
+    if any(lost):
+        worst = images[int(np.argmax(lost))]
+        reasons = [f"{n} {state}" for state, n in state_counts(worst.followed).items() if state != "followed"]
+        found.append(warning("strain.not_followed", name=worst.name, images=sum(n > 0 for n in lost), n=max(lost),
+                             of=len(worst.displacement), states=reasons))  # fmt: skip
+    bent = [
+        float((i.followed.parts_px > BENT_PX).sum() / max(len(i.displacement) - n, 1))
+        for i, n in zip(images, lost, strict=True)
+    ]
+    if s.shape == "affine" and max(bent) > BENT_SHARE:
+        worst = images[int(np.argmax(bent))]
+        found.append(warning("strain.bent", name=worst.name, share=max(bent), limit_px=BENT_PX))
+    none = [i.name for i in images if not np.isfinite(i.strain.strain).any()]
+    if none:
+        found.append(warning("strain.no_strain", names=none, gauge=s.gauge))
+    return tuple(found)
+
+
+def summary_of(image: StrainImage) -> list[Message]:
+    """How far a specimen has moved, and by how much it is strained."""
+    import numpy as np
+
+    f, e = image.followed, image.strain
+    if not np.isfinite(f.correlation).any():
+        return []
+    sigma = np.sqrt(np.nanmedian(np.diagonal(f.cov_px2, axis1=1, axis2=2), axis=0))
+    shift, rotation = image.rigid.shift.tolist(), float(np.degrees(image.rigid.rotation))
+    found = [
+        note("strain.displacements", name=image.name, n=int(np.isfinite(f.correlation).sum()), of=len(f.state),
+             sigma_px=float(np.sqrt(np.mean(sigma**2)))),
+        note("strain.motion", u_px=shift[0], v_px=shift[1], rotation_deg=rotation),
+    ]  # fmt: skip
+    if np.isfinite(e.strain).any():
+        xx, yy, xy = (1e6 * np.nanmedian(e.strain, axis=0)).tolist()
+        largest = float(1e6 * np.nanquantile(e.principal[:, 0], LARGEST))
+        std = 1e6 * float(np.sqrt(np.nanmedian(np.diagonal(e.cov, axis1=1, axis2=2))))
+        found.append(note("strain.strains", xx=xx, yy=yy, xy=xy, sigma=std, largest=largest))
+    return found

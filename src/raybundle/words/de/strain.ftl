@@ -1,0 +1,38 @@
+strain-displacements = { $name }: { $n } von { $of } Subsets verfolgt, Standardabweichung { NUM($sigma_px, digits: 2) } px.
+
+strain-motion = Gemeinsame Bewegung { NUM($u_px, digits: 4) } px nach rechts, { NUM($v_px, digits: 4) } px nach unten, { NUM($rotation_deg, digits: 3) } Grad.
+
+strain-strains = Dehnung im Median [1e-6]: xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) }, je ± { NUM($sigma, digits: 2) }; 99 % unter { NUM($largest, digits: 3) }.
+
+strain-not_followed = { $name }{ $images ->
+        [one] {""}
+        *[other] , das schlechteste von { $images } Bildern
+    }: { $n } von { $of } Subsets nicht verfolgt ({ LIST($states, most: 7) }).
+    .why = outside: verlässt das Bild. flat: ohne Textur. unsteady: konvergiert nicht. unlike: Korrelation unter 0.75. torn: Teile bewegen sich auseinander. changed: Grauwerte verändert. unreached: kein Nachbar verfolgt.
+    .do = Die Spalte state in displacements.csv mit den Bildern vergleichen.
+
+strain-bent = { $name }: { PERCENT($share) } % der Subsets verformen sich stärker als affin ({ $limit_px } px).
+    .why = Teile dieser Subsets sind gegen ihre Form verschoben. Die Standardabweichungen enthalten das nicht.
+    .do = { OPTION("shape", "quadratic") } oder ein kleineres { OPTION("window", "PX") } verwenden.
+
+strain-no_strain = { LIST($names, most: 3) }: keine Dehnung, weil nirgends { $gauge } x { $gauge } Subsets zur Hälfte verfolgt und verbunden sind.
+    .do = Kleineres { OPTION("step", "PX") } oder { OPTION("gauge", "COUNT") } verwenden.
+
+strain-no_subset = In die Probe passt kein Subset von { $window } x { $window } Pixeln.
+    .do = Kleineres { OPTION("window", "PX") }, anderen Ausschnitt oder andere Maske angeben.
+
+strain-nothing_followed = Keines von { $n } Subsets ist in { LIST($names, most: 3) } wiederzufinden.
+    .why = Die Bilder haben keine gemeinsame Textur oder unterscheiden sich zu sehr in Licht oder Schärfe.
+    .do = Prüfen, ob das Referenzbild zur Serie gehört.
+
+strain-other_size = { $width_px } x { $height_px } Pixel, aber { $reference } hat { $reference_width_px } x { $reference_height_px }.
+    .do = Bilder einer Kamera angeben, nicht beschnitten oder skaliert.
+
+strain-same_image = Das Bild ist eine Kopie des Referenzbildes { $reference }.
+    .why = Sein Rauschen ist dasselbe; Standardabweichungen wären falsch.
+    .do = Ein anderes Bild angeben.
+
+strain-empty_extent = Der Ausschnitt { LIST($extent) } enthält kein Pixel.
+    .do = Links, oben, rechts, unten in dieser Reihenfolge angeben.
+
+strain-map_empty = keine Werte

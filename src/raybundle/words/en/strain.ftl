@@ -1,0 +1,70 @@
+# $name = "load-07.tif"
+# $n = 1200
+# $of = 1250
+# $sigma_px = 0.006
+strain-displacements = { $name }: { $n } of { $of } subsets followed, standard deviation { NUM($sigma_px, digits: 2) } px.
+
+# $u_px = 3.21
+# $v_px = -0.42
+# $rotation_deg = 0.12
+strain-motion = Common motion { NUM($u_px, digits: 4) } px right, { NUM($v_px, digits: 4) } px down, { NUM($rotation_deg, digits: 3) } deg.
+
+# $xx = 1210
+# $yy = -350
+# $xy = 20
+# $sigma = 110
+# $largest = 4300
+strain-strains = Median strain [1e-6]: xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) }, each ± { NUM($sigma, digits: 2) }; 99 % below { NUM($largest, digits: 3) }.
+
+# $name = "load-07.tif"
+# $images = 3
+# $n = 50
+# $of = 1250
+# $states = ["40 outside", "10 torn"]
+strain-not_followed = { $name }{ $images ->
+        [one] {""}
+        *[other] , worst of { $images } images
+    }: { $n } of { $of } subsets were not followed ({ LIST($states, most: 7) }).
+    .why = outside: leaves the image. flat: no texture. unsteady: no convergence. unlike: correlation below 0.75. torn: parts move apart. changed: grey values changed. unreached: no neighbour was followed.
+    .do = Compare displacements.csv, column state, with the images.
+
+# $name = "load-07.tif"
+# $share = 0.2
+# $limit_px = 0.02
+strain-bent = { $name }: { PERCENT($share) } % of the subsets deform by more than an affine map ({ $limit_px } px).
+    .why = Parts of these subsets are displaced against their shape. The standard deviations do not contain this.
+    .do = Use { OPTION("shape", "quadratic") } or a smaller { OPTION("window", "PX") }.
+
+# $names = ["load-07.tif"]
+# $gauge = 5
+strain-no_strain = { LIST($names, most: 3) }: no strain, because no { $gauge } x { $gauge } subsets are half followed and connected.
+    .do = Use a smaller { OPTION("step", "PX") } or { OPTION("gauge", "COUNT") }.
+
+# $window = 31
+strain-no_subset = No subset of { $window } x { $window } pixels fits into the specimen.
+    .do = Give a smaller { OPTION("window", "PX") }, or another extent or mask.
+
+# $n = 1250
+# $names = ["load-01.tif"]
+strain-nothing_followed = None of { $n } subsets is found again in { LIST($names, most: 3) }.
+    .why = The images have no common texture, or differ too much in light or focus.
+    .do = Check that the reference belongs to the series.
+
+# $width_px = 1000
+# $height_px = 800
+# $reference = "load-00.tif"
+# $reference_width_px = 1200
+# $reference_height_px = 800
+strain-other_size = { $width_px } x { $height_px } pixels, but { $reference } has { $reference_width_px } x { $reference_height_px }.
+    .do = Give images of one camera, not cropped or scaled.
+
+# $reference = "load-00.tif"
+strain-same_image = The image is a copy of the reference { $reference }.
+    .why = Its noise is the same; standard deviations would be wrong.
+    .do = Give another image.
+
+# $extent = [100, 100, 50, 300]
+strain-empty_extent = The extent { LIST($extent) } holds no pixel.
+    .do = Give left, top, right and bottom in this order.
+
+strain-map_empty = no values

@@ -1,0 +1,26 @@
+strain-displacements = { $name } : { $n } imagettes suivies sur { $of }, écart-type { NUM($sigma_px, digits: 2) } px.
+
+strain-motion = Mouvement commun { NUM($u_px, digits: 4) } px à droite, { NUM($v_px, digits: 4) } px vers le bas, { NUM($rotation_deg, digits: 3) } deg.
+
+strain-strains = Déformation médiane [1e-6] : xx { NUM($xx, digits: 3) }, yy { NUM($yy, digits: 3) }, xy { NUM($xy, digits: 3) }, chacune ± { NUM($sigma, digits: 2) } ; 99 % sous { NUM($largest, digits: 3) }.
+
+strain-not_followed = { $name }{ $images ->
+        [one] {""}
+        *[other] , la pire de { $images } images
+    } : { $n } imagettes sur { $of } non suivies ({ LIST($states, most: 7) }).
+
+strain-bent = { $name } : { PERCENT($share) } % des imagettes se déforment plus qu'une affinité ({ $limit_px } px).
+
+strain-no_strain = { LIST($names, most: 3) } : pas de déformation, trop peu d'imagettes suivies et reliées ({ $gauge } x { $gauge }).
+
+strain-no_subset = Aucune imagette de { $window } x { $window } pixels ne tient dans l'éprouvette.
+
+strain-nothing_followed = Aucune des { $n } imagettes n'est retrouvée dans { LIST($names, most: 3) }.
+
+strain-other_size = { $width_px } x { $height_px } pixels, mais { $reference } en a { $reference_width_px } x { $reference_height_px }.
+
+strain-same_image = L'image est une copie de la référence { $reference }.
+
+strain-empty_extent = L'emprise { LIST($extent) } ne contient aucun pixel.
+
+strain-map_empty = aucune valeur
