@@ -50,6 +50,7 @@ ENTRIES = {
     "README.txt",
     "displacements.csv",
     "velocities.csv",
+    "surface_strain.csv",
     "epochs.json",
 }
 """Of a result folder beside its tables"""

@@ -92,6 +92,8 @@ front-file = { $file_name ->
         [control] Passpunkte.
         [block] der ganze Bildverband, für eine neue Ausgleichung.
         [displacements] Verschiebungen mit Standardabweichungen und Urteil.
+        [velocities] Geschwindigkeiten und Beschleunigungen.
+        [surface_strain] Dehnungen der Oberfläche.
         [epochs] Daten der Aufnahmen, bewegte Punkte und Flächen, für Programme.
         *[network] Netz in drei Dimensionen.
     }

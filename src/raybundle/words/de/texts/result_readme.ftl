@@ -23,6 +23,7 @@ result_readme-file = { $entry ->
         [attitudes] beobachtete Drehwinkel
        [displacements_csv] Verschiebungen zwischen den Daten in den Achsen X, Y, Z, mit Standardabweichungen, Tests und Urteil
         [velocities_csv] Geschwindigkeiten und Beschleunigungen bewegter Punkte und Flächen, ab drei Daten [m, Jahre], mit Standardabweichungen und Tests
+        [surface_strain_csv] Dehnungen der Oberfläche zwischen den Daten, von Gruppen und Nachbarpunkten, mit Standardabweichungen und Tests
         [epochs_json] Daten der Aufnahmen, bewegte Punkte und Flächen, Grenze, Änderungen früherer Ergebnisse
        *[other] Beobachtungen dieser Art mit Residuen und Tests
     }

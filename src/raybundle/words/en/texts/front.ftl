@@ -107,6 +107,8 @@ front-file = { $file_name ->
         [control] control points.
         [block] the whole block, for a new adjustment.
         [displacements] displacements with standard deviations and verdicts.
+        [velocities] velocities and accelerations of what moved.
+        [surface_strain] strains of the surface.
         [epochs] dates, moved points and areas, for programs.
         *[network] network in three dimensions.
     }

@@ -26,6 +26,7 @@ result_readme-file = { $entry ->
         [attitudes] observed attitudes
        [displacements_csv] displacements between the dates, in the axes of X, Y, Z, with standard deviations, tests and verdicts
         [velocities_csv] velocities and accelerations of what moved in three dates or more [m, years], with standard deviations and tests
+        [surface_strain_csv] strains of the surface between the dates, of groups and patches of points, with standard deviations and tests
         [epochs_json] dates, moved points and areas, limit, changes of earlier results
        *[other] observations of this kind, with residuals and tests
     }

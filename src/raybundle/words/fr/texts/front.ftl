@@ -93,6 +93,8 @@ front-file = { $file_name ->
         [control] points d'appui.
         [block] le bloc complet, pour une nouvelle compensation.
         [displacements] déplacements avec écarts-types et verdict.
+        [velocities] vitesses et accélérations.
+        [surface_strain] déformations de la surface.
         [epochs] dates, points et zones déplacés, pour les programmes.
         *[network] réseau en trois dimensions.
     }
