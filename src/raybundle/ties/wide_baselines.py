@@ -20,16 +20,19 @@ from raybundle.io.photos.masks import Masks
 from raybundle.io.photos.photo import Photo
 from raybundle.matching import pairs as choice
 from raybundle.matching.features import FeatureMethod, Features
+from raybundle.matching.methods import LEARNED
 from raybundle.matching.pairs import Candidates
 from raybundle.matching.reduced import LONGEST_PX
 from raybundle.matching.signatures import likeness
-from raybundle.matching.verify import SHARE, STRONG, VerifiedPair
-from raybundle.numerics.arrays import Index
+from raybundle.matching.verify import FEWEST, SHARE, STRONG, VerifiedPair
+from raybundle.numerics.arrays import Index, Mask
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means
 from raybundle.ties.block import TieBlock
 from raybundle.ties.pairs import shared_features, signatures_of
 from raybundle.ties.points import FeatureStore, arrays_of_features, find_features, verified_pairs
+from raybundle.ties.repeated import AGREEING
+from raybundle.ties.rotations import Common, agreeing, fitting
 
 KIND = "joined-features"
 """First word of the keys of features with those of wide baselines behind them"""
@@ -124,10 +127,10 @@ class WideBaselines:
     best: Arranged
     trials: int
     """pairs that were verified"""
-    pairs: tuple[VerifiedPair, ...]
-    features: FeatureStore
     budget_s: float = 0.0
     steps: list[Step] = field(default_factory=list[Step])
+    proposed: list[tuple[VerifiedPair, FeatureStore]] = field(default_factory=list[tuple[VerifiedPair, FeatureStore]])
+    """pairs that chance does not make, and the features that they match"""
     _candidates: Candidates | None = None
 
     def climb(self, methods: Sequence[FeatureMethod]) -> None:
@@ -140,14 +143,14 @@ class WideBaselines:
                 pairs = self._affordable(method, self._likely(tried), tried)
                 if not len(pairs):
                     break
-                before = self._outside()
-                found = self._proven(method, pairs)
+                found, before = self._proven(method, pairs), self._outside()
                 tried = choice.unique_pairs(tried, pairs)
                 if found:
                     around = self._affordable(method, self._around(found, tried), tried)
                     found += self._proven(method, around)
                     tried = choice.unique_pairs(tried, around)
-                better = bool(found) and self._taken(method, found)
+                self.proposed += [(p, self._features(method, (p.first, p.second))[0]) for p in found]
+                better = bool(found) and self._taken()
                 step = replace(
                     step, pairs=len(tried), verified=step.verified + len(found), cpu_s=cost_s(method.name, tried),
                     joined=(*step.joined, *(self.photos[i].name for i in before if i not in self._outside())),
@@ -221,17 +224,62 @@ class WideBaselines:
         good = [p for p in found if len(p.matches) and p.geometry != "rotation" and p.log_chance < limit]
         return [replace(p, method=method.name) for p in good]
 
-    def _taken(self, method: FeatureMethod, found: Sequence[VerifiedPair]) -> bool:
-        """Whether the orientation with further pairs is better; it is taken then.
+    def _supported(self) -> tuple[list[tuple[VerifiedPair, FeatureStore]], dict[tuple[int, int], VerifiedPair]]:
+        """Of the proposed pairs those that agree with what is oriented; and earlier ones without what contradicts them."""
+        n, part = len(self.photos), self.best.parts(len(self.photos))
+        proposed = [(p, self._common(p, f)) for p, f in self.proposed]
+        known = [(p, self._common(p, self.best.features)) for p in self.best.pairs if len(p.matches)]
+        good: dict[int, Mask] = {}
+        pruned: dict[tuple[int, int], VerifiedPair] = {}
+        for q, tie in enumerate(self.best.ties):
+            block = tie.block
+            for k, (p, c) in enumerate(proposed):
+                if part[p.first] == part[p.second] == q:
+                    fits = fitting(block, c)
+                    if fits.mean() >= AGREEING:
+                        good[k] = fits
+            label = np.where(part < 0, n + np.arange(n), part)
+            for g in np.unique(label[self._outside()]).tolist():
+                if g == q or (q and g < n):
+                    continue
+                mine = [k for k, (p, _) in enumerate(proposed) if {label[p.first], label[p.second]} == {g, q}]
+                before = [(p, c) for p, c in known if {label[p.first], label[p.second]} == {g, q}]
+                if not mine:
+                    continue
+                other = self.best.ties[g].block if g < n else block
+                agree = agreeing(block, other, [*(proposed[k][1] for k in mine), *(c for _, c in before)])
+                if agree is None:
+                    continue
+                good |= {mine[m]: fits for m, fits in agree.items() if m < len(mine)}
+                for m, (p, _) in enumerate(before, len(mine)):
+                    fits = agree.get(m, np.zeros(len(p.matches), bool))
+                    pruned[p.first, p.second] = replace(p, matches=p.matches[fits])
+        chosen = [(*self.proposed[k], m) for k, m in good.items()]
+        return [(replace(p, matches=p.matches[m]), f) for p, f, m in chosen if m.sum() >= FEWEST], pruned
+
+    def _common(self, p: VerifiedPair, features: FeatureStore) -> Common:
+        xy = tuple(features.places(i).xy_px[p.matches[:, e]] for e, i in enumerate((p.first, p.second)))
+        strong = p.method not in LEARNED and len(p.matches) >= max(STRONG, SHARE * p.candidates)
+        return Common(first=p.first, second=p.second, strong=strong, xy=(xy[0], xy[1]))
+
+    def _taken(self) -> bool:
+        """Whether the orientation with the supported pairs is better; it is taken then.
 
         Better: more photographs in the largest part, or as many and more in all; none is lost, and no fault is new.
-        Pairs that are of no use by themselves stay for those of the next method.
         """
         n = len(self.photos)
-        features, _ = self._features(method, sorted({k for p in found for k in (p.first, p.second)}))
-        self.pairs, self.features = with_pairs(self.pairs, self.features, found, features, self.photos)
+        found, pruned = self._supported()
+        if not any(len({*self.best.parts(n)[[p.first, p.second]]}) > 1 for p, _ in found):
+            return False
+        pairs = tuple(pruned.get((p.first, p.second), p) for p in self.best.pairs)
+        features = self.best.features
+        for name in dict.fromkeys(p.method for p, _ in found):
+            some = [(p, f) for p, f in found if p.method == name]
+            keys = [next((f.keys[i] for _, f in some if f.keys[i]), "") for i in range(n)]
+            own = FeatureStore(features.store, tuple(keys))
+            pairs, features = with_pairs(pairs, features, [p for p, _ in some], own, self.photos)
         try:
-            new = self.arrange(self.pairs, self.features)
+            new = self.arrange(pairs, features)
         except NoOrientation:
             return False
         before, after = self.best.parts(n), new.parts(n)
@@ -240,6 +288,11 @@ class WideBaselines:
             return False
         self.best = new
         return True
+
+
+def same_px(size: int) -> float:
+    """Distance [px] up to which features of a photograph of this longer side are one."""
+    return SAME_PX * max(size / LONGEST_PX, 1.0)
 
 
 def with_pairs(
@@ -255,7 +308,7 @@ def with_pairs(
         ends = [p.matches[:, 0 if p.first == i else 1] for p in found if i in (p.first, p.second)]
         used = np.unique(np.concatenate(ends))
         size = max(photos[i].width_px, photos[i].height_px)
-        whole, place = joined_features(old_features.of(i), features.of(i).rows(used), SAME_PX * max(size / LONGEST_PX, 1.0))
+        whole, place = joined_features(old_features.of(i), features.of(i).rows(used), same_px(size))
         arrays = arrays_of_features(whole)
         keys[i] = key_of(KIND, arrays)
         if not features.store.has(keys[i]):

@@ -87,7 +87,7 @@ def match(i: Inputs, means: Means) -> Found:
 
     work = WideBaselines(
         means=means, photos=i.start.photos, masks=i.masks, method=i.method, count=i.count, out=frozenset(i.out),
-        arrange=arrange, best=i.first, trials=len(i.first.pairs), pairs=i.first.pairs, features=i.first.features,
+        arrange=arrange, best=i.first, trials=len(i.first.pairs),
     )  # fmt: skip
     work.climb([feature_method(name) for name in i.further])
     best, steps = work.best, tuple(work.steps)
