@@ -15,7 +15,10 @@ TILTS = (np.sqrt(2.0), 2.0, 2.0 * np.sqrt(2.0))
 """Compression of an affine view in one direction."""
 TURN_DEG = 72.0
 """Step of that direction, divided by the tilt (Morel and Yu 2009, section 5)."""
-VIEWS = ((1.0, 0.0), *((t, float(a)) for t in TILTS for a in np.radians(np.arange(0, 180, TURN_DEG / t))))
+VIEWS = (
+    (1.0, 0.0),
+    *((t, k * np.radians(TURN_DEG / t)) for t in TILTS for k in range(round(180 * t / TURN_DEG))),
+)
 """Tilt and direction [rad] of each view, the copy itself first."""
 CHOSEN = 8
 """Pairs of views from which the matches of two photographs are taken: those with the most clear ones.  Views of like
@@ -48,9 +51,7 @@ class AffineViews(FeatureMethod):
         """Features of all views at their places in the photograph, at most `count` of each."""
         copy = _copy(grey)
         most = feature_number(copy[0].shape[1], copy[0].shape[0], count)
-        found = [
-            self._features(k, grey.shape, *_view(*copy, *v), int(most / v[0])) for k, v in enumerate(VIEWS)
-        ]
+        found = [self._features(k, grey.shape, *_view(*copy, *v), int(most / v[0])) for k, v in enumerate(VIEWS)]
         return Features(
             xy_px=np.vstack([f.xy_px for f in found]), scale_px=np.concatenate([f.scale_px for f in found]),
             angle=np.concatenate([f.angle for f in found]), descriptors=np.vstack([f.descriptors for f in found]),
@@ -133,4 +134,3 @@ def _view(picture: Array, linear: Array, shift: Array, tilt: float, direction: f
     view = cv2.resize(turned, (narrow, height), interpolation=cv2.INTER_LINEAR)
     squeeze = np.diag([narrow / width, 1.0])
     return view, squeeze @ turn @ linear, squeeze @ (turn @ shift - low)
-

@@ -14,7 +14,7 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.matching.verify import FEWEST, limit_px
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.orientation.candidates import Pose, relative_all
+from raybundle.orientation.candidates import relative_all
 from raybundle.orientation.rays import camera_rays
 
 AGREEING_DEG = 4.0
@@ -53,16 +53,15 @@ def limit(block: Block, image: int) -> float:
     camera = block.camera_of(image)
     size = camera.width_px, camera.height_px
     middle = np.array(size) / 2
-    ray, beside = camera_rays(camera, np.array([middle, middle + [limit_px(size), 0.0]]))
+    ray, beside = camera_rays(camera, np.array([middle, middle + np.array([limit_px(size), 0.0])]))
     return float(np.linalg.norm(ray - beside))
 
 
 def fitting(block: Block, c: Common) -> Mask:
     """(k,) which matches of two oriented photographs fit their epipolar geometry."""
     images = block.images
-    one, other = (
-        camera_rays(block.camera_of(i), xy) @ images.rotation[i] for i, xy in zip((c.first, c.second), c.xy, strict=True)
-    )
+    ends = zip((c.first, c.second), c.xy, strict=True)
+    one, other = (camera_rays(block.camera_of(i), xy) @ images.rotation[i] for i, xy in ends)
     normal = np.cross(images.centre[c.second] - images.centre[c.first], other)
     normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
     return np.abs((one * normal).sum(axis=1)) < 2 * limit(block, c.first)
@@ -92,11 +91,16 @@ def _turns(block: Block, other: Block, number: int, c: Common) -> list[_Turn]:
     if not block.images.oriented[c.first]:
         ends, xy = ends[::-1], xy[::-1]
     i, j = ends
-    rays = [camera_rays(block.camera_of(k), places) for k, places in zip(ends, xy, strict=True)]
+    first, second = (camera_rays(block.camera_of(k), places) for k, places in zip(ends, xy, strict=True))
     own = other.images.rotation[j] if other.images.oriented[j] else np.eye(3)
-    poses: list[Pose] = relative_all(*rays, limit(block, i))
+    poses = relative_all(first, second, limit(block, i))
     return [
-        _Turn(pair=number, ends=(c.first, c.second), rotation=own.T @ p.rotation @ block.images.rotation[i], inliers=p.inliers)
+        _Turn(
+            pair=number,
+            ends=(c.first, c.second),
+            rotation=own.T @ p.rotation @ block.images.rotation[i],
+            inliers=p.inliers,
+        )
         for p in poses
         if p.inliers.sum() >= FEWEST
     ]

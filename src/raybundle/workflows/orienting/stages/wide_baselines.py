@@ -81,9 +81,7 @@ def match(i: Inputs, means: Means) -> Found:
 
     def arrange(pairs: tuple[VerifiedPair, ...], features: FeatureStore) -> Arranged:
         s = begin(replace(i.start, pairs=pairs, features=features), means)
-        return Arranged(
-            pairs=pairs, features=features, ties=s.ties, notices=s.notices, counted=(s.features, s.matched)
-        )
+        return Arranged(pairs=pairs, features=features, ties=s.ties, notices=s.notices, counted=(s.features, s.matched))
 
     work = WideBaselines(
         means=means, photos=i.start.photos, masks=i.masks, method=i.method, count=i.count, out=frozenset(i.out),
@@ -95,9 +93,7 @@ def match(i: Inputs, means: Means) -> Found:
         return Found(steps=steps, budget_s=work.budget_s)
     features, matched = best.counted
     started = Started(ties=best.ties, features=features, matched=matched, notices=best.notices)
-    return Found(
-        steps=steps, budget_s=work.budget_s, started=started, pairs=best.pairs, keys=best.features.keys
-    )
+    return Found(steps=steps, budget_s=work.budget_s, started=started, pairs=best.pairs, keys=best.features.keys)
 
 
 def _put(state: OrientState, f: Found) -> OrientState:
@@ -128,22 +124,25 @@ def _arrays(f: Found) -> dict[str, Array]:
     if f.started is None:
         return whole
     assert START.codec is not None
-    started = {name: a for name, a in START.codec.arrays(f.started).items()}
+    started = START.codec.arrays(f.started)
     pairs = numbered([{**arrays_of_pair(p), "ends": np.array([p.first, p.second])} for p in f.pairs])
     return {**whole, "keys": texts(f.keys), **packed({"started": started, "pairs": pairs})}
 
 
 def _product(a: Mapping[str, Array]) -> Found:
-    steps = tuple(Step(**{**s, "joined": tuple(s["joined"])}) for s in json.loads(str(a["steps"])))
+    steps = tuple(replace(Step(**s), joined=tuple(s["joined"])) for s in json.loads(str(a["steps"])))
     budget = float(a["budget_s"])
     if "keys" not in a:
         return Found(steps=steps, budget_s=budget)
     assert START.codec is not None
     parts = unpacked({name: values for name, values in a.items() if ":" in name})
-    pairs = [{**p} for p in unpacked(parts["pairs"]).values()]
+    pairs = list[VerifiedPair]()
+    for p in unpacked(parts["pairs"]).values():
+        first, second = p.pop("ends").tolist()
+        pairs.append(pair_from(first, second, p))
     return Found(
         steps=steps, budget_s=budget, started=START.codec.product(parts["started"]), keys=tuple(a["keys"].tolist()),
-        pairs=tuple(pair_from(*p.pop("ends").tolist(), p) for p in pairs),
+        pairs=tuple(pairs),
     )  # fmt: skip
 
 
