@@ -752,6 +752,7 @@ def epochs(
     crs: str | None = None,
     features: str = 'rootsift',
     feature_count: int = 10000,
+    wide_baselines: Literal['all', 'own', 'none'] = 'all',
     start: Literal['auto', 'growing', 'averaging', 'parts'] = 'auto',
     precise: bool = True,
     jobs: int = 0,
@@ -820,6 +821,8 @@ def epochs(
                       the plan.
     features          Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).
     feature_count     Number of features per photograph.
+    wide_baselines    Further matching of photographs that stay without orientation or in other parts. own: without
+                      learned methods; all: with them where installed (extra [learned]).
     start             Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto:
                       parts for very many photographs; all pairs if image by image leaves photographs out or the view is
                       narrow.
@@ -1253,6 +1256,7 @@ def orient(
     crs: str | None = None,
     features: str = 'rootsift',
     feature_count: int = 10000,
+    wide_baselines: Literal['all', 'own', 'none'] = 'all',
     start: Literal['auto', 'growing', 'averaging', 'parts'] = 'auto',
     precise: bool = True,
     jobs: int = 0,
@@ -1313,6 +1317,8 @@ def orient(
                       the plan.
     features          Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).
     feature_count     Number of features per photograph.
+    wide_baselines    Further matching of photographs that stay without orientation or in other parts. own: without
+                      learned methods; all: with them where installed (extra [learned]).
     start             Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto:
                       parts for very many photographs; all pairs if image by image leaves photographs out or the view is
                       narrow.

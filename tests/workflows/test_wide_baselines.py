@@ -70,7 +70,7 @@ def test_a_plane_seen_under_64_degrees_is_joined_by_affine_views(tmp_path):
     whole = orient([tmp_path / "photos"], tmp_path / "project", options, calibration=[CAMERA])
     assert (whole.oriented, whole.other_components) == (6, ())
     (step,) = whole.wide_baselines["methods"]
-    assert step["method"] == "rootsift, affine views"
+    assert step["method"] == "affine_views"
     assert len(step["joined"]) == 3
     assert step["cpu_s"] <= whole.wide_baselines["budget_s"] == 60.0
     json.dumps(whole.additions())
@@ -171,10 +171,10 @@ def test_what_contradicts_with_half_as_many_matches_leaves_nothing_decisive():
 def test_learned_methods_are_used_where_installed_and_off_by_one_option(monkeypatch):
     for name in LEARNED:
         monkeypatch.setitem(registry.methods, name, SimpleNamespace(name=name, needs=("no_such_package",), install=""))
-    assert further_methods("all") == further_methods("own") == ("rootsift, affine views",)
+    assert further_methods("all") == further_methods("own") == ("affine_views",)
     monkeypatch.setitem(registry.methods, "xfeat", SimpleNamespace(name="xfeat", needs=(), install=""))
-    assert further_methods("all") == ("rootsift, affine views", "xfeat")
-    assert further_methods("own") == ("rootsift, affine views",)
+    assert further_methods("all") == ("affine_views", "xfeat")
+    assert further_methods("own") == ("affine_views",)
 
 
 def test_nothing_is_done_where_all_photographs_are_oriented():

@@ -37,7 +37,7 @@ class AffineViews(FeatureMethod):
     The last byte of a descriptor is the number of its view.
     """
 
-    name = "rootsift, affine views"
+    name = "affine_views"
 
     def __init__(self) -> None:
         self.method = RootSift()

@@ -11,7 +11,7 @@ from raybundle.matching.reduced import SUFFIX, Reduced
 
 LEARNED = ("xfeat", "disk")
 BUILT_IN = ("rootsift", *LEARNED)
-FOR_WIDE_BASELINES = {"rootsift, affine views": "AffineViews"}
+FOR_WIDE_BASELINES = {"affine_views": "AffineViews"}
 """Classes of `matching.affine_views`: methods for a few pairs, which no user names."""
 
 

@@ -39,7 +39,7 @@ KIND = "joined-features"
 """First word of the keys of features with those of further methods behind them"""
 REPEATED = "repeated_structure"
 """Code of notices"""
-COSTS = {"rootsift, affine views": (1.5, 0.35), "xfeat": (0.8, 0.6), "disk": (6.5, 2.5)}
+COSTS = {"affine_views": (1.5, 0.35), "xfeat": (0.8, 0.6), "disk": (6.5, 2.5)}
 """CPU seconds of the features of a photograph of 6 megapixels, and of a pair."""
 BUDGET_EACH_S, BUDGET_S, BUDGET_OF_ALL_S = 20.0, 60.0, 5.0
 """CPU seconds for each photograph that is not in the largest part; at most so many, and so many for each of all."""
