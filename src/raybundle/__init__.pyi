@@ -757,6 +757,7 @@ def epochs(
     crs: str | None = None,
     features: str = 'rootsift',
     feature_count: int = 10000,
+    wide_baselines: Literal['all', 'own', 'none'] = 'own',
     start: Literal['auto', 'growing', 'averaging', 'parts'] = 'auto',
     precise: bool = True,
     jobs: int = 0,
@@ -825,6 +826,8 @@ def epochs(
                       the plan.
     features          Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).
     feature_count     Number of features per photograph.
+    wide_baselines    Further matching of photographs that stay without orientation or in other parts. own: affine
+                      views; all: learned methods, too, where installed (extra [learned]).
     start             Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto:
                       parts for very many photographs; all pairs if image by image leaves photographs out or the view is
                       narrow.
@@ -1258,6 +1261,7 @@ def orient(
     crs: str | None = None,
     features: str = 'rootsift',
     feature_count: int = 10000,
+    wide_baselines: Literal['all', 'own', 'none'] = 'own',
     start: Literal['auto', 'growing', 'averaging', 'parts'] = 'auto',
     precise: bool = True,
     jobs: int = 0,
@@ -1318,6 +1322,8 @@ def orient(
                       the plan.
     features          Kind of features. rootsift; for wide baselines xfeat or disk (extra [learned]).
     feature_count     Number of features per photograph.
+    wide_baselines    Further matching of photographs that stay without orientation or in other parts. own: affine
+                      views; all: learned methods, too, where installed (extra [learned]).
     start             Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto:
                       parts for very many photographs; all pairs if image by image leaves photographs out or the view is
                       narrow.

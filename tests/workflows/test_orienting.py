@@ -49,7 +49,16 @@ def test_every_file_is_one_stage_and_every_stage_has_its_place():
     for a in ORIENT.alternatives:  # its first way stands together
         first = order.index(a.first[0])
         assert tuple(order[first : first + len(a.first)]) == a.first
-    assert stages() == ("photographs", "features", "matching", "start", "precision", "adjustment", "report")
+    assert stages() == (
+        "photographs",
+        "features",
+        "matching",
+        "start",
+        "wide baselines",
+        "precision",
+        "adjustment",
+        "report",
+    )
 
 
 @needs_portal

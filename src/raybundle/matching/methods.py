@@ -9,7 +9,10 @@ from raybundle.errors import InputError
 from raybundle.matching.features import FeatureMethod, methods
 from raybundle.matching.reduced import SUFFIX, Reduced
 
-BUILT_IN = ("rootsift", "xfeat", "disk")
+LEARNED = ("xfeat", "disk")
+BUILT_IN = ("rootsift", *LEARNED)
+FOR_WIDE_BASELINES = {"affine_views": "AffineViews"}
+"""Classes of `matching.affine_views`: methods for a few pairs, which no user names."""
 
 
 def feature_method(name: str) -> FeatureMethod:
@@ -19,6 +22,8 @@ def feature_method(name: str) -> FeatureMethod:
     """
     if name.endswith(SUFFIX):
         return Reduced(feature_method(name.removesuffix(SUFFIX)))
+    if name in FOR_WIDE_BASELINES:
+        return getattr(import_module("raybundle.matching.affine_views"), FOR_WIDE_BASELINES[name])()
     if name not in methods and name in BUILT_IN:
         import_module(f"raybundle.matching.{name}")
     if name not in methods:

@@ -38,6 +38,8 @@ class VerifiedPair:
     """median length between the places of a point in the two images"""
     log_chance: float = -SURE
     """natural logarithm of the number of such pairs, as good as this one, that chance makes of one pair of images"""
+    method: str = ""
+    """that proved it for a wide baseline, far beyond chance (`ties.wide_baselines`)"""
 
 
 def limit_px(size: tuple[int, int]) -> float:
@@ -172,7 +174,7 @@ def trusted(pairs: Sequence[VerifiedPair], images: int) -> list[VerifiedPair]:
     where an image has a better neighbour, such pairs only do harm.
     """
     good = [p for p in pairs if len(p.matches)]
-    strong = [p for p in good if len(p.matches) >= STRONG and len(p.matches) >= SHARE * p.candidates]
+    strong = [p for p in good if p.method or len(p.matches) >= max(STRONG, SHARE * p.candidates)]
     links = np.zeros(images, int)
     for p in strong:
         links[[p.first, p.second]] += 1

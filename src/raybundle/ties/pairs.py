@@ -141,7 +141,7 @@ class Rounds:
     def candidates(self, pairs: Index) -> Candidates:
         """Pairs with what shows how likely they are; none that is matched already."""
         pairs = pairs[~choice.contained(pairs, self.matched)]
-        shared = _shared(self.means, self.keys, self.method, pairs)
+        shared = shared_features(self.means, self.keys, self.method, pairs)
         return Candidates(pairs=pairs, shared=shared, likeness=likeness(self.signatures, pairs))
 
     def match(self, pairs: Index) -> None:
@@ -210,7 +210,7 @@ def pairs_of(
         return rounds.chosen(())
     place = np.array(sorted(range(n), key=lambda i: (store.keys[i], i)), np.int64)
     features = [store.keys[i] for i in place]
-    keys, signatures = _signatures(means, features, method)
+    keys, signatures = signatures_of(means, features, method)
     rounds = Rounds(
         means=means, photos=photos, store=store, method=method, place=place, keys=keys, signatures=signatures,
         matched=none, links=none, skipped=none,
@@ -234,7 +234,7 @@ def _begin(r: Rounds, positions: Array | None) -> int:
     return len(r.matched)
 
 
-def _signatures(means: Means, features: Sequence[str], method: FeatureMethod) -> tuple[list[str], Array]:
+def signatures_of(means: Means, features: Sequence[str], method: FeatureMethod) -> tuple[list[str], Array]:
     """Keys of the signatures of photographs, and the signatures (n, LENGTH)."""
     words, known = "", ""
     if method.codebook:
@@ -261,7 +261,7 @@ def _signatures(means: Means, features: Sequence[str], method: FeatureMethod) ->
     return keys, signatures
 
 
-def _shared(means: Means, keys: list[str], method: FeatureMethod, pairs: Index) -> Index:
+def shared_features(means: Means, keys: list[str], method: FeatureMethod, pairs: Index) -> Index:
     """(m,) features that the photographs of each pair share, by tasks of some pairs each."""
     tasks: list[Task] = []
     for begin in range(0, len(pairs), TOGETHER):

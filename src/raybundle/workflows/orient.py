@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -65,6 +65,8 @@ class Orientation:
     """satellite scenes that take part"""
     scene_pairs: tuple[ScenePair, ...] = ()
     remarks: tuple[str, ...] = field(default=())
+    wide_baselines: Mapping[str, object] = field(default_factory=dict[str, object])
+    """CPU budget of further matching, and what each method gave; empty: none was needed"""
     upright: Upright | None = None
     """how the vertical was found, where neither control nor positions show it"""
     dropped: Dropped | None = None
@@ -114,6 +116,7 @@ class Orientation:
             "stages": [
                 {k: v for k, v in asdict(s).items() if k in _STAGE_FIELDS} for s in self.stages
             ],
+            **({"wide_baselines": self.wide_baselines} if self.wide_baselines else {}),
             "image_sigma_px": self.sigma_px,
             CONTENTS: {p.name: p.sha256 for p in self.photos},
             **({} if self.frame is None else {"frame": self.frame.as_mapping()}),
@@ -214,6 +217,9 @@ def _orientation(state: OrientState, records: Sequence[StageRecord]) -> Orientat
         dropped=state.dropped,
         matches=state.matches,
         other_components=state.other_components,
+        wide_baselines={"budget_s": state.further_budget_s, "methods": [asdict(s) for s in state.further]}
+        if state.further
+        else {},
         scenes=() if scenes is None else scenes.images,
         scene_pairs=() if scenes is None else scenes.pairs,
         remarks=(*state.remarks, *state.reported),

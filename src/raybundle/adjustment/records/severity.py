@@ -46,7 +46,7 @@ _CODES = {
         "positions_assumed read_out reduced_features rejected relative_positions "
         "scale_checked scene_joins stored_turned target_eccentricity "
         "control_precise names_exchanged shape_held ties_mismatched "
-        "snooping_robust target_radius up_by_edges up_without_edges variance_groups"
+        "snooping_robust target_radius wide_baselines up_by_edges up_without_edges variance_groups"
     ),
 }
 

@@ -23,6 +23,7 @@ from raybundle.ties.match_weights import Matches
 from raybundle.ties.pairs import Round
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.precise import Weights
+from raybundle.ties.wide_baselines import Step
 from raybundle.workflows.orienting.connected_components import ConnectedComponent
 from raybundle.workflows.orienting.excluded_features import Dropped
 from raybundle.workflows.orienting.options import OrientOptions
@@ -101,6 +102,10 @@ class OrientState:
     """photographs that show the same picture as another, by their index"""
     ties: tuple[TieBlock, ...] = ()
     """tie points with approximate values, of every part"""
+    further: tuple[Step, ...] = ()
+    """what further methods of matching gave"""
+    further_budget_s: float = 0.0
+    """CPU seconds that they might take"""
     blocks: tuple[Block, ...] = ()
     """the same, measured precisely where that was asked for"""
     weights: tuple[Weights, ...] = ()

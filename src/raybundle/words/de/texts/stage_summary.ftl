@@ -46,3 +46,11 @@ stage_summary-by_features = { $names } { $n ->
     .why = Die Kleinste-Quadrate-Zuordnung misst dort zu wenige Punkte (unscharfe oder sehr verschiedene Aufnahme).
 
 stage_summary-scene_precision = { $n } von { $of } in Szenen, { $added } Strahlen ergänzt.
+
+stage_summary-wide_baselines = { $pairs } { $pairs ->
+        [one] weiteres Paar
+        *[other] weitere Paare
+    }, { $verified } bestätigt, { $joined } { $joined ->
+        [one] Aufnahme
+        *[other] Aufnahmen
+    } verbunden; Rechenzeit { NUM($cpu_s, decimals: 0) } von { NUM($budget_s, decimals: 0) } s.

@@ -78,3 +78,16 @@ stage_summary-by_features = { $names } { $n ->
 # $of = 120
 # $added = 14
 stage_summary-scene_precision = { $n } of { $of } in scenes, { $added } rays added.
+
+# $pairs = 12
+# $verified = 6
+# $joined = 3
+# $cpu_s = 24
+# $budget_s = 60
+stage_summary-wide_baselines = { $pairs } { $pairs ->
+        [one] further pair
+        *[other] further pairs
+    }, { $verified } verified, { $joined } { $joined ->
+        [one] photograph
+        *[other] photographs
+    } joined; CPU budget { NUM($cpu_s, decimals: 0) } of { NUM($budget_s, decimals: 0) } s.
