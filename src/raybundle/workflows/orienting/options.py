@@ -75,8 +75,8 @@ class OrientOptions:
     )
     feature_count: int = setting(10_000, "Number of features per photograph.", limits=Range(low=100))
     wide_baselines: Literal["all", "own", "none"] = setting(
-        "own", "Further matching of photographs that stay without orientation or in other parts. own: affine views; all: "
-        "learned methods, too, where installed (extra [learned]).",
+        "own", "Further matching of photographs that stay without orientation or in other parts. own: affine views; "
+        "all: learned methods, too, where installed (extra [learned]).",
     )  # fmt: skip
     start: Literal["auto", "growing", "averaging", "parts"] = setting(
         "auto", "Start of the orientation: image by image, all pairs at once, or in parts that are joined. auto: "
