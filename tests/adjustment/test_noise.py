@@ -8,7 +8,7 @@ import pytest
 from numpy.polynomial import legendre
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.evaluation.queries import design_row, precision_in_datum
+from raybundle.adjustment.evaluation.queries import precision_in_datum
 from raybundle.adjustment.records.options import AdjustmentOptions, noise_of_photographs
 from raybundle.adjustment.result import Handle
 from raybundle.adjustment.statistics import field_system as field_system_module
@@ -27,6 +27,7 @@ from raybundle.platforms import instrument_models
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
 from raybundle.workflows.adjust import adjust
+from tests.adjustment.test_design_rows import image_design
 from tests.truth.mixed_blocks import MonteCarlo, ikonos_pair
 
 SCENE = field_scene(TargetField(rows=4, columns=6, stations=5, frontal=1))
@@ -134,11 +135,7 @@ def dense(name):
     n, p, m = int(system.offsets[-1]), len(system.points_used), len(system.rows)
     A = np.zeros((2 * m + len(system.extra), n + 3 * p))
     held, system.held = system.held, system.control_held
-    for row in range(m):
-        for axis in range(2):
-            at, values, point, by_point = design_row(system, state, row, axis)
-            A[2 * row + axis, at] = values
-            A[2 * row + axis, n + 3 * point : n + 3 * point + 3] = by_point
+    A[: 2 * m] = image_design(system, state)
     entries = w.normals.extra(state)
     node_of = np.repeat(np.arange(len(system.sizes)), system.sizes)
     for row, unknown, value in zip(entries.row, entries.unknown, entries.value, strict=True):
