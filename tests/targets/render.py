@@ -167,7 +167,8 @@ def shot(
     fine = 1 - fine if inverse else fine
     c, C = ellipse_of(H)
     if cover is not None:
-        distance, grey = cover((np.stack(np.broadcast_arrays(x, y), axis=-1) - c) @ np.linalg.inv(np.linalg.cholesky(C)).T)
+        xy = np.stack(np.broadcast_arrays(x, y), axis=-1)
+        distance, grey = cover((xy - c) @ np.linalg.inv(np.linalg.cholesky(C)).T)
         step = np.hypot(*np.gradient(distance))
         on = share(distance / np.maximum(step, 1e-12))
         fine = fine * (1 - on) + grey * on

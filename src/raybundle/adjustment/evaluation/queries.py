@@ -16,7 +16,6 @@ from raybundle.adjustment.statistics.precision import image_unknowns, interior_u
 from raybundle.adjustment.statistics.system_state import Work
 from raybundle.adjustment.system.assemble import State
 from raybundle.adjustment.system.datum import Datum
-from raybundle.adjustment.system.normals import Normals
 from raybundle.adjustment.system.transformation import transformation
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
