@@ -99,7 +99,6 @@ def _bundle(language: str, *, flags: bool) -> Bundle:
 
 
 @cache
-@cache
 def _parsed(text: str) -> Any:
     from fluent.runtime import FluentResource
 
