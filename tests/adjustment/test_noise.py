@@ -514,3 +514,18 @@ def test_some_columns_of_the_normal_matrix_are_those_of_the_whole(monkeypatch):
     some = np.arange(len(whole))[::-3]
     monkeypatch.setattr(field_system_module, "BLOCKS", 3)
     assert np.array_equal(field_system_module.sparse_normals(normals, some).toarray(), whole[:, some])
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_right_sides_of_nodes_alone_are_solved_as_those_of_all(name):
+    """Two ways to one covariance, with and without floor: of nodes among themselves, and of all unknowns."""
+    w = adjusted(name).handle.work
+    rng = np.random.default_rng(5)
+    nodes = rng.normal(size=(int(w.system.offsets[-1]), 4)) * np.sqrt(w.normals.diagonal)[:, None]
+    nodes[w.normals.held_unknowns()] = 0.0
+    none = np.zeros((*w.state.xyz.shape, 4))
+    for phi in (PHI, 1.0):
+        spread = replace(w.spread, phi=phi)
+        whole = spread.solve(nodes, none)[0]
+        close = 1e-7 * np.abs(whole).max(axis=1, keepdims=True)
+        assert (np.abs(spread.among_nodes(nodes) - whole) <= close).all()
