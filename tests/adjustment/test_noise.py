@@ -77,6 +77,16 @@ def blocks():
         simulate(SCENE, Survey(control=4, control_sigma=(1e-3,) * 3, **near)).observed,
         (AdjustmentOptions()),
     )
+    known = {"control": 4, "control_sigma": (1e-3, 1e-3, 0.0), "scale_bars": 2}
+    level = simulate(SCENE, Survey(**known, **near)).observed
+    at = np.flatnonzero(level.points.is_control.any(axis=1)).astype(np.int32)
+    d = level.distances
+    length = np.linalg.norm(level.points.xyz[at[:2]] - level.points.xyz[at[2:]], axis=1)
+    yield (
+        "bars between held heights",
+        level.having(replace(d, start=at[:2], end=at[2:], length=length)),
+        AdjustmentOptions(),
+    )
     yield "stations", simulate(SCENE, Survey(station_sigma=1e-3, scale_bars=1, **near)).observed, AdjustmentOptions()
     yield "stations alone", simulate(SCENE, Survey(station_sigma=1e-3, **near)).observed, AdjustmentOptions()
     placed = simulate(SCENE, Survey(control=4, control_sigma=(1e-3,) * 3, station_sigma=1e-3, **near)).observed
@@ -529,3 +539,15 @@ def test_right_sides_of_nodes_alone_are_solved_as_those_of_all(name):
         whole = spread.solve(nodes, none)[0]
         close = 1e-7 * np.abs(whole).max(axis=1, keepdims=True)
         assert (np.abs(spread.among_nodes(nodes) - whole) <= close).all()
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_right_sides_of_points_bring_the_blocks_that_are_kept_of_them(name):
+    w = adjusted(name).handle.work
+    chosen = np.flatnonzero(w.system.points_used & ~w.system.held.any(axis=1))[::7]
+    nodes = np.zeros((int(w.system.offsets[-1]), 3))
+    for p in chosen:
+        points = np.zeros((*w.state.xyz.shape, 3))
+        points[p] = np.eye(3)
+        found = w.spread.solve(nodes, points)[1][p]
+        np.testing.assert_allclose(found, w.spread.points[p], rtol=0, atol=1e-7 * np.abs(found).max())
