@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from raybundle.adjustment.evaluation.joint_cofactors import design_rows
+from raybundle.adjustment.evaluation.joint_cofactors import design_rows, whitening
+from raybundle.adjustment.system.assemble import packed_whitening
 from tests.native.cases import block_of, correlated, held_images, per_image, single_image_camera
 from tests.native.test_kernels import setting
 from tests.sensors.test_spline import BLOCKS as SPLINES
@@ -64,3 +65,16 @@ def test_rows_are_derivatives(name):
             step[point, axis] = 1e-5
             up, down = (normals.residuals(system.updated(state, np.zeros(N), s))[0][row] for s in (step, -step))
             np.testing.assert_allclose(by_point[n, :, axis], (up - down) / 2e-5, rtol=1e-4, atol=1e-2)
+
+
+def test_whitened_image_points_have_the_unit_matrix():
+    """Of correlated coordinates in pixels that are not square, y counted downward: W C W' = I in mm."""
+    rng = np.random.default_rng(4)
+    root = rng.normal(size=(30, 2, 2))
+    C = root @ np.swapaxes(root, 1, 2)
+    pixel = np.array([0.006, -0.004])
+    packed = np.stack([C[:, 0, 0], C[:, 1, 1], C[:, 0, 1]], axis=1)
+    for given in (pixel, np.tile(pixel, (30, 1))):
+        W = whitening(packed_whitening(packed, given))
+        unit = W @ (C * np.outer(pixel, pixel)) @ np.swapaxes(W, 1, 2)
+        np.testing.assert_allclose(unit, np.broadcast_to(np.eye(2), unit.shape), atol=1e-9)

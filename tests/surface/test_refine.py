@@ -389,6 +389,20 @@ def test_the_variance_of_a_grey_value_is_that_of_the_residuals_before_interpolat
         np.testing.assert_allclose(whole.grey_variance, 7.0, rtol=1e-6)
 
 
+def test_correlation_contrast_and_slopes_are_those_of_the_pictures(ground):
+    grid = ground.grid(9)
+    found = refine(ground.grey[0], ground.sources, grid, ground.start(grid))
+    f = found.found
+    assert (found.correlation[f] > RefineOptions().correlation).all()
+    assert (found.correlation[f] <= 1 + 1e-6).all()
+    assert np.median(found.correlation[f]) > 0.95  # pictures without noise
+    flat = [replace(s, grey=(30 + 0.5 * s.grey).astype(np.float32)) for s in ground.sources]
+    half = refine((0.5 * ground.grey[0]).astype(np.float32), flat, grid, ground.start(grid))
+    both = f & half.found
+    np.testing.assert_allclose(half.contrast[both], 0.5 * found.contrast[both], rtol=1e-4)
+    np.testing.assert_allclose(half.correlation[both], found.correlation[both], atol=1e-3)
+
+
 @pytest.mark.parametrize("on", [pytest.param(True, marks=needs_kernel), False])
 @pytest.mark.parametrize("last", [False, True])
 def test_one_pass_goes_forth_along_the_rows_and_the_next_one_back(ground, monkeypatch, last, on):
