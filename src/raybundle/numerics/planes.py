@@ -55,9 +55,10 @@ def plane_of_most(points: Array, sigma: Array, least: float, *, steep: Array | N
     pick = rng.choice(len(points), min(len(points), SAMPLE), replace=False)
     few, few_variance = points[pick] - points.mean(axis=0), variance[pick]
     best, found = np.inf, (np.zeros(3), np.array([0.0, 0.0, 1.0]))
-    a, b, c = few[rng.integers(len(few), size=(TRIALS, 3))].swapaxes(0, 1)
+    chosen = np.array([rng.choice(len(few), 3, replace=False) for _ in range(TRIALS)])
+    a, b, c = few[chosen].swapaxes(0, 1)
     normal = np.cross(b - a, c - a)
-    length = np.linalg.norm(normal, axis=1)  # 0 where one point was chosen twice
+    length = np.linalg.norm(normal, axis=1)
     normal = normal / np.maximum(length, 1e-300)[:, None]
     tried = length >= 1e-12
     if steep is not None:
