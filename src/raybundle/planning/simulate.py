@@ -122,7 +122,8 @@ def _within(camera: Camera, local: Array) -> tuple[Array, Mask]:
     ]
     pixel = np.concatenate(found)
     with np.errstate(invalid="ignore"):
-        return pixel, ((pixel >= 0) & (pixel <= [camera.width_px, camera.height_px])).all(axis=1)
+        inside = (pixel >= 0) & (pixel <= [camera.width_px, camera.height_px])
+    return pixel, np.asarray(inside.all(axis=1))
 
 
 def _images_of(points: Array, model: SensorModel, values: Array) -> Array:
