@@ -21,7 +21,8 @@ Left out by rule, as nothing that can be observed follows or as it stands for an
 - `<` for `<=` between fractions (a side states a decimal number other than zero, divides, takes a root or is
   float()): equal values have no probability;
 - the negated condition where a mutant of its only comparison or its `not` is the same;
-- a number in `initial=` of a maximum, which stands for none at all, and in the shape of an array without elements.
+- a number in `initial=` of a maximum, which stands for none at all, and in the shape of an array without elements;
+- the 1 of a `-1` among the arguments of `reshape`, where any negative number stands for what is left.
 """
 
 from __future__ import annotations
@@ -93,11 +94,17 @@ def mutants(file):
         if at >= 0 and "#" not in gap:
             yield line, first + at, first + at + len(old.encode()), new
 
+    rest = set()
+    """Numbers of which the sign alone counts"""
+
     def walk(node):
         if isinstance(node, ast.Call):
             called = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
             if called in PASSED_OVER or (called in {"zeros", "empty", "full"} and 0 in numbers(node.args[0])):
                 return
+            if called == "reshape":
+                sizes = [size for given in node.args for size in getattr(given, "elts", [given])]
+                rest.update(id(size.operand) for size in sizes if isinstance(size, ast.UnaryOp))
         if isinstance(node, ast.JoinedStr) or (isinstance(node, ast.keyword) and node.arg in UNSEEN):
             return
         if isinstance(node, ast.BinOp) and type(node.op) in BINARY and not text(node):
@@ -120,7 +127,8 @@ def mutants(file):
         if isinstance(node, (ast.If, ast.IfExp, ast.While)) and not negated_already(node.test):
             first, last = place(node.test)
             yield node.test.lineno, first, last, f"(not ({raw[first:last].decode()}))"
-        if isinstance(node, ast.Constant) and type(node.value) in (int, float) and not 0 < abs(node.value) < ROUNDING:
+        seen = isinstance(node, ast.Constant) and id(node) not in rest
+        if seen and type(node.value) in (int, float) and not 0 < abs(node.value) < ROUNDING:
             value = node.value + 1 if isinstance(node.value, int) else node.value * 1.5 + (node.value == 0)
             yield (node.lineno, *place(node), repr(value))
         for child in ast.iter_child_nodes(node):

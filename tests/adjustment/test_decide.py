@@ -12,7 +12,8 @@ from raybundle.adjustment.records.severity import Severity
 from raybundle.cameras.conversions import camera_from_forward, forward_fit
 from raybundle.planning.network.calibration_networks import ROLLS, FlatField, flat_field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.synthetic_networks import TargetField, field_scene
+from raybundle.planning.synthetic_networks import field_scene
+from tests.fields import SMALL
 
 GIVEN = {"x0": 0.02, "y0": -0.03, "K1": 2e-6, "K2": 0.0, "K3": 0.0, "P1": 1e-6, "P2": 0.0, "A": 0.0, "S": 0.0}
 
@@ -80,7 +81,7 @@ def test_what_lenses_seldom_have_is_held_with_a_remark_and_the_rest_with_a_cauti
 def test_the_highest_terms_of_a_quotient_are_held_before_the_first():
     """A lens of a polynomial leaves a denominator open, and with it all of the numerator."""
     survey = Survey(seed=1, orientation="exact", points="exact", interior="exact", image_sigma_px=0.1)
-    block = simulate(field_scene(TargetField()), survey).observed
+    block = simulate(field_scene(SMALL), survey).observed
     lens = forward_fit(block.cameras[0], ("fx", "cx", "cy", "k1", "k2", "k3", "p1", "p2")).camera
     camera = camera_from_forward(lens, block.cameras[0].id).camera
     assert camera.model == "rational"
@@ -120,7 +121,7 @@ def test_a_wrong_scale_bar_does_not_take_the_rays_of_the_others_ends():
         image_sigma_px=0.1, scale_bars=4, scale_bar_sigma=1e-5, seed=5, orientation="exact", points="exact",
         interior="exact",
     )  # fmt: skip
-    block = simulate(field_scene(TargetField()), survey).observed
+    block = simulate(field_scene(SMALL), survey).observed
     length = block.distances.length.copy()
     length[1] += 0.002
     wrong = block.having(replace(block.distances, length=length))
@@ -132,7 +133,7 @@ def test_a_wrong_scale_bar_does_not_take_the_rays_of_the_others_ends():
 def test_a_blunder_across_an_elongated_ellipse_does_not_return():
     """Its coordinates alone lie within their standard deviations."""
     simulated = simulate(
-        field_scene(TargetField()),
+        field_scene(SMALL),
         Survey(seed=5, orientation="exact", points="exact", interior="exact", image_sigma_px=0.3),
     )
     block = simulated.observed

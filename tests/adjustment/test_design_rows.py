@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from raybundle.adjustment.evaluation.joint_cofactors import design_rows
-from raybundle.adjustment.evaluation.queries import design_row
+from raybundle.adjustment.evaluation.joint_cofactors import design_rows, whitening
+from raybundle.adjustment.system.assemble import packed_whitening
 from tests.native.cases import block_of, correlated, held_images, per_image, single_image_camera
 from tests.native.test_kernels import setting
 from tests.sensors.test_spline import BLOCKS as SPLINES
@@ -17,6 +17,19 @@ BLOCKS = {
     "held images": lambda: held_images(block_of()),
     "splines": SPLINES["with another model"],
 }
+
+
+def image_design(system, state):
+    """Whitened design matrix of all image observations: unknowns of nodes, then of points."""
+    m, n = len(system.rows), int(system.offsets[-1])
+    A = np.zeros((m, 2, n + 3 * len(system.points_used)))
+    by_point, columns, by_node = design_rows(system, state, np.arange(m))
+    row, at = np.nonzero(columns >= 0)
+    A[row, :, columns[row, at]] = by_node[row, :, at]
+    point, k = system.block.observations.point[system.rows], np.arange(m)
+    for axis in range(3):
+        A[k, :, n + 3 * point + axis] = np.where(system.held[point, axis, None], 0.0, by_point[:, :, axis])
+    return A.reshape(2 * m, -1)
 
 
 @pytest.mark.parametrize("name", BLOCKS)
@@ -52,10 +65,16 @@ def test_rows_are_derivatives(name):
             step[point, axis] = 1e-5
             up, down = (normals.residuals(system.updated(state, np.zeros(N), s))[0][row] for s in (step, -step))
             np.testing.assert_allclose(by_point[n, :, axis], (up - down) / 2e-5, rtol=1e-4, atol=1e-2)
-        for axis in range(2):
-            at, values, of, by = design_row(system, state, row, axis)
-            alone = np.zeros(N)
-            alone[at] = values
-            np.testing.assert_allclose(alone, A[n, axis], rtol=1e-6, atol=1e-6 * np.abs(alone).max())
-            np.testing.assert_allclose(by, np.where(system.held[of], 0, by_point[n, axis]), rtol=1e-6, atol=1e-6)
-            assert of == point
+
+
+def test_whitened_image_points_have_the_unit_matrix():
+    """Of correlated coordinates in pixels that are not square, y counted downward: W C W' = I in mm."""
+    rng = np.random.default_rng(4)
+    root = rng.normal(size=(30, 2, 2))
+    C = root @ np.swapaxes(root, 1, 2)
+    pixel = np.array([0.006, -0.004])
+    packed = np.stack([C[:, 0, 0], C[:, 1, 1], C[:, 0, 1]], axis=1)
+    for given in (pixel, np.tile(pixel, (30, 1))):
+        W = whitening(packed_whitening(packed, given))
+        unit = W @ (C * np.outer(pixel, pixel)) @ np.swapaxes(W, 1, 2)
+        np.testing.assert_allclose(unit, np.broadcast_to(np.eye(2), unit.shape), atol=1e-9)

@@ -10,11 +10,12 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.records.severity import Severity
 from raybundle.block.points import automatic_name
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.synthetic_networks import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
+from raybundle.planning.synthetic_networks import AerialStrips, Ring, aerial_scene, field_scene, ring_scene
+from tests.fields import SMALL
 
 SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
 SCENES = {
-    "testfield": lambda: (field_scene(TargetField()), Survey(seed=4, scale_bars=2)),
+    "testfield": lambda: (field_scene(SMALL), Survey(seed=4, scale_bars=2)),
     "ring": lambda: (ring_scene(Ring()), Survey(seed=4, scale_bars=2)),
     "aerial": lambda: (aerial_scene(AerialStrips()), Survey(seed=0, control=8, control_sigma=(0.02, 0.02, 0.03))),
 }
@@ -85,7 +86,7 @@ def test_a_minority_of_exchanged_names_does_not_win(seed):
 
 @pytest.mark.parametrize("px", [8.0, 80.0, 800.0])
 def test_image_points_beside_their_own_place_are_not_called_exchanged(px):
-    block = simulate(field_scene(TargetField()), Survey(seed=4, scale_bars=2)).observed
+    block = simulate(field_scene(SMALL), Survey(seed=4, scale_bars=2)).observed
     o = block.observations
     rows = np.flatnonzero((o.image == 3) & ~block.points_named[o.point])[:4]
     xy = o.xy_px.copy()

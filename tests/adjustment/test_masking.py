@@ -8,10 +8,11 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.decision import blunder_rejection
-from raybundle.adjustment.decision.masking import MASKED, ratio_of
+from raybundle.adjustment.decision.masking import MASKED, _leave_unlocated, _sizes, ratio_of
 from raybundle.adjustment.decision.snooping import tau_values
 from raybundle.adjustment.decision.state import Task
 from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
 from raybundle.results.contents import result_json
@@ -109,3 +110,41 @@ def test_heavy_tails_are_no_masking():
     assert ratio_of(result) < MASKED
     assert not codes(result) & {"snooping_masked", "snooping_robust"}
     assert (~result.image_observations.used).mean() < 0.03
+
+
+@pytest.mark.parametrize("factor", [1.0, 2.5])
+def test_the_scale_of_residuals_is_that_of_the_noise_with_and_without_redundancy_numbers(factor):
+    """Of few images, where the unknowns take a third of it; a fifth of gross errors does not count."""
+    field = field_scene(TargetField(stations=5, frontal=1))
+    survey = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=0.3)
+    result = adjust(simulate(field, survey).observed, AdjustmentOptions(jobs=1))
+    o = result.adjusted.observations
+    stated = replace(result.adjusted, observations=replace(o, cov_px2=o.cov_px2 / factor**2))
+    wrong = np.arange(len(o)) % 5 == 0
+    off = replace(stated, observations=replace(stated.observations, xy_px=o.xy_px + 40.0 * wrong[:, None]))
+    unknowns = 1 - result.redundancy / (2 * len(o))
+    assert unknowns > 0.3
+    for redundancy in (None, result.image_observations.redundancy):
+        w, scale = _sizes(stated, np.ones(len(o), bool), redundancy)
+        assert scale == pytest.approx(factor, rel=0.12)
+        assert _sizes(off, ~wrong, redundancy)[1] == pytest.approx(factor, rel=0.12)
+        assert w.shape == (len(o),)
+        assert _sizes(off, ~wrong, redundancy)[0][wrong].min() > 40 * factor
+
+
+def test_of_a_point_that_lost_a_ray_three_stay_or_none():
+    block = simulated("testfield").observed
+    o = block.observations
+    tie = ~block.points.is_control.any(axis=1) & ~block.points_named
+    (point,) = np.flatnonzero(tie & (block.ray_count > 5))[:1]
+    rays = np.flatnonzero(o.point == point)
+    for left in (4, 3, 2):
+        reasons = [None] * len(o)
+        for i in rays[left:]:
+            reasons[i] = Rejection(kind=RejectionKind.BLUNDER, tau=5.0, limit=4.0, axis="x")
+        _leave_unlocated(block, reasons, 4.0)
+        kinds = {None if reasons[i] is None else reasons[i].kind for i in rays}
+        assert kinds == (
+            {RejectionKind.BLUNDER_NOT_LOCATED} if left < 3 else {None, RejectionKind.BLUNDER}
+        )  # fmt: skip
+        assert all(reasons[i] is None for i in np.flatnonzero(o.point != point))

@@ -8,7 +8,7 @@ import pytest
 from numpy.polynomial import legendre
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.evaluation.queries import design_row, precision_in_datum
+from raybundle.adjustment.evaluation.queries import precision_in_datum
 from raybundle.adjustment.records.options import AdjustmentOptions, noise_of_photographs
 from raybundle.adjustment.result import Handle
 from raybundle.adjustment.statistics import field_system as field_system_module
@@ -27,6 +27,7 @@ from raybundle.platforms import instrument_models
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
 from raybundle.workflows.adjust import adjust
+from tests.adjustment.test_design_rows import image_design
 from tests.truth.mixed_blocks import MonteCarlo, ikonos_pair
 
 SCENE = field_scene(TargetField(rows=4, columns=6, stations=5, frontal=1))
@@ -75,6 +76,16 @@ def blocks():
         "weighted control",
         simulate(SCENE, Survey(control=4, control_sigma=(1e-3,) * 3, **near)).observed,
         (AdjustmentOptions()),
+    )
+    known = {"control": 4, "control_sigma": (1e-3, 1e-3, 0.0), "scale_bars": 2}
+    level = simulate(SCENE, Survey(**known, **near)).observed
+    at = np.flatnonzero(level.points.is_control.any(axis=1)).astype(np.int32)
+    d = level.distances
+    length = np.linalg.norm(level.points.xyz[at[:2]] - level.points.xyz[at[2:]], axis=1)
+    yield (
+        "bars between held heights",
+        level.having(replace(d, start=at[:2], end=at[2:], length=length)),
+        AdjustmentOptions(),
     )
     yield "stations", simulate(SCENE, Survey(station_sigma=1e-3, scale_bars=1, **near)).observed, AdjustmentOptions()
     yield "stations alone", simulate(SCENE, Survey(station_sigma=1e-3, **near)).observed, AdjustmentOptions()
@@ -134,11 +145,7 @@ def dense(name):
     n, p, m = int(system.offsets[-1]), len(system.points_used), len(system.rows)
     A = np.zeros((2 * m + len(system.extra), n + 3 * p))
     held, system.held = system.held, system.control_held
-    for row in range(m):
-        for axis in range(2):
-            at, values, point, by_point = design_row(system, state, row, axis)
-            A[2 * row + axis, at] = values
-            A[2 * row + axis, n + 3 * point : n + 3 * point + 3] = by_point
+    A[: 2 * m] = image_design(system, state)
     entries = w.normals.extra(state)
     node_of = np.repeat(np.arange(len(system.sizes)), system.sizes)
     for row, unknown, value in zip(entries.row, entries.unknown, entries.value, strict=True):
@@ -517,3 +524,30 @@ def test_some_columns_of_the_normal_matrix_are_those_of_the_whole(monkeypatch):
     some = np.arange(len(whole))[::-3]
     monkeypatch.setattr(field_system_module, "BLOCKS", 3)
     assert np.array_equal(field_system_module.sparse_normals(normals, some).toarray(), whole[:, some])
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_right_sides_of_nodes_alone_are_solved_as_those_of_all(name):
+    """Two ways to one covariance, with and without floor: of nodes among themselves, and of all unknowns."""
+    w = adjusted(name).handle.work
+    rng = np.random.default_rng(5)
+    nodes = rng.normal(size=(int(w.system.offsets[-1]), 4)) * np.sqrt(w.normals.diagonal)[:, None]
+    nodes[w.normals.held_unknowns()] = 0.0
+    none = np.zeros((*w.state.xyz.shape, 4))
+    for phi in (PHI, 1.0):
+        spread = replace(w.spread, phi=phi)
+        whole = spread.solve(nodes, none)[0]
+        close = 1e-7 * np.abs(whole).max(axis=1, keepdims=True)
+        assert (np.abs(spread.among_nodes(nodes) - whole) <= close).all()
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_right_sides_of_points_bring_the_blocks_that_are_kept_of_them(name):
+    w = adjusted(name).handle.work
+    chosen = np.flatnonzero(w.system.points_used & ~w.system.held.any(axis=1))[::7]
+    nodes = np.zeros((int(w.system.offsets[-1]), 3))
+    for p in chosen:
+        points = np.zeros((*w.state.xyz.shape, 3))
+        points[p] = np.eye(3)
+        found = w.spread.solve(nodes, points)[1][p]
+        np.testing.assert_allclose(found, w.spread.points[p], rtol=0, atol=1e-7 * np.abs(found).max())

@@ -6,15 +6,16 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.evaluation.queries import design_row, own_values, precision_in_datum
+from raybundle.adjustment.evaluation.queries import own_values, precision_in_datum
 from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.system import images_numpy
 from raybundle.block.select import with_rows
 from raybundle.errors import InputError
 from raybundle.observations.alignment import Levels, Planes
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
-from raybundle.sensors.model import ProjectionDiverged, SensorModel
 from raybundle.workflows.adjust import adjust
+from tests.adjustment.test_design_rows import image_design
 
 SCENE = field_scene(TargetField(rows=4, columns=6, stations=5, frontal=1))
 
@@ -34,11 +35,7 @@ def dense(scale_bars):
     n, p = int(system.offsets[-1]), len(system.points_used)
     A = np.zeros((2 * len(system.rows) + len(system.extra), n + 3 * p))
     held, system.held = system.held, system.control_held  # no minimal datum here
-    for row in range(len(system.rows)):
-        for axis in range(2):
-            at, values, point, by_point = design_row(system, state, row, axis)
-            A[2 * row + axis, at] = values
-            A[2 * row + axis, n + 3 * point : n + 3 * point + 3] = by_point
+    A[: 2 * len(system.rows)] = image_design(system, state)
     entries = work.normals.extra(state)
     for row, unknown, value in zip(entries.row, entries.unknown, entries.value, strict=True):
         node = int(np.searchsorted(system.offsets, unknown, side="right") - 1)
@@ -190,10 +187,10 @@ def test_a_suspect_where_the_lens_has_no_image_is_listed_all_the_same(monkeypatc
     observed = simulate(SCENE, Survey(points="exact", orientation="exact", gross_share=0.02, gross_px=30)).observed
     expected = adjust_block(observed, AdjustmentOptions()).suspects
 
-    def diverged(*_):
-        raise ProjectionDiverged("no image point")
+    def lost(evaluate, measured):
+        return measured, evaluate(measured)[1], np.ones(measured.shape[1], bool)
 
-    monkeypatch.setattr(SensorModel, "solve", diverged)
+    monkeypatch.setattr(images_numpy, "project_from", lost)
     found = adjust_block(observed, AdjustmentOptions()).suspects
     assert [s[:3] for s in found] == [s[:3] for s in expected]
     assert np.allclose([s[3] for s in found], [s[3] for s in expected], atol=0.01)

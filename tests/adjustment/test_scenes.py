@@ -9,6 +9,7 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.system.predict import residuals_px
+from raybundle.adjustment.system.scene_start import refuse_unoriented
 from raybundle.block import Role
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
@@ -22,6 +23,8 @@ from raybundle.scenes.kinds.rpc import RpcSensor
 from raybundle.scenes.sensor import scene_camera, view_of
 from raybundle.scenes.trajectory import CorrectionModel
 from tests.conftest import DATA
+from tests.messages import refused
+from tests.native.cases import block_of as field_block
 from tests.truth.mixed_blocks import PLACE, MonteCarlo, block_of, control_table, ikonos_pair
 
 
@@ -244,3 +247,14 @@ def test_a_rigorous_scene_of_a_vendor_is_adjusted_from_its_folder(tmp_path):
     assert result.converged
     assert max(abs(p.value) for p in result.interior[0].parameters.values()) < 0.1
     assert np.abs(result.image_observations.residuals_px).max() < 1.0
+
+
+def test_what_scenes_cannot_give_a_start_to_is_named():
+    block = pair()
+    xyz = block.points.xyz.copy()
+    xyz[[3, 7]] = np.nan
+    names = [block.points.ids[k] for k in (3, 7)]
+    with refused("approximate_values.points_beside_scenes", n=2, points=names):
+        refuse_unoriented(replace(block, points=replace(block.points, xyz=xyz)))
+    frames = field_block()
+    refuse_unoriented(replace(frames, points=replace(frames.points, xyz=np.full_like(frames.points.xyz, np.nan))))

@@ -3,8 +3,11 @@
 from dataclasses import replace
 
 import numpy as np
+from scipy.stats import norm
 
+from raybundle.adjustment.blunders.separability import SURE, _correlations, unlocatable
 from raybundle.adjustment.decision.decide import decide
+from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.block.rejection import RejectionKind
 from raybundle.planning.simulate import Survey, simulate
@@ -66,3 +69,25 @@ def test_no_point_is_left_with_two_rays_after_a_rejection():
     assert not ((left < block.ray_count) & (left > 0) & (left < 3)).any()
     lost_alone = ~used & ~wrong & (left[o.point] > 0)
     assert lost_alone.sum() <= 1
+
+
+def test_a_blunder_is_located_where_every_other_ray_is_refuted_with_99_percent():
+    """By a blunder in another ray w1 is rho w2 on average, and has the variance 1 - rho^2."""
+    plan = TargetField(rows=4, columns=5, stations=4, frontal=1, camera=brown_camera(estimate=()))
+    result = adjust_block(simulate(field_scene(plan), EXACT).observed, AdjustmentOptions(jobs=1))
+    o = result.given.observations
+    point = int(np.argmax(result.given.ray_count))
+    rays = np.flatnonzero(o.point == point)
+    row, others = int(rays[0]), rays[1:]
+    rho = _correlations(result.adjusted, row, others)
+    k = int(np.argmax(rho))
+    assert 0.2 < rho[k] < 0.95
+    for w in (1.0, 3.0, 6.0):
+        least = rho[k] * w + norm.ppf(0.99) * np.sqrt(1 - rho[k] ** 2)
+        for more, located in ((0.02, True), (-0.02, False)):
+            t = np.zeros_like(result.image_observations.t)
+            t[others[k], 1], t[row, 0] = w, -(least + more)
+            quiet = rho * 0 + SURE * np.sqrt(1 - rho**2) < least + more
+            assert quiet[np.arange(len(rho)) != k].all() or not located
+            shown = replace(result, image_observations=replace(result.image_observations, t=t))
+            assert unlocatable(shown, np.array([row])).tolist() == [not located]

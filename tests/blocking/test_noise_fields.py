@@ -1,6 +1,7 @@
 """Noise fields of a network in parts are those of one piece: floor, fields, standard deviations, questions."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -141,12 +142,18 @@ def by_parts(adjusting, block, options, leaf=60, **means):
         return adjusting(block, options)
 
 
+@cache
+def in_one_piece(name):
+    make, options = NETWORKS[name]
+    block = with_fields(make(), 0.3)
+    return block, decide(block, options)
+
+
 @pytest.mark.parametrize("leaf", [24, 60])
 @pytest.mark.parametrize("name", NETWORKS)
 def test_fields_in_parts_are_those_of_one_piece(name, leaf):
-    make, options = NETWORKS[name]
-    block = with_fields(make(), 0.3)
-    one, parts = decide(block, options), by_parts(decide, block, options, leaf)
+    block, one = in_one_piece(name)
+    parts = by_parts(decide, block, NETWORKS[name][1], leaf)
     assert 2 <= leaves(parts) <= 16
     assert one.noise.kind == "fields"
     assert one.noise.tau_px > 0.1

@@ -11,6 +11,7 @@ from raybundle.errors import DatumDefect, InputError, NotSolvable, RankDefect
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.workflows.adjust import adjust
+from tests.fields import SMALL
 from tests.messages import refused
 
 SCENE = field_scene(TargetField(rows=6, columns=8, stations=6, frontal=2))
@@ -174,7 +175,7 @@ def test_a_control_point_ten_sigma_off_is_named():
 
 
 def test_gross_errors_are_found_and_nothing_else():
-    simulation = simulate(field_scene(TargetField()), Survey(gross_share=0.01, gross_px=20))
+    simulation = simulate(field_scene(SMALL), Survey(gross_share=0.01, gross_px=20))
     plain = adjust(simulation.observed)
     assert "global_test" in codes(plain)
     result = adjust(simulation.observed, AdjustmentOptions(reject="snooping"))

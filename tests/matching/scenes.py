@@ -29,7 +29,15 @@ class Texture:
         """uint16 picture of what `source` (pixel frame to texture) shows at the pixel centres."""
         x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
         xy = np.stack([x, y], axis=-1)
-        return quantised(level + contrast * self.at(xy if source is None else source(xy)))
+        xy = xy if source is None else source(xy)
+        across, down = xy[0] - xy[0, 0], xy[:, 0] - xy[0, 0]
+        if np.allclose(xy, xy[0, 0] + across + down[:, None], rtol=0, atol=1e-9):  # a wave is a product of two
+            right, below = (np.exp(1j * (along @ self.k.T)) for along in (across, down))
+            first = np.exp(1j * (xy[0, 0] @ self.k.T + self.phase))
+            grey = ((below * first) @ right.T).real * np.sqrt(2 / len(self.k))
+        else:
+            grey = self.at(xy)
+        return quantised(level + contrast * grey)
 
 
 def quantised(grey):

@@ -28,8 +28,7 @@ def _plane(rng, tilt_deg, pattern, **light):
     centre = rng.uniform(-0.5, 0.5, 2) + SIZE / 2
     # square on, the unit of the plane is 10 px
     H = plane_view(10.0, np.deg2rad(rng.uniform(0, tilt_deg)), *rng.uniform(0, 2 * np.pi, 2), centre)
-    xy = fine_grid(SIZE, SIZE)
-    q, _ = to_plane(H, xy)
+    q, _ = to_plane(H, *fine_grid(SIZE, SIZE))
     fine = pattern(q)
     return expose(fine.astype(np.float32), rng, **light), H[:2, 2] / H[2, 2], None
 

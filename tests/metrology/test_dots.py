@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.fields import SMALL
 
 import raybundle as rb
 from raybundle.block.points import dot_name, dot_number
@@ -16,7 +17,7 @@ from raybundle.metrology.dots import dots_alike
 from raybundle.metrology.point_set import PointSet
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.synthetic_networks import TargetField, field_scene
+from raybundle.planning.synthetic_networks import field_scene
 from raybundle.report.write import write_result
 
 
@@ -113,7 +114,7 @@ def test_nominal_dots_are_found_by_their_place(places):
 def epochs(tmp_path_factory):
     """Two results of a field of which the last ten targets are dots, numbered the other way round; one moved."""
     folder = tmp_path_factory.mktemp("epochs")
-    scene = field_scene(TargetField())
+    scene = field_scene(SMALL)
     for seed, name in ((3, "spring"), (4, "autumn")):
         xyz = scene.xyz.copy()
         if name == "autumn":

@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
+from tests.fields import SMALL
 from tests.report.test_languages import english_atoms
 
 import raybundle as rb
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.synthetic_networks import TargetField, field_scene
+from raybundle.planning.synthetic_networks import field_scene
 from raybundle.report.languages.language import language_of
 
 
@@ -14,7 +15,7 @@ from raybundle.report.languages.language import language_of
 def field(tmp_path_factory):
     """A block without a scale, and true coordinates."""
     folder = tmp_path_factory.mktemp("field")
-    done = simulate(field_scene(TargetField()), Survey(seed=5, image_sigma_px=0.1))
+    done = simulate(field_scene(SMALL), Survey(seed=5, image_sigma_px=0.1))
     rb.write_block(done.observed, folder / "free")
     truth = dict(zip(done.truth.points.ids, done.truth.points.xyz, strict=True))
     off = {"9": np.array([0.004, 0, 0])}

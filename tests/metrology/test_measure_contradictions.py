@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
+from tests.fields import SMALL
 from tests.messages import refused
 
 import raybundle as rb
 from raybundle.cli.main import main
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.synthetic_networks import TargetField, field_scene
+from raybundle.planning.synthetic_networks import field_scene
 from raybundle.report.write import write_result
 
 
@@ -15,7 +16,7 @@ from raybundle.report.write import write_result
 def field(tmp_path_factory):
     """A result without a scale, and true coordinates."""
     folder = tmp_path_factory.mktemp("field")
-    done = simulate(field_scene(TargetField()), Survey(seed=5, image_sigma_px=0.1))
+    done = simulate(field_scene(SMALL), Survey(seed=5, image_sigma_px=0.1))
     write_result(rb.adjust(done.observed, rb.AdjustmentOptions(jobs=1, datum="inner")), folder / "free", report="none")
     return folder / "free", dict(zip(done.truth.points.ids, done.truth.points.xyz, strict=True))
 
@@ -87,7 +88,7 @@ def test_names_that_were_exchanged_are_told(field, tmp_path):
     assert pair.values == {"first": "1", "second": "2"}
 
 
-FIVE = ("1", "10", "61", "101", "140")
+FIVE = ("1", "7", "28", "34", "48")
 
 
 @pytest.mark.parametrize(("turn", "code", "variant"), [
@@ -108,12 +109,12 @@ def test_control_that_contradicts_all_is_a_fault_and_bends_nothing(field, tmp_pa
 
 def test_one_wrong_control_point_of_five_is_named_and_compared(field, tmp_path):
     _, truth = field
-    file = table(tmp_path / "c.csv", truth, FIVE, off={"61": np.array([0.02, 0, 0])})
+    file = table(tmp_path / "c.csv", truth, FIVE, off={"28": np.array([0.02, 0, 0])})
     done = measured(field, tmp_path / "m", control=file)
     told = codes(done)["control_left_out"]
     assert told.severity == "fault"
-    assert told.ids == ("61",)
-    assert told.details[0].values == {"point": "61", "apart_mm": pytest.approx(20.0, abs=0.5)}
+    assert told.ids == ("28",)
+    assert told.details[0].values == {"point": "28", "apart_mm": pytest.approx(20.0, abs=0.5)}
     assert not any(n.variant == "no_sigma" for n in done.adjustment.notices)  # the others are as good as ever
     off = done.points.xyz - np.array([truth[n] for n in done.points.ids])
     assert np.sqrt((off**2).mean()) < 1e-4

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.fields import SMALL
 from tests.messages import printed
 
 import raybundle as rb
@@ -15,7 +16,7 @@ from raybundle.cli.main import main
 from raybundle.errors import phrase
 from raybundle.numerics.natural import natural
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.synthetic_networks import TargetField, field_scene
+from raybundle.planning.synthetic_networks import field_scene
 from raybundle.report.write import write_result
 from raybundle.words import headline
 from raybundle.words.numbers import probability
@@ -27,7 +28,7 @@ MOVED = {"5": (0.0, 0.004, 0.0), "17": (0.003, 0.0, -0.003)}
 def epochs(tmp_path_factory):
     """Two results in folders; the field, in metres, with one scale bar each time."""
     folder = tmp_path_factory.mktemp("epochs")
-    scene = field_scene(TargetField())
+    scene = field_scene(SMALL)
     for k, name in enumerate(("spring", "autumn")):
         xyz = scene.xyz.copy()
         if k:
@@ -46,7 +47,7 @@ def rows(path):
 
 def test_what_moved_is_told_and_written(epochs, tmp_path, capsys):
     assert main(["moved", *map(str, epochs), "--out", str(tmp_path / "m"), "--progress", "none"]) == 0
-    assert phrase("displacement.points", n=140, moved=2, names=["17", "5"], error_rate=0.05) in capsys.readouterr().out
+    assert phrase("displacement.points", n=48, moved=2, names=["17", "5"], error_rate=0.05) in capsys.readouterr().out
     table = {r["point"]: r for r in rows(tmp_path / "m/points.csv")}
     assert {p for p, r in table.items() if r["moved"]} == set(MOVED)
     for point, by in MOVED.items():
@@ -58,7 +59,7 @@ def test_what_moved_is_told_and_written(epochs, tmp_path, capsys):
     assert stated["all_points"]["p"] < 0.01 < stated["points_that_stayed"]["p"]
     assert not stated["scale_free"]
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
-    values = {"n": 2, "of": 140, "significance": 0.05}
+    values = {"n": 2, "of": 48, "significance": 0.05}
     heads = [entries.headline("report_moved.moved", {**values, "names": n}) for n in (["5", "17"], ["17", "5"])]
     assert any(h in page for h in heads)
 
@@ -105,7 +106,7 @@ def test_what_cannot_be_tested_is_told(epochs, tmp_path, capsys):
 
 def nominal(tmp_path, turn, shift, names, off=()):
     """A file of nominal coordinates in mm: the field turned and shifted; some points made otherwise."""
-    scene = field_scene(TargetField())
+    scene = field_scene(SMALL)
     lines = ["point,X,Y,Z,tolerance"]
     for k, xyz in enumerate(scene.xyz):
         if str(k + 1) in names:
@@ -126,7 +127,7 @@ def test_displacements_in_the_axes_of_a_drawing(epochs, tmp_path, capsys):
     assert axes["values"] == {"file_name": "nominal.csv", "points": []}
     table = {r["point"]: r for r in rows(tmp_path / "m/points.csv")}
     assert list(table) == sorted(table, key=natural)
-    scene = field_scene(TargetField())
+    scene = field_scene(SMALL)
     for point, by in MOVED.items():
         found = np.array([float(table[point][f"d{a}_mm"]) for a in "XYZ"])
         sigma = np.array([float(table[point][f"sd{a}_mm"]) for a in "XYZ"])

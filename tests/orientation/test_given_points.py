@@ -14,16 +14,17 @@ from raybundle.numerics.progress import silent
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation.known_points import intersected_where_better
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.planning.synthetic_networks import TargetField, field_scene
+from raybundle.planning.synthetic_networks import field_scene
 from raybundle.workflows import adjust as workflow
 from raybundle.workflows.final_adjustment import _decided
+from tests.fields import SMALL
 
 SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
 
 
 def network(seed, share=0.0, metres=0.0, orientation=(0.02, 0.02)):
     """Convergent images of a field: orientations off by metres and radians, a share of the points by metres."""
-    s = simulate(field_scene(TargetField()), Survey(seed=seed, orientation="exact", points="exact", control=0))
+    s = simulate(field_scene(SMALL), Survey(seed=seed, orientation="exact", points="exact", control=0))
     block, rng = s.observed, np.random.default_rng(seed)
     images = block.images
     turn = np.array([rotation_from_vector(v) for v in rng.normal(0, orientation[1], (len(images), 3))])

@@ -81,13 +81,13 @@ def figures(outlook, *photographs):
 def test_order_and_sigmas_are_those_of_full_adjustments(name):
     result = adjusted(name)
     outlook = Outlook.of(result)
-    shown = candidates(outlook)
+    shown = candidates(outlook, 20)
     full = np.array([figures(outlook, shown.chosen(np.array([i]))) for i in range(len(shown))])
     assert (name == "rejected observations") == (not outlook.used.all())
     for k, kind in enumerate(("worst", "mean", "calibration")[: full.shape[1]]):
         if name == "minimal datum" and kind != "calibration":
             continue  # a full adjustment chooses other coordinates to hold, here those of the result stay held
-        low = np.array([s.value for s in ranking(outlook, shown, Goal(kind=kind, camera="1"), np.ones(50, bool))])
+        low = np.array([s.value for s in ranking(outlook, shown, Goal(kind=kind, camera="1"), np.ones(20, bool))])
         assert low == pytest.approx(full[:, k], rel=1e-9)
         assert np.array_equal(np.argsort(low, kind="stable"), np.argsort(full[:, k], kind="stable"))
 

@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 from datetime import UTC, datetime
+from functools import cache
 from html import unescape
 
 import pytest
@@ -26,6 +27,11 @@ LATIN = {"sigma", "nan", "Baarda", "Bonferroni", "Pope"}
 """Words and names that are the same in every language"""
 
 
+@cache
+def words_of(names):
+    return {w for n in names for w in WORD.findall(n)} | names
+
+
 def english_atoms(language: Language, run) -> list[str]:
     """Texts with words, other than names, that are no messages: they stay as they are in every language."""
     left: list[str] = []
@@ -33,7 +39,7 @@ def english_atoms(language: Language, run) -> list[str]:
 
     def watched(self, text):
         if self.code == language.code and not isinstance(text, Text | Localised):
-            names = {w for n in self.names for w in WORD.findall(n)} | self.names
+            names = words_of(self.names)
             if text not in names and set(WORD.findall(UNITS.sub("", text))) - names - LATIN:
                 left.append(text)
         return plain(self, text)

@@ -69,11 +69,12 @@ def test_condition_jacobian_is_the_derivative(model):
         # coefficients of a curve: most points touch little of one, and rounding by a short step is more than that
         share = 1e-3 if model.local_width else 1e-4
         size = 1e-4 if k < 5 else max(share * abs(model.typical[k - 5]), 1e-9)
-        up = [a + size if i == k else a for i, a in enumerate(arguments)]
-        down = [a - size if i == k else a for i, a in enumerate(arguments)]
+        # of a curve's coefficient those that it touches, and some others
+        at = np.flatnonzero(jacobian[:, k].any(axis=0) | (np.arange(points.shape[1]) % 8 == 0))
+        up, down = ([a[at] + s if i == k else a[at] for i, a in enumerate(arguments)] for s in (size, -size))
         difference = (model.condition_and_jacobian(*up)[0] - model.condition_and_jacobian(*down)[0]) / (2 * size)
         scale = np.abs(jacobian[:, k]).max() + 1e-6
-        np.testing.assert_allclose(jacobian[:, k], difference, rtol=1e-5, atol=1e-5 * scale)
+        np.testing.assert_allclose(jacobian[:, k, at], difference, rtol=1e-5, atol=1e-5 * scale)
 
 
 @models

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.interpolate import BSpline
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
@@ -184,3 +185,24 @@ def test_a_spline_of_each_image_is_refused():
             np.zeros(len(block.observations), bool),
             {"1": ("c",)},
         )
+
+
+@pytest.mark.parametrize("count", [9, 12])
+def test_splines_are_those_of_scipy_within_and_constant_from_half_a_cell_beyond(count):
+    cells = count - 3
+    t = np.linspace(-0.5 - 0.49 / cells, 0.5 + 0.49 / cells, 401)
+    first, value, slope = _basis(t, count)
+    knots = np.arange(-3, count + 1.0)  # one a cell, the field from 0 to `cells`
+    rng = np.random.default_rng(2)
+    coefficients = rng.normal(size=count)
+    truth = BSpline(knots, coefficients, 3, extrapolate=True)
+    at = first[None] + np.arange(4)[:, None]
+    np.testing.assert_allclose((value * coefficients[at]).sum(axis=0), truth((t + 0.5) * cells), atol=1e-12)
+    np.testing.assert_allclose((slope * coefficients[at]).sum(axis=0), cells * truth((t + 0.5) * cells, 1), atol=1e-10)
+    ends = np.array([-0.5, 0.5]) * (1 + 1 / cells)
+    border = _basis(ends * (1 - 1e-12), count)
+    for factor in (1 + 1e-9, 1.3, 4.0):
+        first, value, slope = _basis(ends * factor, count)
+        np.testing.assert_array_equal(first, border[0])
+        np.testing.assert_allclose(value, border[1], atol=1e-9)
+        assert not slope.any()

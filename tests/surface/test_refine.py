@@ -340,3 +340,82 @@ def test_arrays_that_do_not_fit_are_refused(ground):
         refine(ground.grey[0], ground.sources, grid, start, autocovariance=np.ones((2, 7, 7)))
     with pytest.raises(InputError, match=r"depth_map\.grid_outside"):
         refine(ground.grey[0], ground.sources, replace(grid, x0=150), start)
+
+
+@pytest.mark.parametrize("stride", [1, 2, 3, 5])
+def test_a_grid_over_an_image_leaves_its_margin(stride):
+    for height, width in ((9, 20), (8, 8), (7, 31), (30, 9), (2, 40)):
+        grid = PixelGrid.over(np.zeros((height, width)), stride, 4)
+        places = [len(range(4, n - 4, stride)) for n in (height, width)]
+        assert [grid.rows, grid.columns] == places
+        assert (grid.x0, grid.y0, grid.stride) == (4, 4, stride)
+
+
+def test_interpolated_noise_has_the_covariance_of_the_cubic_kernel():
+    """Integrals of h(x) h(x + k), h the kernel of Keys 1981; what does not change from pixel to pixel stays whole."""
+    x = np.linspace(-2, 2, 40_001)
+    near, far = np.abs(x) <= 1, np.abs(x) > 1
+    h = near * (1.5 * np.abs(x) ** 3 - 2.5 * x**2 + 1)
+    h += far * (-0.5 * np.abs(x) ** 3 + 2.5 * x**2 - 4 * np.abs(x) + 2)
+    expected = [np.trapezoid(h * np.interp(x + k, x, h, left=0, right=0), x) for k in range(-3, 4)]
+    lags = module.interpolated_lags()
+    np.testing.assert_allclose(lags, expected, atol=2e-4)
+    assert lags.sum() == pytest.approx(1)
+    f = np.linspace(0, 1, 11)
+    weight, slope = module.cubic(f)
+    places = np.arange(-1, 3)
+    for power in range(3):  # exact for parabolas
+        np.testing.assert_allclose(weight @ places**power, f**power, atol=1e-12)
+        np.testing.assert_allclose(slope @ places**power, power * f ** max(power - 1, 0), atol=1e-12)
+    white = np.zeros((3, 7, 7))
+    white[:, 3, 3] = 1
+    left = module.left_by_interpolation(None, 3)
+    np.testing.assert_allclose(left, [1, expected[3] ** 2, expected[3] ** 2], atol=2e-4)
+    np.testing.assert_allclose(module.left_by_interpolation(white, 3), left)
+    np.testing.assert_allclose(module.left_by_interpolation(np.ones((3, 7, 7)), 3), 1)
+
+
+def test_the_variance_of_a_grey_value_is_that_of_the_residuals_before_interpolation(ground):
+    """Residuals of noise of variance s^2 have s^2 in the reference, and what interpolation leaves of it elsewhere."""
+    grid = ground.grid(9)
+    found = refine(ground.grey[0], ground.sources, grid, ground.start(grid))
+    assert len(found.left) == 5
+    for views, of in ((0b0001, [1]), (0b1010, [2, 4]), (0b1111, [1, 2, 3, 4])):
+        left = np.array([1.0, 0.9, 0.6, 0.5, 0.4])
+        residual = 7.0 * left[[0, *of]].mean()
+        numbers = found.numbers.copy()
+        numbers[6] = residual
+        whole = replace(found, numbers=numbers, left=left, views=np.full_like(found.views, views))
+        np.testing.assert_allclose(whole.grey_variance, 7.0, rtol=1e-6)
+
+
+def test_correlation_contrast_and_slopes_are_those_of_the_pictures(ground):
+    grid = ground.grid(9)
+    found = refine(ground.grey[0], ground.sources, grid, ground.start(grid))
+    f = found.found
+    assert (found.correlation[f] > RefineOptions().correlation).all()
+    assert (found.correlation[f] <= 1 + 1e-6).all()
+    assert np.median(found.correlation[f]) > 0.95  # pictures without noise
+    flat = [replace(s, grey=(30 + 0.5 * s.grey).astype(np.float32)) for s in ground.sources]
+    half = refine((0.5 * ground.grey[0]).astype(np.float32), flat, grid, ground.start(grid))
+    both = f & half.found
+    np.testing.assert_allclose(half.contrast[both], 0.5 * found.contrast[both], rtol=1e-4)
+    np.testing.assert_allclose(half.correlation[both], found.correlation[both], atol=1e-3)
+
+
+@pytest.mark.parametrize("on", [pytest.param(True, marks=needs_kernel), False])
+@pytest.mark.parametrize("last", [False, True])
+def test_one_pass_goes_forth_along_the_rows_and_the_next_one_back(ground, monkeypatch, last, on):
+    """From one row or column at an edge: all in the direction of the pass, beside it a neighbour a pass."""
+    if not on:
+        monkeypatch.setattr(module, "_run", by_oracle)
+    grid = ground.grid(6, 14)
+    start = np.full((3, grid.rows, grid.columns), np.nan, np.float32)
+    edge = (slice(None), slice(None), -1 if last else 0)
+    start[edge] = ground.start(grid, 0.2)[edge]
+    first = refine(ground.grey[0], ground.sources, grid, start)
+    shares = [
+        grow(ground.grey[0], ground.sources, grid, first, passes=passes).found.mean() for passes in (1, 2)
+    ]  # fmt: skip
+    assert (shares[0] > 0.8) == (not last), shares
+    assert shares[1] > 0.8

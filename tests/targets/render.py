@@ -57,28 +57,31 @@ def share(d):
 
 def ring_pattern(q, scale, ring=(2.0, 3.0), bits=0, code=0, hidden=None):
     """Grey values 0..1 at plane points (..., 2); `scale` (...) samples per unit of the plane."""
-    r, angle = np.hypot(q[..., 0], q[..., 1]), np.arctan2(q[..., 1], q[..., 0]) % (2 * np.pi)
+    x, y = q[..., 0], q[..., 1]
+    r = np.sqrt(x * x + y * y)
     value = share((1 - r) * scale)
     if bits:
-        at = angle * bits / (2 * np.pi)
+        in_ring = np.minimum(share((r - ring[0]) * scale), share((ring[1] - r) * scale))
+        on = in_ring > 0
+        at = np.arctan2(y[on], x[on]) % (2 * np.pi) * bits / (2 * np.pi)
         k = np.floor(at).astype(int) % bits
         bit = (code >> k) & 1
         beside = np.where(at - np.floor(at) < 0.5, (code >> ((k - 1) % bits)) & 1, (code >> ((k + 1) % bits)) & 1)
-        arc = np.minimum(at - np.floor(at), 1 - (at - np.floor(at))) * 2 * np.pi / bits * r
-        s = share(arc * scale)
-        in_ring = np.minimum(share((r - ring[0]) * scale), share((ring[1] - r) * scale))
-        value = np.maximum(value, in_ring * (bit * s + beside * (1 - s)))
+        arc = np.minimum(at - np.floor(at), 1 - (at - np.floor(at))) * 2 * np.pi / bits * r[on]
+        s = share(arc * scale[on])
+        value[on] = np.maximum(value[on], in_ring[on] * (bit * s + beside * (1 - s)))
     if hidden is not None:
         begin, end, grey, *radii = hidden
         inner, outer = radii or (1.5, np.inf)
         within = (r > inner) & (r < outer)
-        value = np.where(((angle - begin) % (2 * np.pi) < (end - begin)) & within, grey, value)
+        value = np.where(((np.arctan2(y, x) - begin) % (2 * np.pi) < (end - begin)) & within, grey, value)
     return value
 
 
 def fine_grid(width, height):
+    """x (1, w) and y (h, 1) of the fine samples."""
     x, y = ((np.arange(n * FINE) + 0.5) / FINE for n in (width, height))
-    return np.stack(np.meshgrid(x, y), axis=-1)
+    return x[None], y[:, None]
 
 
 def fine_pattern(pattern, H, width, height, rows=256):
@@ -93,18 +96,16 @@ def fine_pattern(pattern, H, width, height, rows=256):
     return fine
 
 
-def to_plane(H, xy):
-    """Plane points and samples per unit of the plane, at pixel positions (..., 2)."""
+def to_plane(H, x, y):
+    """Plane points (..., 2) and samples per unit of the plane, at pixel positions x and y."""
     G = np.linalg.inv(H)
-    w = xy[..., 0] * G[2, 0] + xy[..., 1] * G[2, 1] + G[2, 2]
-    q = np.stack([(xy[..., 0] * G[i, 0] + xy[..., 1] * G[i, 1] + G[i, 2]) / w for i in (0, 1)], axis=-1)
-    # gradient of the radius in px^-1, which makes distances to circles exact to first order
-    r = np.maximum(np.hypot(q[..., 0], q[..., 1]), 1e-9)
-    gradient = [
-        (q[..., 0] * (G[0, j] - q[..., 0] * G[2, j]) + q[..., 1] * (G[1, j] - q[..., 1] * G[2, j])) / w / r
-        for j in (0, 1)
-    ]
-    return q, FINE / np.maximum(np.hypot(*gradient), 1e-12)
+    w = x * G[2, 0] + (y * G[2, 1] + G[2, 2])
+    u, v = ((x * G[i, 0] + (y * G[i, 1] + G[i, 2])) / w for i in (0, 1))
+    # gradient of the radius in px^-1, times w and the radius, which makes distances to circles exact to first order
+    gx, gy = (u * (G[0, j] - u * G[2, j]) + v * (G[1, j] - v * G[2, j]) for j in (0, 1))
+    r = np.maximum(np.sqrt(u * u + v * v), 1e-9)
+    scale = FINE * np.abs(w) * r / np.maximum(np.sqrt(gx * gx + gy * gy), 1e-12)
+    return np.moveaxis(np.stack([u, v]), 0, -1), scale
 
 
 def expose(fine, rng, blur=0.7, noise=2.0, low=40.0, contrast=160.0, slope=(0.0, 0.0), kind="light", depth=np.uint8):
@@ -155,17 +156,18 @@ def shot(
     size = size or 2 * int(np.ceil(radius * reach * 1.15 + 8))
     centre = rng.uniform(-0.5, 0.5, 2) + size / 2
     H = plane_view(radius, tilt, rng.uniform(0, 2 * np.pi), rng.uniform(0, 2 * np.pi), centre)
-    xy = fine_grid(size, size)
+    x, y = fine_grid(size, size)
     if mirrored(H):
         raise ValueError("the plane is seen from behind")
-    fine = np.empty(xy.shape[:2])
-    for first in range(0, len(fine), 256):  # positions and distances of all take hundreds of megabytes
-        q, scale = to_plane(H, xy[first : first + 256])
+    fine = np.empty((size * FINE, size * FINE))
+    for first in range(0, len(fine), 128):  # of all, positions and distances would take hundreds of megabytes
+        q, scale = to_plane(H, x, y[first : first + 128])
         seen = q * [1, -1]  # codes run counter-clockwise as seen, and the rows of an image run downwards
-        fine[first : first + 256] = ring_pattern(seen, scale, ring, bits, code, hidden)
+        fine[first : first + 128] = ring_pattern(seen, scale, ring, bits, code, hidden)
     fine = 1 - fine if inverse else fine
     c, C = ellipse_of(H)
     if cover is not None:
+        xy = np.stack(np.broadcast_arrays(x, y), axis=-1)
         distance, grey = cover((xy - c) @ np.linalg.inv(np.linalg.cholesky(C)).T)
         step = np.hypot(*np.gradient(distance))
         on = share(distance / np.maximum(step, 1e-12))

@@ -6,6 +6,7 @@ trajectories, mountings); the statistics come once, from the errorless block.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
@@ -190,20 +191,28 @@ def control_table(p, control, check, control_sigma):
     return role, sigma
 
 
+def _scene(pitch, roll, size, gsd):
+    return orbit_scene(
+        OrbitPlan(target=PLACE, pitch_deg=pitch, roll_deg=roll, width_px=size, height_px=size, gsd_m=gsd)
+    )
+
+
+@functools.cache
+def _rpc(pitch, roll, size, gsd):
+    return fit_rpc(_scene(pitch, roll, size, gsd).localise, (size, size), (0.0, 600.0)).rpc
+
+
 def satellite_cameras(place, bias="shift", *, err_bias_m=12.0, size=4000, gsd=1.0, rigorous=()):
     """Two scenes of an IKONOS-like pair as cameras; those named in `rigorous` by their line model."""
     cameras = []
     for name, pitch, roll in (("forward", 2.6, 0.4), ("backward", -2.8, -0.5)):
-        scene = orbit_scene(
-            OrbitPlan(target=PLACE, pitch_deg=pitch, roll_deg=roll, width_px=size, height_px=size, gsd_m=gsd)
-        )
         if name in rigorous:
+            scene = _scene(pitch, roll, size, gsd)
             sensor = LineSensor(scene, place, CorrectionModel(position_degree=0, attitude_degree=1), PLACE[2])
             sigma = dict.fromkeys(("along0", "across0", "up0"), 2.0) | dict.fromkeys(("rx0", "ry0", "rz0"), 1.5e-5)
             cameras.append(scene_camera(name, sensor, sigma=sigma | dict.fromkeys(("rx1", "ry1", "rz1"), 3e-6)))
             continue
-        rpc = fit_rpc(scene.localise, (size, size), (0.0, 600.0)).rpc
-        rpc = replace(rpc, err_bias_m=err_bias_m, err_rand_m=0.5)
+        rpc = replace(_rpc(pitch, roll, size, gsd), err_bias_m=err_bias_m, err_rand_m=0.5)
         cameras.append(scene_camera(name, RpcSensor(rpc, place, (size, size), bias)))
     return cameras
 

@@ -116,7 +116,9 @@ def _chained(value: Array, terms: Iterable[tuple[Any, Any]]) -> Dual:
         if isinstance(one, Dual):
             for n, d in one.by.items():
                 lifted = d.reshape((*(1,) * (len(shape) - one.ndim), *d.shape))
-                term = np.broadcast_to(np.asarray(slope, float)[..., None] * lifted, (*shape, d.shape[-1]))
+                term = np.asarray(slope, float)[..., None] * lifted
+                whole = (*shape, d.shape[-1])
+                term = term if term.shape == whole else np.broadcast_to(term, whole)
                 by[n] = by[n] + term if n in by else term
     return Dual(value, by)
 

@@ -15,6 +15,8 @@ TRIALS = 4600
 and ln 0.01 / ln (1 - 1e-3) trials miss it once in a hundred."""
 SAMPLE = 2000
 """Points by which the trials are compared; a tenth of them is counted to 7 %."""
+TOGETHER = 256
+"""Planes tried at a time"""
 ROUNDS = 20
 STEEP = 0.26
 """Vertical part of the normal up to which a plane is a wall: 15 degrees, which no building that stands leans"""
@@ -51,22 +53,24 @@ def plane_of_most(points: Array, sigma: Array, least: float, *, steep: Array | N
     variance = np.where(np.isfinite(sigma), sigma, 0.0) ** 2
     rng = np.random.default_rng(1)
     pick = rng.choice(len(points), min(len(points), SAMPLE), replace=False)
-    few, few_variance = points[pick], variance[pick]
-    best, found = np.inf, (points.mean(axis=0), np.array([0.0, 0.0, 1.0]))
-    for _ in range(TRIALS):
-        a, b, c = few[rng.choice(len(few), 3, replace=False)]
-        normal = np.cross(b - a, c - a)
-        length = float(np.linalg.norm(normal))
-        if length < 1e-12:
-            continue
-        normal = normal / length
-        if steep is not None and abs(float(normal @ steep)) > STEEP:
-            continue
-        ratio = ((few - a) @ normal) ** 2 / _square_limits(few_variance, normal, least)
-        cost = float(np.minimum(ratio, 1.0).sum())
-        if cost < best:
-            best, found = cost, (a, normal)
-    return _fitted(points, variance, least, *found)
+    few, few_variance = points[pick] - points.mean(axis=0), variance[pick]
+    best, found = np.inf, (np.zeros(3), np.array([0.0, 0.0, 1.0]))
+    chosen = np.array([rng.choice(len(few), 3, replace=False) for _ in range(TRIALS)])
+    a, b, c = few[chosen].swapaxes(0, 1)
+    normal = np.cross(b - a, c - a)
+    length = np.linalg.norm(normal, axis=1)
+    normal = normal / np.maximum(length, 1e-300)[:, None]
+    tried = length >= 1e-12
+    if steep is not None:
+        tried &= np.abs(normal @ steep) <= STEEP
+    a, normal = a[tried], normal[tried]
+    for k in range(0, len(a), TOGETHER):
+        some = slice(k, k + TOGETHER)
+        across = few @ normal[some].T - np.sum(a[some] * normal[some], axis=1)
+        cost = np.minimum(across**2 / _square_limits(few_variance, normal[some].T, least), 1.0).sum(axis=0)
+        if cost.min() < best:
+            best, found = float(cost.min()), (a[some][np.argmin(cost)], normal[some][np.argmin(cost)])
+    return _fitted(points, variance, least, points.mean(axis=0) + found[0], found[1])
 
 
 def planes_of_most(
@@ -120,7 +124,7 @@ def _fitted(points: Array, variance: Array, least: float, origin: Array, normal:
 
 
 def _square_limits(variance: Array, normal: Array, least: float) -> Array:
-    """(n,) squared distances within which points lie in a plane of this normal."""
+    """(n,) or (n, t) squared distances within which points lie in a plane of this normal (3,), or in these (3, t)."""
     return np.maximum(LIMIT**2 * (variance @ normal**2), least**2)
 
 

@@ -88,9 +88,10 @@ def left_jacobian(vector: Array) -> Array:
 
 def cross_matrix(vector: Array) -> Array:
     """[v]x (..., 3, 3) of vectors (..., 3), so that [v]x w = v x w."""
-    x, y, z = np.moveaxis(np.asarray(vector, dtype=float), -1, 0)
-    o = np.zeros_like(x)
-    return np.moveaxis(np.array([[o, -z, y], [z, o, -x], [-y, x, o]]), (0, 1), (-2, -1))
+    v = np.asarray(vector, dtype=float)
+    found = np.zeros((*v.shape, 3))
+    found[..., 2, 1], found[..., 0, 2], found[..., 1, 0] = v[..., 0], v[..., 1], v[..., 2]
+    return found - np.swapaxes(found, -2, -1)
 
 
 def nearest_rotation(matrix: Array) -> Array:

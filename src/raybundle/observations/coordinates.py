@@ -165,13 +165,13 @@ def _rows_of(table: Coordinates, scope: Scope, network: str) -> Array:
 
 def _covariance(table: Coordinates, rows: Array, network: str) -> tuple[Array, Array]:
     """Standard deviations (3 k,) and correlations (3 k, 3 k) of the points of these rows."""
-    at = {p: k for k, p in enumerate(table.point[rows].tolist())}
+    at = np.full(max(table.point.max(initial=0), table.other.max(initial=0)) + 1, -1)
+    at[table.point[rows]] = np.arange(len(rows))
+    mine = np.flatnonzero(np.array(table.network) == network)
+    mine = mine[(at[table.point[mine]] >= 0) & (at[table.other[mine]] >= 0)]
+    a, b, blocks = at[table.point[mine]], at[table.other[mine]], table.covariance[mine].reshape(-1, 3, 3)
     C = np.zeros((len(rows), 3, len(rows), 3))
-    for r in np.flatnonzero(np.array(table.network) == network):
-        a, b = at.get(int(table.point[r]), -1), at.get(int(table.other[r]), -1)
-        if a >= 0 and b >= 0:
-            block = table.covariance[r].reshape(3, 3)
-            C[a, :, b], C[b, :, a] = block, block.T
+    C[a, :, b], C[b, :, a] = blocks, blocks.swapaxes(1, 2)
     C = C.reshape(3 * len(rows), -1)
     C = (C + C.T) / 2
     sigma = np.sqrt(np.diagonal(C))

@@ -298,10 +298,11 @@ class ObservationKind(ABC):
 def partials(of: Of, row: Array, item: Array, component: Array | int, value: Array) -> Partials:
     """Partials of arrays that are broadcast against `row`."""
     shape = np.shape(row)
-    return Partials(
-        of, np.asarray(row, np.int32), np.asarray(item, np.int32),
-        np.broadcast_to(np.asarray(component, np.int32), shape), np.broadcast_to(np.asarray(value, float), shape),
-    )  # fmt: skip
+    component, value = (
+        given if given.shape == shape else np.full(shape, given)
+        for given in (np.asarray(component, np.int32), np.asarray(value, float))
+    )
+    return Partials(of, np.asarray(row, np.int32), np.asarray(item, np.int32), component, value)
 
 
 def in_order() -> list[ObservationKind]:
@@ -310,7 +311,7 @@ def in_order() -> list[ObservationKind]:
 
 
 class OfKinds(Mapping[str, T]):
-    """A mapping that follows from the kinds that are registered: looked up anew each time, so that it knows later ones.
+    """A mapping that follows from the kinds that are registered: made anew where these have changed.
 
     A kind of one's own may be imported before or after the modules that read, adjust and report.
     """
@@ -318,15 +319,23 @@ class OfKinds(Mapping[str, T]):
     def __init__(self, made: Callable[[], Mapping[str, T]]) -> None:
         """Of what makes it from the kinds that there are."""
         self._made = made
+        self._of: tuple[ObservationKind, ...] = ()
+        self._held: Mapping[str, T] = {}
+
+    def _now(self) -> Mapping[str, T]:
+        kinds = tuple(ObservationKind.registry.values())
+        if kinds != self._of:
+            self._of, self._held = kinds, self._made()
+        return self._held
 
     def __getitem__(self, name: str) -> T:
         """The entry of a name."""
-        return self._made()[name]
+        return self._now()[name]
 
     def __iter__(self) -> Iterator[str]:
         """The names, in the order of the kinds."""
-        return iter(self._made())
+        return iter(self._now())
 
     def __len__(self) -> int:
         """Their number."""
-        return len(self._made())
+        return len(self._now())

@@ -163,8 +163,9 @@ def refine_pose(
             J[:, k, 3:] = np.cross(P, by_P)
         length = np.linalg.norm(v, axis=1)
         w = np.minimum(1.0, scale / np.maximum(length, 1e-300)) if scale > 0 else np.ones(len(P))
-        N = np.einsum("n,nki,nkj->ij", w, J, J)
-        g = -np.einsum("n,nki,nk->i", w, J, v)
+        weighted = (J * w[:, None, None]).reshape(-1, 6)
+        N = weighted.T @ J.reshape(-1, 6)
+        g = -weighted.T @ v.ravel()
         d = np.sqrt(np.maximum(np.diagonal(N), 1e-300))
         step = np.linalg.solve(N / np.outer(d, d) + 1e-9 * np.eye(6), g / d) / d
         C = C + step[:3]

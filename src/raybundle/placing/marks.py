@@ -20,12 +20,14 @@ from raybundle.io.geo.control_systems import sigma_in_metres
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import PhotoAttitudes
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 from raybundle.placing.upright import Upright
 
 MARK_PX = 0.5
 """Standard deviation of a point marked in a photograph."""
+TOGETHER = 1_000_000
+"""Angles between rays and places that are formed at a time"""
 GROSS = 30.0
 """Distance of a mark from the others' place, in standard deviations of a mark, from which it is wrong beyond doubt."""
 
@@ -386,26 +388,29 @@ def _meeting(centre: Array, direction: Array) -> Array:
     """Where rays (n, 3) meet; with three or more, where most of them do: a ray of a wrong point does not bend it."""
     n = len(centre)
 
-    def at(pick: Array) -> Array:
-        found, _, ratio = intersect_linear(centre[pick], direction[pick], np.zeros(len(pick), np.int32), 1)
-        return found[0] if ratio[0] > 1e-7 else np.full(3, np.nan)
+    def at(picks: Index) -> Array:
+        """(m, 3) of each choice (m, k); NaN where its rays are parallel."""
+        m, k = picks.shape
+        rays = centre[picks].reshape(-1, 3), direction[picks].reshape(-1, 3)
+        found, _, ratio = intersect_linear(*rays, np.repeat(np.arange(m, dtype=np.int32), k), m)
+        return np.where(ratio[:, None] > 1e-7, found, np.nan)
 
     def angles(X: Array) -> Array:
-        ray = X - centre
-        ray = ray / np.maximum(np.linalg.norm(ray, axis=1, keepdims=True), 1e-300)
-        return np.linalg.norm(ray - direction, axis=1)
+        ray = X[:, None] - centre
+        ray = ray / np.maximum(np.linalg.norm(ray, axis=2, keepdims=True), 1e-300)
+        return np.linalg.norm(ray - direction, axis=2)
 
     everything = np.arange(n)
+    best, cost = at(everything[None])[0], np.inf
     if n == 2:
-        return at(everything)
-    best, cost = at(everything), np.inf
-    for pair in combinations(range(n), 2):
-        X = at(np.array(pair))
-        if not np.isfinite(X).all():
-            continue
-        worth = float(np.sort(angles(X))[n // 2])
-        if worth < cost:
-            best, cost = X, worth
-    near = np.flatnonzero(angles(best) <= max(4 * cost, 1e-4)) if np.isfinite(cost) else everything
-    refined = at(near) if len(near) > 1 else best
+        return best
+    pairs = np.array(list(combinations(range(n), 2)))
+    for some in np.array_split(pairs, len(pairs) * n // TOGETHER + 1):
+        X = at(some)
+        worth = np.nan_to_num(np.sort(angles(X), axis=1)[:, n // 2], nan=np.inf)
+        k = int(np.argmin(worth))
+        if worth[k] < cost:
+            best, cost = X[k], float(worth[k])
+    near = np.flatnonzero(angles(best[None])[0] <= max(4 * cost, 1e-4)) if np.isfinite(cost) else everything
+    refined = at(near[None])[0] if len(near) > 1 else best
     return refined if np.isfinite(refined).all() else best

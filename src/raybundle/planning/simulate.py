@@ -33,6 +33,8 @@ from raybundle.sensors import SensorModel, sensor_models
 
 Start = Literal["exact", "approximate", "absent"]
 
+TOGETHER = 20_000
+"""Points that are projected at a time"""
 NEWTON, SETTLED = 20, 1e-13
 """Steps to an image point, and the step by which it has settled, as a share of it [or mm]"""
 
@@ -86,6 +88,13 @@ class Simulation:
 
 def project(scene: Scene, image: int) -> tuple[Index, Array]:
     """The points that image number `image` shows: their positions (k,) and pixel coordinates (k, 2)."""
+    rows, local = _near(scene, image)
+    pixel, inside = _within(scene.camera, local)
+    return rows[inside], pixel[inside]
+
+
+def _near(scene: Scene, image: int) -> tuple[Index, Array]:
+    """Points that an image may show, distortion apart: their positions (k,), and in the sensor frame (3, k)."""
     model = sensor_models[scene.camera.model]
     values = np.array([scene.camera.values.get(s, 0.0) for s in model.symbols])
     sight = scene.xyz - scene.centre[image]
@@ -100,10 +109,21 @@ def project(scene: Scene, image: int) -> tuple[Index, Array]:
     size = np.array([scene.camera.width_px, scene.camera.height_px], float)
     near = (np.abs(guess - size / 2) < 0.75 * size).all(axis=1)  # a margin for the distortion
     rows = rows[near]
-    pixel = scene.camera.pixel_from_image(_images_of(local[:, rows], model, values).T)
+    return rows.astype(np.int32), local[:, rows]
+
+
+def _within(camera: Camera, local: Array) -> tuple[Array, Mask]:
+    """Pixel coordinates (n, 2) of points (3, n) in the sensor frame, and which of them the format holds."""
+    model = sensor_models[camera.model]
+    values = np.array([camera.values.get(s, 0.0) for s in model.symbols])
+    found = [
+        camera.pixel_from_image(_images_of(local[:, k : k + TOGETHER], model, values).T)
+        for k in range(0, max(local.shape[1], 1), TOGETHER)
+    ]
+    pixel = np.concatenate(found)
     with np.errstate(invalid="ignore"):
-        inside = ((pixel >= 0) & (pixel <= size)).all(axis=1)
-    return rows[inside].astype(np.int32), pixel[inside]
+        inside = (pixel >= 0) & (pixel <= [camera.width_px, camera.height_px])
+    return pixel, np.asarray(inside.all(axis=1))
 
 
 def _images_of(points: Array, model: SensorModel, values: Array) -> Array:
@@ -123,7 +143,7 @@ def _images_of(points: Array, model: SensorModel, values: Array) -> Array:
         (a, b), (c, d) = jacobian[:, :2]
         good = (np.abs(g).max(axis=0) < 1e-9) & (a * d - b * c > 0)
     shown = np.full_like(image, np.nan)
-    shown[:, good] = model.project(points[:, good], values, image[:, good])[0]
+    shown[:, good] = model.solve(points[:, good], values, image[:, good])[0]
     return shown
 
 
@@ -155,10 +175,10 @@ def simulate(scene: Scene, survey: Survey) -> Simulation:
 
 def _visible(scene: Scene, survey: Survey) -> tuple[Scene, Index, Index, Array]:
     """The scene without points of too few rays, and all its image points."""
-    seen = [project(scene, k) for k in range(len(scene.centre))]
-    image = np.repeat(np.arange(len(seen), dtype=np.int32), [len(rows) for rows, _ in seen])
-    point = np.concatenate([rows for rows, _ in seen])
-    xy = np.concatenate([pixel for _, pixel in seen])
+    near = [_near(scene, k) for k in range(len(scene.centre))]
+    xy, inside = _within(scene.camera, np.concatenate([local for _, local in near], axis=1))
+    image = np.repeat(np.arange(len(near), dtype=np.int32), [len(rows) for rows, _ in near])[inside]
+    point, xy = np.concatenate([rows for rows, _ in near])[inside], xy[inside]
     rays = np.bincount(point, minlength=len(scene.xyz))
     keep = rays >= min(survey.least_rays, len(scene.centre))
     new = (np.cumsum(keep) - 1).astype(np.int32)

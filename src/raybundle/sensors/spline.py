@@ -122,8 +122,12 @@ class Spline(SensorModel):
         def evaluate(x: Array, y: Array, X: Array, Y: Array, Z: Array, *values: Array) -> tuple[Array, Array]:
             shape = np.broadcast_shapes(*(np.shape(a) for a in (x, y, X, Y, Z, *values[:1])))
             flat = [np.broadcast_to(a, shape).ravel() for a in (x, y, X, Y, Z)]
-            each = any(np.ndim(v) for v in values)
-            whole = np.array([np.broadcast_to(v, shape).ravel() for v in values]) if each else np.array(values, float)
+            if not any(np.ndim(v) for v in values):
+                whole = np.array(values, float)
+            elif all(np.shape(v) == shape for v in values):
+                whole = np.array(values, float).reshape(len(values), -1)
+            else:
+                whole = np.array([np.broadcast_to(v, shape).ravel() for v in values])
             g, near, touched = self.local(np.array(flat[:2]), np.array(flat[2:]), whole)
             J = np.zeros((2, 5 + len(values), flat[0].size))
             J[:, :5] = near[:, :5]

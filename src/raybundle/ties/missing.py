@@ -176,14 +176,23 @@ def _in_field(block: Block, seen: Seen, image: int, xyz: Array) -> Mask:
         return np.asarray((predicted_px(block, image, xyz) @ lines[:, :2].T + lines[:, 2] <= 0).all(axis=1), bool)
 
 
+def _median(values: Array) -> float:
+    """As of NumPy, in a tenth of the time for few values."""
+    ordered = np.sort(values)
+    return float(ordered[(len(ordered) - 1) // 2] + ordered[len(ordered) // 2]) / 2
+
+
 def _counted(of: Index, number: Index, log_depth: Array) -> tuple[int, int]:
     """Barren and mixed cells; of: 0 points of the one image, 1 of the other, 2 of both."""
     counts = np.stack([np.bincount(number[of == k], minlength=GRID * GRID) for k in range(3)])
+    ends = np.cumsum(counts[:2], axis=1)
+    by_cell = [log_depth[of == side][np.argsort(number[of == side], kind="stable")] for side in (0, 1)]
     barren = mixed = 0
     for k in np.flatnonzero((counts[:2] >= IN_CELL).all(axis=0)):
-        a, b = (log_depth[(number == k) & (of == side)] for side in (0, 1))
-        spread = max(*(float(np.median(np.abs(d - np.median(d)))) for d in (a, b)), 0.01)
-        if abs(float(np.median(a) - np.median(b))) < 2 * spread + 0.02:
+        a, b = (by_cell[side][ends[side, k] - counts[side, k] : ends[side, k]] for side in (0, 1))
+        middles = _median(a), _median(b)
+        spread = max(*(_median(np.abs(d - m)) for d, m in zip((a, b), middles, strict=True)), 0.01)
+        if abs(middles[0] - middles[1]) < 2 * spread + 0.02:
             barren, mixed = barren + (counts[2, k] == 0), mixed + (counts[2, k] > 0)
     return int(barren), int(mixed)
 

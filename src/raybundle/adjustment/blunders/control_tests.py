@@ -11,11 +11,12 @@ from math import comb, log
 import numpy as np
 from scipy.special import fdtri
 
-from raybundle.adjustment.evaluation.queries import design_row
+from raybundle.adjustment.evaluation.joint_cofactors import design_rows
 from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.statistics.reliability import rounding
 from raybundle.adjustment.statistics.system_state import Work
 from raybundle.adjustment.system.assemble import State, System
+from raybundle.adjustment.system.normals import SIDES
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import fisher_tail
 
@@ -126,13 +127,17 @@ class ControlTests:
         ends = np.cumsum([0, *(len(s.axes) for s in seen)])
         at = [np.arange(a, b) for a, b in pairwise(ends.tolist())]
         Q = np.zeros((ends[-1], ends[-1]))
-        for i, s in zip(at, seen, strict=True):
-            rhs = np.zeros((*work.state.xyz.shape, len(i)))
-            rhs[s.point] = s.at_point
-            x, y = work.normals.solve(work.state, s.nodes, rhs)
+        for first in range(0, len(seen), SIDES // 3):
+            some = slice(first, first + SIDES // 3)
+            columns = slice(ends[first], ends[min(some.stop, len(seen))])
+            rhs = np.zeros((*work.state.xyz.shape, columns.stop - columns.start))
+            for i, s in zip(at[some], seen[some], strict=True):
+                rhs[s.point][:, i - columns.start] = s.at_point
+            x, y = work.normals.solve(work.state, np.concatenate([s.nodes for s in seen[some]], axis=1), rhs)
             for j, other in zip(at, seen, strict=True):
-                own = s.own if other is s else _shared(other, s)
-                Q[np.ix_(j, i)] = own - other.nodes.T @ x - other.at_point.T @ y[other.point]
+                Q[j, columns] = -other.nodes.T @ x - other.at_point.T @ y[other.point]
+                for i, s in zip(at[some], seen[some], strict=True):
+                    Q[np.ix_(j, i)] += s.own if other is s else _shared(other, s)
         scale = np.sqrt(np.concatenate([np.maximum(np.diagonal(s.own), 1e-300) for s in seen]))
         force = np.concatenate([s.force for s in seen])
         within = max(CONTROLLED, rounding(work.normals, work.state, work.found))
@@ -364,12 +369,12 @@ def _with_rows(work: Work, seen: _Seen) -> _Seen:
     system, state, normals = work.system, work.state, work.normals
     p, axes = seen.point, seen.axes
     nodes, at_point = np.zeros((int(system.offsets[-1]), len(axes))), np.zeros((3, len(axes)))
-    for k, row in enumerate(seen.rows if seen.held else ()):
-        for a in range(2):
-            at, values, _, by_point = design_row(system, state, int(row), a)
-            h = seen.H[2 * k + a, axes]
-            np.add.at(nodes, at, np.outer(values, h))
-            at_point += np.outer(by_point, h)
+    if seen.held:
+        by_point, columns, by_node = design_rows(system, state, seen.rows)
+        H = seen.H[:, axes].reshape(-1, 2, len(axes))
+        some = columns >= 0
+        np.add.at(nodes, columns[some], np.einsum("raw,rak->rwk", by_node, H)[some])
+        at_point += np.where(system.held[p], 0.0, 1.0)[:, None] * np.einsum("rae,rak->ek", by_point, H)
     is_held = system.control_held[p, axes]
     for r, partial in _distances(system, state, p) if seen.held else ():
         e = normals.extra(state)

@@ -223,7 +223,7 @@ def design_rows(system: System, state: State, rows: Index) -> tuple[Array, Array
         k = at.shape[1]
         D[mine, :, :3] = reported[:, 2:8].reshape(-1, 2, 3)
         D[mine, :, 3 : 3 + k] = reported[:, 8 : 8 + 2 * k].reshape(-1, 2, k)
-        starts = np.array([system.offsets[r.node] if r.node >= 0 else -1 for r in system.interior])
+        starts = system.offsets[[r.node for r in system.interior]]  # of what is held `at` is -1
         touched[mine, :k] = np.where(at >= 0, starts[of_image[mine]][:, None] + at, -1)
     R = state.rotation[image]
     by_object = D[:, :, :3] @ R

@@ -3,26 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from raybundle.adjustment.evaluation.joint_cofactors import design_rows
 from raybundle.adjustment.evaluation.tie_roughness import widened
 from raybundle.adjustment.statistics.covariances import cofactors_with, own_thing
 from raybundle.adjustment.statistics.noise import spread_in_datum
 from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns, precision
 from raybundle.adjustment.statistics.system_state import Work
-from raybundle.adjustment.system.assemble import State, System
+from raybundle.adjustment.system.assemble import State
 from raybundle.adjustment.system.datum import Datum
-from raybundle.adjustment.system.normals import Normals
 from raybundle.adjustment.system.transformation import transformation
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rows import rows_of_largest
-from raybundle.platforms.station import sensor_from_object, station_partials
-from raybundle.sensors.model import ProjectionDiverged
 
 if TYPE_CHECKING:
     from raybundle.adjustment.records.figures import ObservationStatistics, Precision
@@ -181,53 +178,16 @@ def suspects(
 
 def _residual_cofactor(work: Work, state: State, chosen: Array, axis: Array) -> Array:
     """Cofactors (k, k) of whitened residuals: I - A Q A'."""
-    normals: Normals = work.normals
-    system = work.system
-    nodes = np.zeros((int(system.offsets[-1]), len(chosen)))
-    points = np.zeros((*state.xyz.shape, len(chosen)))
-    for k, (row, a) in enumerate(zip(chosen, axis, strict=True)):
-        at, values, point, by_point = design_row(system, state, int(row), int(a))
-        nodes[at, k] = values
-        points[point, :, k] = by_point
-    x, y = normals.solve(state, nodes, points)
-    return np.eye(len(chosen)) - nodes.T @ x - np.einsum("pek,pel->kl", points, y)
-
-
-def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array, Array, int, Array]:
-    """One whitened row of the design matrix: node unknowns (k,), their derivatives (k,), point, derivatives (3,).
-
-    Derivatives of a retained point stand with the point here; `Normals.solve` moves them to its node.
-    """
-    block = system.block
-    o = system.rows[row]
-    image, point = int(block.observations.image[o]), int(block.observations.point[o])
-    interior = system.interior[int(system.interior_of_image[image])]
-    model = interior.sensor
-    values = state.interior[int(system.interior_of_image[image]), : len(model.symbols)]
-    R = state.rotation[image]
-    P = sensor_from_object(R[None], state.centre[image][None], state.xyz[point][None])[:, 0]
-    xy = system.xy_mm[row]
-    if not system.corrected[block.images.camera[image]]:
-        # a grossly wrong point may lie where the lens has no image: its row is then that of the place observed
-        with suppress(ProjectionDiverged):
-            xy = model.solve(P[:, None], values[:, None], xy[:, None].copy())[0][:, 0]
-    _, J = model.condition_and_jacobian(*xy, *P, *values)
-    B = np.eye(2) if system.corrected[block.images.camera[image]] else J[:, :2]
-    D = -np.linalg.solve(B, J[:, 2:])
-    w = system.whiten[row]
-    D = np.array([[w[0], 0.0], [w[1], w[2]]])[axis] @ D
-    by_station, by_point = station_partials(R, P, D[:3])
-    columns: list[Array] = []
-    unknowns: list[Array] = []
-    if system.exterior_free[image]:
-        unknowns.append(image_unknowns(system, image))
-        columns.append(by_station)
-    for r, positions in system.sources(int(system.interior_of_image[image])):
-        if system.interior[r].node >= 0:
-            unknowns.append(interior_unknowns(system, system.interior[r]))
-            columns.append(D[3:][list(positions)])
-    at = np.concatenate(unknowns) if unknowns else np.zeros(0, int)
-    return at, np.concatenate(columns) if columns else np.zeros(0), point, np.where(system.held[point], 0.0, by_point)
+    system, k = work.system, np.arange(len(chosen))
+    by_point, columns, by_node = design_rows(system, state, chosen)
+    point = system.block.observations.point[system.rows[chosen]]
+    nodes = np.zeros((int(system.offsets[-1]), len(k)))
+    points = np.zeros((*state.xyz.shape, len(k)))
+    row, at = np.nonzero(columns >= 0)
+    np.add.at(nodes, (columns[row, at], row), by_node[row, axis[row], at])
+    points[point, :, k] = np.where(system.held[point], 0.0, by_point[k, axis])
+    x, y = work.normals.solve(state, nodes, points)
+    return np.eye(len(k)) - nodes.T @ x - np.einsum("pek,pel->kl", points, y)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

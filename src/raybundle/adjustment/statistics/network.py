@@ -271,15 +271,17 @@ def _common_up(rotation: Array) -> Array:
     The sum is a quartic form of u: it is looked for among COUNT directions and climbed by the power method.
     """
     w = rotation[:, 0] + 1j * rotation[:, 1]
-    T = np.einsum("na,nb,nc,nd->abcd", w, w, w, w, optimize=True).real / len(w)
+    squares = (w[:, :, None] * w[:, None]).reshape(-1, 9)
+    T = (squares.T @ squares).real / len(w)  # a quadratic form of u u'
     k = np.arange(COUNT) + 0.5
     height, turn = 1 - k / COUNT, np.pi * (1 + np.sqrt(5)) * k  # points of a spiral on half the sphere
     flat = np.sqrt(1 - height**2)
     tried = np.stack([flat * np.cos(turn), flat * np.sin(turn), height], axis=1)
-    value = np.einsum("abcd,ka,kb,kc,kd->k", T, tried, tried, tried, tried, optimize=True)
+    squares = (tried[:, :, None] * tried[:, None]).reshape(-1, 9)
+    value = np.sum((squares @ T) * squares, axis=1)
     u, largest = tried[np.argmax(value)], float(value.max())
     for _ in range(CLIMB if largest > 0 else 0):
-        slope = np.einsum("abcd,b,c,d->a", T, u, u, u)
+        slope = (T @ np.outer(u, u).ravel()).reshape(3, 3) @ u
         u = slope + SHIFT * float(u @ slope) * u
         u = u / np.linalg.norm(u)
     return u

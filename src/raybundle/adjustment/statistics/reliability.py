@@ -224,12 +224,12 @@ def _cofactors_among(normals: Normals, found: Cofactors, unknown: Array) -> Arra
     """(u, u) cofactors of unknowns that stand in one row, or in rows that are correlated."""
     offsets = normals.system.offsets
     nodes = np.searchsorted(offsets, unknown, side="right") - 1
+    within = unknown - offsets[nodes]
     Q = np.zeros((len(unknown), len(unknown)))
-    at = {int(n): np.flatnonzero(nodes == n) for n in np.unique(nodes)}
+    at = {n: np.flatnonzero(nodes == n) for n in dict.fromkeys(nodes.tolist())}
     for a, i in at.items():
         for b, j in at.items():
-            block = normals.node_block(found.inverse, a, b)
-            Q[np.ix_(i, j)] = block[np.ix_(unknown[i] - offsets[a], unknown[j] - offsets[b])]
+            Q[i[:, None], j] = normals.node_block(found.inverse, a, b)[within[i][:, None], within[j]]
     return Q
 
 

@@ -110,7 +110,6 @@ def _along(lines: Array) -> Array:
 
 def _meet(some: Array, others: Array) -> Mask:
     """(n,) which of boxes (n, 4) lie over any of others (m, 4)."""
-    beside = some[:, None, 2:] <= others[None, :, :2]
-    apart = (beside | (some[:, None, :2] >= others[None, :, 2:])).any(axis=2)
-    meeting: Mask = np.asarray(~apart)
+    a, b = some.T[:, :, None], others.T
+    meeting: Mask = (a[2] > b[0]) & (a[3] > b[1]) & (a[0] < b[2]) & (a[1] < b[3])
     return np.asarray(meeting.any(axis=1))
