@@ -237,8 +237,13 @@ def leader(p, *, vmp=False, inertial=None, late_s=0.0, kind=None, mission="ERS2"
 
 
 def data_file(p, rows=None, columns=None):
-    """The descriptor of DAT_01.001."""
+    """DAT_01.001 of a complex image, its lines where they are few."""
+    rows, columns = rows or p.rows, columns or p.columns
     record = ceos_record(1, (63, 192, 18, 18), 720)
-    field(record, 237, 244, rows or p.rows)
-    field(record, 249, 256, columns or p.columns)
-    return bytes(record)
+    layout = ((225, 228, 4), (233, 236, 1), (237, 244, rows), (249, 256, columns), (269, 272, "BSQ"), (273, 274, 1),
+              (277, 280, 12), (289, 292, 0), (429, 432, "CI*4"))  # fmt: skip
+    for first, last, value in layout:
+        field(record, first, last, value)
+    length = 12 + 4 * columns
+    lines = [ceos_record(k + 2, (50, 11, 18, 20), length) for k in range(rows)] if rows < 100 else []
+    return b"".join(bytes(r) for r in (record, *lines))

@@ -54,6 +54,18 @@ def test_gdal_finds_the_same_grid(tmp_path, ground):
     assert {tuple(v) for v in found[:, 2:]} <= {tuple(v) for v in image}
 
 
+def test_gdal_reads_the_same_leader(tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    product = Esa(single=False, columns=60, rows=41, line_s=0.05, side=-1.0)
+    saved(tmp_path, leader(product)[0], "LEA_01.001")
+    with rasterio.open(saved(tmp_path, data_file(product), "DAT_01.001")) as raster:
+        assert (raster.driver, raster.width, raster.height) == ("SAR_CEOS", 60, 41)
+        assert raster.tags()["CEOS_MISSION_ID"].strip() == "ERS2"
+        assert float(raster.tags()["CEOS_SENSOR_CLOCK_ANGLE"]) == -90
+    found = read_scene(tmp_path)
+    assert (found.width_px, found.height_px, found.rigorous.side) == (60, 41, -1.0)
+
+
 LEADERS = {
     "slant": ({}, {}), "slant, far first, left": ({"near_first": False, "side": -1.0}, {}),
     "slant, last line first": ({"forwards": False}, {}), "ground, PGS": ({"ground": True}, {}),

@@ -1,9 +1,10 @@
 """ERS-1 and ERS-2 in CEOS format: the leader file (LEA_01.001) of an image in slant range (SLC) or ground range (PRI).
 
-ESA ER-IS-EPO-GS-5902: records with four type codes and a length in front; fields in characters.  Lines and pixels come from the descriptor of the data file (DAT_01.001), where that lies
-beside, else from the map projection record.  Images are focused to zero Doppler, so that the Doppler centroids are not
-needed.  Times of lines are rounded to milliseconds, a line and a half; where the first and the last state vector lie
-within a millisecond of the first and the last line, as the PGS processor writes, they are the times.
+ESA ER-IS-EPO-GS-5902: records with four type codes and a length in front; fields in characters.  Lines and pixels come
+from the descriptor of the data file (DAT_01.001), where that lies beside, else from the map projection record.  Images
+are focused to zero Doppler, so that the Doppler centroids are not needed.  Times of lines are rounded to milliseconds,
+a line and a half; where the first and the last state vector lie within a millisecond of the first and the last line, as
+the PGS processor writes, they are the times.
 """
 
 from __future__ import annotations
