@@ -338,6 +338,8 @@ def test_unknown_and_absent_files(tmp_path):
         "terrasar",
         "sicd",
         "iceye",
+        "envisat",
+        "ceos",
         "rpc-json",
         "gdal-xml",
         "gdal-json",

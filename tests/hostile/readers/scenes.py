@@ -181,6 +181,15 @@ def product_seeds(top: Path) -> None:
     (place(top, 7) / "a.nitf").write_bytes(nitf(sicd(shapes[0])))
 
 
+def esa_seeds(top: Path) -> None:
+    from tests.scenes.esa_products import Esa, leader, n1
+
+    for k, ground in enumerate((False, True)):
+        small = {"columns": 60, "rows": 41, "line_s": 0.05, "ground": ground}
+        (place(top, k) / "a.N1").write_bytes(n1(Esa(**small), "IMP" if ground else "IMS")[0])
+        (place(top, k + 2) / "LEA_01.001").write_bytes(leader(Esa(single=False, **small))[0])
+
+
 def optical_bar_seeds(top: Path) -> None:
     from tests.scenes.test_push_frame import bar
 
@@ -208,7 +217,7 @@ for _name, _seeds in (
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
     ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds),
     ("enmap", enmap_seeds), ("sentinel1", sentinel1_seeds), ("radar-isd", radar_isd_seeds),
-    ("radar-products", product_seeds), ("optical-bar", optical_bar_seeds),
+    ("radar-products", product_seeds), ("esa-products", esa_seeds), ("optical-bar", optical_bar_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
 

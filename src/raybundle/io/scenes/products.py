@@ -15,13 +15,11 @@ MARKS: tuple[tuple[bytes, str, str], ...] = (
     (b"Level-1C_", "scene.is_map", "sentinel2"),
     (b"Level-2A_", "scene.is_map", "sentinel2"),
     (b"Level-1B_User_Product", "scene.product_not_read", "sentinel2"),
-    (b'PRODUCT="ASA_', "scene.product_not_read", "envisat"),
-    (b'PRODUCT="SAR_', "scene.product_not_read", "envisat"),
 )
 """In the beginning of a file, code of the message, and the product that it names"""
 HDF4, HDF5 = b"\x0e\x03\x13\x01", b"\x89HDF\r\n\x1a\n"
-CEOS = b"\x12\x12\x00\x00\x01\x68"
-"""Of the first record of a volume directory, from byte 6: codes 18 and 18, length 360"""
+CEOS = b"\xc0\x12\x12"
+"""Type codes of the first record of a CEOS file, from byte 6; in leaders of radars a data set summary (10) follows"""
 ORTHO = (b"RASTER_ORTHO", b">ORTHO<", b">ORT<")
 """In a DIMAP file of an orthoimage"""
 SCALE, TIE_POINTS, MATRIX = 33550, 33922, 34264
@@ -36,7 +34,7 @@ def product_of(path: Path, head: bytes) -> Message | None:
     if head.startswith((HDF4, HDF5)):
         aster = path.name.upper().startswith("AST_L1A") or b"ASTER" in head
         return message("scene.product_not_read", what="aster" if aster else "hdf")
-    if head[6:12] == CEOS:
+    if head[5:8] == CEOS and head[725:726] != b"\n":
         return message("scene.product_not_read", what="ceos")
     return None
 

@@ -29,6 +29,9 @@ UNITS: Mapping[str, Mapping[str, float]] = {
 """Factors of the units that an attribute may state, by the unit that is meant where it states none."""
 DEGREE = 2 * NEAREST - 1
 """Largest of polynomials: that of an orbit between its state vectors"""
+SHORT_S = 30.0
+"""Steps of state vectors in whole cm from which on a polynomial through positions and velocities at once is better: its
+velocities err by the rounding over the step; one through velocities alone errs by 1e-5 m/s at this step"""
 EXTENT = 0.01
 """By which share of the swath the ranges at its edges may contradict each other: they change along an image."""
 
@@ -114,6 +117,11 @@ def orbit_of(parent: Element, vectors: Sequence[Element], epoch: np.datetime64, 
         return Orbit(times=times[order], positions=table[order, :3], velocities=table[order, 3:])
     except InputError as error:
         raise error.at(parent.file, parent.line, parent.name) from None
+
+
+def rounded_jointly(times: Array) -> bool:
+    """Whether positions that are rounded to whole cm are interpolated together with their velocities."""
+    return bool(np.median(np.abs(np.diff(times))) > SHORT_S)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -293,12 +293,20 @@ scene-no_orbit = Das Bild hat { $n } Punkte am Boden, aber weder Bahn noch RPC.
 scene-product_not_read = { $what ->
      [aster] ASTER Stufe 1A (HDF)
      [sentinel2] Sentinel-2 Stufe 1B
-     [envisat] Produkte von Envisat oder ERS (.N1, .E1)
-     [ceos] CEOS-Datenträger (ERS, RADARSAT-1, JERS)
+     [ceos] Verzeichnis- und Bilddateien von CEOS
     *[hdf] HDF-Dateien
     } werden nicht gelesen.
     .do = { $what ->
      [aster] Ein RPC dazu angeben, wie es aster2asp der Ames Stereo Pipeline schreibt
      [sentinel2] Das Produkt der Stufe 1C verwenden, das eine Karte ist
-    *[envisat] Ein RPC der Szene angeben, oder sie nach SICD umwandeln
+     [ceos] Die Leader-Datei daneben angeben (LEA_01.001)
+    *[hdf] Ein RPC der Szene angeben, oder sie nach SICD umwandeln
     }.
+
+scene-record_missing = Die Datei hat kein { $name }.
+    .do = Die vollständige Datei beschaffen.
+
+scene-raw_product = { $kind } ist ein Rohdatenprodukt (Stufe 0): Es enthält Signale, kein Bild.
+    .do = Das Produkt in Schrägentfernung oder Bodenentfernung (Stufe 1) beschaffen.
+
+scene-times_rounded = Die Zeiten der Zeilen sind um bis zu { $seconds } s gerundet ({ $n_px } Zeilen), was die Uhr aufnimmt.

@@ -425,12 +425,24 @@ scene-no_orbit = The picture has { $n } points on the ground, but neither orbit 
 scene-product_not_read = { $what ->
      [aster] ASTER level 1A (HDF)
      [sentinel2] Sentinel-2 level 1B
-     [envisat] Envisat or ERS products (.N1, .E1)
-     [ceos] CEOS volumes (ERS, RADARSAT-1, JERS)
+     [ceos] Volume directories and image files of CEOS
     *[hdf] HDF files
     } are not read.
     .do = { $what ->
      [aster] Give an RPC of it, as aster2asp of the Ames Stereo Pipeline writes
      [sentinel2] Use the level 1C product, which is a map
-    *[envisat] Give an RPC of the scene, or convert it to SICD
+     [ceos] Give the leader file beside it (LEA_01.001)
+    *[hdf] Give an RPC of the scene, or convert it to SICD
     }.
+
+# $name = "GEOLOCATION GRID ADS"
+scene-record_missing = The file has no { $name }.
+    .do = Get the complete file.
+
+# $kind = "ASA_IM__0P"
+scene-raw_product = { $kind } is a raw product (level 0): it holds signals, no image.
+    .do = Get the product in slant range or ground range (level 1).
+
+# $seconds = 0.001
+# $n_px = 1.7
+scene-times_rounded = Times of lines are rounded by up to { $seconds } s ({ $n_px } lines), which the clock takes.

@@ -200,7 +200,12 @@ scene-no_orbit = L'image a { $n } points au sol, mais ni orbite ni RPC.
 scene-product_not_read = { $what ->
      [aster] Les produits ASTER niveau 1A (HDF)
      [sentinel2] Les produits Sentinel-2 niveau 1B
-     [envisat] Les produits Envisat ou ERS (.N1, .E1)
-     [ceos] Les volumes CEOS (ERS, RADARSAT-1, JERS)
+     [ceos] Les répertoires de volume et les fichiers d'image CEOS
     *[hdf] Les fichiers HDF
     } ne sont pas lus.
+
+scene-record_missing = Le fichier n'a pas de { $name }.
+
+scene-raw_product = { $kind } est un produit brut (niveau 0) : il contient des signaux, pas d'image.
+
+scene-times_rounded = Les temps des lignes sont arrondis de { $seconds } s au plus ({ $n_px } lignes), ce que prend l'horloge.
