@@ -105,8 +105,22 @@ def read_a_spreadsheet(folder: Path) -> list[str]:
     return []
 
 
+def displacement_seeds(top: Path) -> None:
+    head = "point,from,to,X,Y,Z,dX,dY,dZ,sdX,sdY,sdZ,rXY,rXZ,rYZ,length,F,p,p_tested,verdict,detectable_before,detectable\n"
+    row = "t{},2026-05-01,2026-06-01,1.5,2,3,0.01,0,-0.02,0.001,0.001,0.002,0.1,0,-0.2,0.022,9.1,0.001,,moved,,0.004\n"
+    texts({"displacements.csv": head + "".join(row.format(k) for k in range(3))})(top)
+
+
+def read_the_displacements(folder: Path) -> list[str]:
+    from raybundle.workflows.epochs.tables import read_displacements
+
+    found = read_displacements(only(folder))
+    return [n for n in ("xyz", "vector", "covariance") if np.isinf(getattr(found, n)).any()]
+
+
 target("spreadsheets", spreadsheet_seeds, read_a_spreadsheet)
 target("control", control_seeds, read_the_control)
+target("displacements", displacement_seeds, read_the_displacements)
 target("fiducials", fiducial_seeds, read_the_fiducials)
 target("film-marks", mark_seeds, read_the_marks)
 target("crs", crs_seeds, read_a_crs, slow=True)
