@@ -106,7 +106,8 @@ def read_a_spreadsheet(folder: Path) -> list[str]:
 
 
 def displacement_seeds(top: Path) -> None:
-    head = "point,from,to,X,Y,Z,dX,dY,dZ,sdX,sdY,sdZ,rXY,rXZ,rYZ,length,F,p,p_tested,verdict,detectable_before,detectable\n"
+    head = "point,from,to,X,Y,Z,dX,dY,dZ,sdX,sdY,sdZ,rXY,rXZ,rYZ,length,F,p,p_tested,verdict,"
+    head += "detectable_before,detectable\n"
     row = "t{},2026-05-01,2026-06-01,1.5,2,3,0.01,0,-0.02,0.001,0.001,0.002,0.1,0,-0.2,0.022,9.1,0.001,,moved,,0.004\n"
     texts({"displacements.csv": head + "".join(row.format(k) for k in range(3))})(top)
 
