@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.commands.strain_results import StrainImage, Strains, state_counts
 from raybundle.errors import phrase
+from raybundle.report.figures.svg import tick_labels, ticks
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
@@ -187,9 +188,10 @@ def _draw(path: Path, done: Strains, reference: Array, values: Array, title: str
         tall = max(size[1], 220) - 20
         bar = _coloured(np.linspace(1, 0, tall))[:, None].repeat(BAR_PX, axis=1)
         sheet.paste(Image.fromarray(bar.astype(np.uint8)), (size[0] + 12, 50))
-        for k in range(6):
-            text = f"{low + (high - low) * k / 5:.3g}"
-            draw.text((size[0] + BAR_PX + 18, 50 + tall * (1 - k / 5)), text, fill=(40, 40, 40), font=font, anchor="lm")
+        values = ticks((float(low), float(high)))
+        for value, text in zip(values, tick_labels(values), strict=True):
+            down = 50 + tall * (high - value) / (high - low)
+            draw.text((size[0] + BAR_PX + 18, down), text, fill=(40, 40, 40), font=font, anchor="lm")
     sheet.save(path, compress_level=1)
 
 
