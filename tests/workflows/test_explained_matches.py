@@ -5,6 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.block.block import PixelFrame
+from raybundle.block.frames import file_from_camera
 from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.simulate import Survey, simulate
@@ -56,6 +58,19 @@ def test_a_stretched_photograph_is_named(truth):
     (notice,) = unexplained_notice(truth, truth.images.file, xy, pairs)
     assert notice.ids == (truth.images.ids[3],)
     assert notice.values["median"] > 0.98
+
+
+def test_photographs_that_are_stored_turned_are_explained(truth):
+    xy, pairs = features(truth)
+    frames = {
+        1: PixelFrame(turned=90, width_px=2000, height_px=3000),
+        4: PixelFrame(turned=180, width_px=3000, height_px=2000),
+    }
+    for k, frame in frames.items():
+        xy[k] = file_from_camera(xy[k], truth.cameras[0], frame)
+    block = replace(truth, images=replace(truth.images, frames=frames))
+    assert best_shares(truth, xy, range(len(xy)), pairs).min() < 0.5
+    assert best_shares(block, xy, range(len(xy)), pairs).min() > 0.98
 
 
 def test_a_misplaced_photograph_is_named_and_one_that_is_missing_is_not_needed(truth):

@@ -149,4 +149,6 @@ def _stages(project: Path, made: Container[str], *, of_calibration: bool) -> tup
         return CALIBRATE.titles()
     from raybundle.workflows.orient import stages
 
-    return stages()
+    after = [t for t in stages() if t in made][-1:]  # a stage before the last one that ran was not needed
+    passed = stages()[: stages().index(after[0])] if after else ()
+    return tuple(t for t in stages() if t in made or t not in passed)

@@ -14,6 +14,7 @@ import numpy as np
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.severity import Severity
 from raybundle.block import Block
+from raybundle.block.frames import camera_from_file
 from raybundle.cameras.conversions import camera_rays, interiors
 from raybundle.errors import InputError
 from raybundle.matching.verify import STRONG, VerifiedPair, limit_px
@@ -45,8 +46,10 @@ def best_shares(block: Block, xy_px: Sequence[Array], rows: Sequence[int], pairs
         base = block.images.centre[j] - block.images.centre[i]
         rays: list[Array] = []
         for k, photo, column in ((i, p.first, 0), (j, p.second, 1)):
-            pixels = xy_px[photo][p.matches[:, column]]
-            rays.append(camera_rays(cameras[of_image[k]], pixels.T).T @ block.images.rotation[k])
+            camera, pixels = cameras[of_image[k]], xy_px[photo][p.matches[:, column]]
+            if k in block.images.frames:
+                pixels = camera_from_file(pixels, camera, block.images.frames[k])
+            rays.append(camera_rays(camera, pixels.T).T @ block.images.rotation[k])
         fits = np.ones(len(p.matches), bool)
         for one, other, k in ((*rays, j), (*rays[::-1], i)):
             normal = np.cross(one, base)
