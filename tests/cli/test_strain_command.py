@@ -138,3 +138,35 @@ def test_images_without_noise_or_texture(tmp_path, series):
     blank = save(tmp_path / "blank.png", np.full((HEIGHT, WIDTH), 90, np.uint8))
     with refused("strain.nothing_followed"):
         rb.strain(blank, series / "load-01.png", tmp_path / "p", **FEW)
+
+
+def test_a_texture_that_repeats_and_subsets_that_contradict_their_neighbours_are_reported(tmp_path):
+    y, x = np.mgrid[:200, :240].astype(float)
+    rng = np.random.default_rng(4)
+    for name, shift in (("a.png", 0.0), ("b.png", 7.0)):
+        grid = 128 + 50 * np.cos(2 * np.pi * (x - shift) / 12) + 40 * np.cos(2 * np.pi * (y - shift) / 12)
+        Image.fromarray(np.clip(grid + rng.normal(0, 2, grid.shape), 0, 255).astype(np.uint8)).save(tmp_path / name)
+    done = rb.strain(tmp_path / "a.png", tmp_path / "b.png", tmp_path / "o", **FEW)
+    found = {m.code: m for m in done.reported}
+    assert found["strain.repeated"].values["period_px"] == pytest.approx(12, abs=0.1)
+    assert found["strain.jumps"].severity == "fault"
+
+
+def test_images_that_are_no_new_photographs_are_named(series, tmp_path):
+    reference, other = series / "load-00.png", series / "load-01.png"
+    with refused("strain.image_twice"):
+        rb.strain(reference, [other, other], tmp_path / "o", **FEW)
+    pages = [Image.open(p).convert("L") for p in (reference, other)]
+    pages[0].save(tmp_path / "load-01.tif", save_all=True, append_images=pages[1:])
+    (tmp_path / "second").mkdir()
+    pages[1].save(tmp_path / "second" / "load-01.tif")
+    white = Image.fromarray(np.full((HEIGHT, WIDTH), 255, np.uint8))
+    white.save(tmp_path / "white.png")
+    files = [tmp_path / "load-01.tif", tmp_path / "second" / "load-01.tif"]
+    done = rb.strain(reference, files, tmp_path / "o", mask=tmp_path / "white.png", **FEW)
+    assert [i.name for i in done.images] == [f"{tmp_path.name}/load-01.tif", "second/load-01.tif"]
+    found = {m.code: m.values for m in done.reported}
+    assert found["strain.pages"]["names"] == ["load-01.tif"]
+    assert found["strain.same_content"]["names"] == [done.images[0].name]
+    assert found["strain.mask_empty"]["name"] == "white.png"
+    assert not {"strain.jumps", "strain.repeated", "strain.saturated"} & set(found)

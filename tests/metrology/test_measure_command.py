@@ -270,16 +270,16 @@ def test_of_three_bars_the_wrong_one_is_named_alone(field, tmp_path):
 
 def test_exchanged_certificates_are_told_as_that(field, tmp_path):
     folder, truth = field
-    a, b = bars_of(truth, ("1", "20", 0), ("3", "15", 0))
+    a, b = bars_of(truth, ("1", "14", 0), ("3", "9", 0))
     bars = [(*a[:2], *b[2:]), (*b[:2], *a[2:])]
-    with refused("scale_bar.contradict", exchanged=True, first="1 - 20", second="3 - 15"):
+    with refused("scale_bar.contradict", exchanged=True, first="1 - 14", second="3 - 9"):
         rb.measure(folder / "free", tmp_path / "m", scale_bar=bars, report=False)
-    a, b = bars_of(truth, ("1", "20", 0), ("3", "7", 0))
+    a, b = bars_of(truth, ("1", "14", 0), ("3", "7", 0))
     bars = [(*a[:2], *b[2:]), (*b[:2], *a[2:])]
     done = rb.measure(folder / "free", tmp_path / "m", scale_bar=bars, report=False)
     (told,) = [n for n in done.adjustment.notices if n.code == "bars_contradict"]
     assert told.variant == "exchanged"
-    assert {told.values["first"], told.values["second"]} == {"1 - 20", "3 - 7"}
+    assert {told.values["first"], told.values["second"]} == {"1 - 14", "3 - 7"}
     assert told.severity is Severity.FAULT
 
 

@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
+from raybundle.adjustment.records.notice import Notice
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.matching import methods as registry
 from raybundle.matching.affine_views import VIEWS, AffineViews
@@ -180,11 +181,16 @@ def test_learned_methods_are_used_where_installed_and_asked_for(monkeypatch):
 def test_nothing_is_done_where_all_photographs_are_oriented():
     photos = [SimpleNamespace(name=n) for n in "abc"]
     options = SimpleNamespace(options=OrientOptions())
-    state = SimpleNamespace(photos=photos, repeats={}, lost=(), scenes=None, asked=options, ties=(None,))
+    state = SimpleNamespace(
+        photos=photos, repeats={}, lost=(), scenes=None, asked=options, ties=(None,), notices=(), oriented=3
+    )
     assert not STAGE.when(state)
     assert not STAGE.when(SimpleNamespace(**{**vars(state), "lost": (("c", "the same picture"),), "repeats": {2: 0}}))
     assert STAGE.when(SimpleNamespace(**{**vars(state), "lost": (("c", "apart"),)}))
     assert STAGE.when(SimpleNamespace(**{**vars(state), "ties": (None, None)}))
+    apart = {**vars(state), "ties": (None, None)}
+    assert not STAGE.when(SimpleNamespace(**{**apart, "notices": (Notice(code="repeated_structure"),)}))
+    assert not STAGE.when(SimpleNamespace(**{**apart, "oriented": 2}))
 
 
 def test_the_budget_grows_with_what_is_apart_and_has_a_bound():

@@ -480,7 +480,11 @@ def _limited(m: Movements, settings: EpochsSettings, limit: Limit) -> tuple[Mess
     d = m.displacements
     blind = ~(d.detectable <= limit.length)
     points = sorted({p for p, b in zip(d.point, blind, strict=True) if b})
-    kept = note("epochs.limit_kept", limit=settings.limit, confidence=settings.confidence)
+    every = len(set(d.point))
+    kept = note(
+        "epochs.limit_kept", limit=settings.limit, confidence=settings.confidence, tested=every - len(points),
+        points=every,
+    )  # fmt: skip
     largest = MM * float(np.max(d.detectable, initial=0.0, where=np.isfinite(d.detectable)))
     below = warning("epochs.limit_below_detection", limit=settings.limit, n=len(points), points=len(set(d.point)),
                     largest_mm=largest)  # fmt: skip

@@ -3,23 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.commands.strain_results import StrainImage, Strains, StrainSettings, state_counts
-from raybundle.errors import InputError, Message, note, warning
+from raybundle.errors import InputError, Message, Severity, note, warning
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import keywords, made
 
 if TYPE_CHECKING:
     from raybundle.io.photos.photo import Photo
     from raybundle.matching.subsets import Followed, SubsetGrid
-    from raybundle.numerics.arrays import Mask
+    from raybundle.numerics.arrays import Array, Mask
 
 BENT_PX, BENT_SHARE = 0.02, 0.05
 """Displacement within subsets against their shape, and the share of subsets above it, from which on this is reported:
 it displaces a subset by up to a quarter of itself, which is the bias that digital image correlation usually allows."""
 
+JUMPING, REPEATED = 0.01, 0.6
+"""Share of neighbours that contradict each other, and correlation of the reference with itself at another place, from
+which on these are reported: random speckles reach 0.2"""
+EXACT_PX = 1e-4
+"""Standard deviation below which images are one picture: grey values in whole numbers alone give some 0.0005 px"""
+SATURATED = 0.1
+"""Share of the pixels of the specimen at an end of the grey scale from which on this is reported: with 29 % of them
+displacements err by 1.2 standard deviations, with 79 % by 1.75"""
 LARGEST = 0.99
 """Quantile of the largest normal strains that is reported: single ones beside weak texture are uncertain"""
 
@@ -53,13 +62,16 @@ def run_strain(settings: StrainSettings, progress: Progress = silent) -> Strains
     from raybundle.matching.spline_pictures import Picture
     from raybundle.matching.subsets import Followed, State, SubsetGrid, follow, window_options
 
-    s = settings
+    own = settings.reference.resolve()
+    without = tuple(p for p in settings.deformed if p.resolve() != own)  # load-*.tif names the reference, too
+    s = replace(settings, deformed=without or settings.deformed)
     check_new_folder(s.out)
     photos = [read_photo(p) for p in (s.reference, *s.deformed)]
     _check(photos)
     reference = read_grey(photos[0])
     window = window_options(s.window // 2, quadratic=s.shape == "quadratic")
-    grid = SubsetGrid.of(_free(s, photos[0]), s.step, window.half)
+    free = _free(s, photos[0])
+    grid = SubsetGrid.of(free, s.step, window.half)
     if not len(grid.xy_px):
         raise InputError("strain.no_subset", window=2 * window.half + 1, file=s.reference)
     first, previous = Picture.of(reference, 1), None
@@ -72,12 +84,10 @@ def run_strain(settings: StrainSettings, progress: Progress = silent) -> Strains
         found.append(f)
     if previous is None:
         raise InputError("strain.nothing_followed", n=len(grid.xy_px), names=[p.name for p in photos[1:]])
-    for photo, f in zip(photos[1:], found, strict=True):
-        images.append(_image(s, photo.name, grid, f))
-    done = Strains(
-        settings=s, grid=grid, images=tuple(images), reported=_reported(s, images),
-        files=(),
-    )  # fmt: skip
+    for name, f in zip(names_of(s.deformed), found, strict=True):
+        images.append(_image(s, name, grid, f))
+    reported = (*_of_reference(s, photos[0].name, reference, free), *_reported(s, grid, images))
+    done = Strains(settings=s, grid=grid, images=tuple(images), reported=reported, files=())
     progress("writing", 0.9)
     files = write_strains(done, reference, np.array([photos[0].width_px, photos[0].height_px]))
     return Strains(settings=s, grid=grid, images=done.images, reported=done.reported, files=files)
@@ -142,11 +152,66 @@ def _image(s: StrainSettings, name: str, grid: SubsetGrid, f: Followed) -> Strai
     )  # fmt: skip
 
 
-def _reported(s: StrainSettings, images: Sequence[StrainImage]) -> tuple[Message, ...]:
+def names_of(paths: Sequence[Path]) -> list[str]:
+    """Names of files, with as many of their folders as make them different; raises InputError for one given twice."""
+    resolved = [p.resolve() for p in paths]
+    twice = next((p for k, p in enumerate(resolved) if p in resolved[:k]), None)
+    if twice is not None:
+        raise InputError("strain.image_twice", file=twice)
+    parts = 1
+    while len({p.parts[-parts:] for p in resolved}) < len(resolved):
+        parts += 1
+    return ["/".join(p.parts[-parts:]) for p in resolved]
+
+
+def _of_reference(s: StrainSettings, name: str, reference: Array, free: Mask) -> list[Message]:
+    """What makes the reference, or what is masked of it, unfit."""
+    import numpy as np
+
+    from raybundle.matching.subsets import repetition
+
+    found = list[Message]()
+    correlation, period = repetition(reference)
+    if correlation > REPEATED:
+        found.append(warning("strain.repeated", name=name, correlation=correlation, period_px=period))
+    ends = np.isin(reference[free], (reference.min(), reference.max()))
+    if float(ends.mean()) > SATURATED:
+        found.append(warning("strain.saturated", name=name, share=float(ends.mean()), limit=SATURATED))
+    if s.mask is not None and free.all():
+        found.append(warning("strain.mask_empty", name=s.mask.name))
+    several = [p.name for p in (s.reference, *s.deformed) if _pages(p) > 1]
+    if several:
+        found.append(warning("strain.pages", names=several))
+    return found
+
+
+def _pages(path: Path) -> int:
+    """Pictures of a file."""
+    from PIL import Image
+
+    try:
+        with Image.open(path) as picture:
+            return int(getattr(picture, "n_frames", 1))
+    except (OSError, ValueError):  # of a kind that another library reads
+        return 1
+
+
+def _reported(s: StrainSettings, grid: SubsetGrid, images: Sequence[StrainImage]) -> tuple[Message, ...]:
     """What the results do not show, of the image of which it is most true."""
     import numpy as np
 
+    from raybundle.matching.subsets import jumps
+
     found = list[Message]()
+    pairs = [jumps(grid, i.followed) for i in images]
+    shares = [n / max(of, 1) for n, of in pairs]
+    if max(shares) > JUMPING:
+        k = int(np.argmax(shares))
+        jump = warning("strain.jumps", name=images[k].name, n=pairs[k][0], of=pairs[k][1], share=shares[k])
+        found.append(replace(jump, severity=Severity.FAULT))
+    same = [i.name for i in images if _exact(i)]
+    if same:
+        found.append(warning("strain.same_content", names=same))
     lost = [int((~np.isfinite(i.followed.correlation)).sum()) for i in images]
     if any(lost):
         worst = images[int(np.argmax(lost))]
@@ -164,6 +229,14 @@ def _reported(s: StrainSettings, images: Sequence[StrainImage]) -> tuple[Message
     if none:
         found.append(warning("strain.no_strain", names=none, gauge=s.gauge))
     return tuple(found)
+
+
+def _exact(image: StrainImage) -> bool:
+    """Whether an image is the reference, moved or not: no camera repeats a picture without noise."""
+    import numpy as np
+
+    cov = image.followed.cov_px2[:, 0, 0]
+    return bool(np.nanmedian(cov) < EXACT_PX**2) if np.isfinite(cov).any() else False
 
 
 def summary_of(image: StrainImage) -> list[Message]:

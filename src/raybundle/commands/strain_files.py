@@ -188,8 +188,8 @@ def _draw(path: Path, done: Strains, reference: Array, values: Array, title: str
         tall = max(size[1], 220) - 20
         bar = _coloured(np.linspace(1, 0, tall))[:, None].repeat(BAR_PX, axis=1)
         sheet.paste(Image.fromarray(bar.astype(np.uint8)), (size[0] + 12, 50))
-        values = ticks((float(low), float(high)))
-        for value, text in zip(values, tick_labels(values), strict=True):
+        places = ticks((float(low), float(high)))
+        for value, text in zip(places, tick_labels(places), strict=True):
             down = 50 + tall * (high - value) / (high - low)
             draw.text((size[0] + BAR_PX + 18, down), text, fill=(40, 40, 40), font=font, anchor="lm")
     sheet.save(path, compress_level=1)

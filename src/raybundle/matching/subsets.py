@@ -57,6 +57,11 @@ OF_OUTCOME = {
     Outcome.UNSTEADY: State.UNSTEADY,
 }  # fmt: skip
 
+JUMP_PX = 1.0
+"""Distance of a subset from where its neighbour predicts it: bent specimens show hundredths of a pixel"""
+LARGEST_PX, LEAST_PERIOD_PX = 1024, 4.0
+"""Side of the part of the reference in which repetition is looked for, and the shortest period"""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SubsetGrid:
@@ -155,6 +160,47 @@ def follow(
         g.try_features()
         g.grow()
     return g.result()
+
+
+def jumps(grid: SubsetGrid, f: Followed) -> tuple[int, int]:
+    """Pairs of neighbours of which one lies elsewhere than the shape of the other predicts, and all pairs.
+
+    Subsets across a crack are torn: what is followed on both sides are no neighbours.
+    """
+    around = grid.neighbours()
+    i, k = np.nonzero(around >= 0)
+    j = around[i, k]
+    both = (i < j) & (f.state[i] == State.FOLLOWED) & (f.state[j] == State.FOLLOWED)
+    i, j = i[both], j[both]
+    apart = (grid.xy_px[j] - grid.xy_px[i])[:, :, None]
+    predicted = ((f.affine[i] + f.affine[j]) / 2 @ apart)[:, :, 0]
+    return int((np.linalg.norm(f.xy_px[j] - f.xy_px[i] - predicted, axis=1) > JUMP_PX).sum()), len(i)
+
+
+def repetition(grey: Array) -> tuple[float, float]:
+    """Correlation of the middle of an image with itself at another place, and the distance of that place [px].
+
+    0 where no other place is more like it than what surrounds it.
+    """
+    from scipy.ndimage import maximum_filter
+
+    h, w = (min(n, LARGEST_PX) for n in grey.shape)
+    top, left = (grey.shape[0] - h) // 2, (grey.shape[1] - w) // 2
+    part = np.asarray(grey[top : top + h, left : left + w], float)
+    part = part - part.mean()
+    power = np.abs(np.fft.rfft2(part, (2 * h, 2 * w))) ** 2
+    C = np.fft.fftshift(np.fft.irfft2(power, (2 * h, 2 * w)))
+    dy, dx = np.arange(-h, h)[:, None], np.arange(-w, w)
+    overlap = np.maximum((h - np.abs(dy)) * (w - np.abs(dx)), 1) / (h * w)
+    C = C / max(float(C[h, w]), 1e-300) / overlap
+    distance = np.hypot(dy, dx)
+    C[(distance > min(h, w) / 2) | (dy < 0)] = -1.0
+    peak = (maximum_filter(C, 5) == C) & (distance > LEAST_PERIOD_PX)
+    if not peak.any():
+        return 0.0, 0.0
+    alike = peak & (0.9 * C[peak].max() < C)  # of the multiples of a period the first
+    best = np.unravel_index(np.where(alike, distance, np.inf).argmin(), C.shape)
+    return max(float(C[best]), 0.0), float(distance[best])
 
 
 @dataclass(slots=True, kw_only=True)

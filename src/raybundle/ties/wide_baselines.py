@@ -271,8 +271,9 @@ class WideBaselines:
         except NoOrientation:
             return False
         after = new.parts(len(self.photos))
-        gains = [int((after == 0).sum() - (before == 0).sum()), int((after >= 0).sum() - (before >= 0).sum())]
-        if max(gains) <= 0 or min(gains) < 0 or new.faults > self.best.faults:
+        lost = ((before == 0) & (after != 0)) | ((before >= 0) & (after < 0))
+        more = (after == 0).sum() > (before == 0).sum() or (after >= 0).sum() > (before >= 0).sum()
+        if lost.any() or not more or new.faults > self.best.faults:
             return False
         self.best = new
         return True

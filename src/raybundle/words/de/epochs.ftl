@@ -133,7 +133,7 @@ epochs-limit_exceeded = { $n } { $n ->
     } { $limit }: { $name } { NUM($length_mm, digits: 3) } mm bis { $end } (Wahrscheinlichkeit über { PERCENT($confidence) } %).
     .do = { $name } prüfen.
 
-epochs-limit_kept = Keine Verschiebung überschreitet { $limit } (Wahrscheinlichkeit über { PERCENT($confidence) } %).
+epochs-limit_kept = An { $tested } von { $points } Punkten ist die Grenze { $limit } geprüft; keine Verschiebung überschreitet sie dort ({ PERCENT($confidence) } %).
 
 epochs-limit_below_detection = { $limit } ist an { $n } von { $points } Punkten nicht geprüft: unter der Nachweisgrenze.
     .why = Die kleinste nachweisbare Verschiebung beträgt bis zu { NUM($largest_mm, digits: 3) } mm.

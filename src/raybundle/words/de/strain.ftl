@@ -36,3 +36,29 @@ strain-empty_extent = Der Ausschnitt { LIST($extent) } enthält kein Pixel.
     .do = Links, oben, rechts, unten in dieser Reihenfolge angeben.
 
 strain-map_empty = keine Werte
+
+strain-repeated = { $name }: Die Textur wiederholt sich nach { NUM($period_px, digits: 3) } px (Korrelation { NUM($correlation, digits: 2) }).
+    .why = Eine Verschiebung um eine ganze Periode sieht aus wie keine; Fenster können eine Periode daneben gefunden werden.
+    .do = Ein zufälliges Muster verwenden, oder { OPTION("window", "PX") } über mehrere Perioden mit etwas, das sich nicht wiederholt.
+
+strain-saturated = { $name }: { PERCENT($share) } % der Pixel haben den dunkelsten oder hellsten Grauwert (Grenze { PERCENT($limit) } %).
+    .why = Sie tragen weder Ort noch Rauschen: Standardabweichungen sind zu klein, bei einem Drittel der Pixel um ein Fünftel.
+    .do = So belichten, dass kein Pixel gesättigt ist.
+
+strain-mask_empty = Die Maske { $name } maskiert nichts.
+    .why = Nur Pixel mit dem Grauwert 0 sind maskiert; Transparenz wird nicht gelesen.
+    .do = Ein Bild angeben, das außerhalb der Probe schwarz ist.
+
+strain-pages = Von Dateien mit mehreren Bildern wird nur das erste verwendet: { LIST($names, most: 3) }.
+    .do = Jedes Bild als eigene Datei speichern.
+
+strain-jumps = { $name }: Verschiebungen springen zwischen { $n } von { $of } Nachbarpaaren.
+    .why = Die Form eines Fensters sagt voraus, wo sein Nachbar liegt; { PERCENT($share) } % liegen mehr als ein Pixel daneben. Die Textur wiederholt sich, oder die Bewegung ist zu groß.
+    .do = Dieses Bild nicht verwenden. Zufälliges Muster, größeres { OPTION("window", "PX") } oder Bilder bei kleineren Lasten dazwischen.
+
+strain-same_content = Die Referenz selbst, verschoben oder nicht: { LIST($names, most: 3) }.
+    .why = Ihr Rauschen ist dasselbe; Standardabweichungen sind zu klein.
+    .do = Ein anderes Bild angeben.
+
+strain-image_twice = Das Bild ist zweimal angegeben.
+    .do = Jedes Bild einmal angeben.

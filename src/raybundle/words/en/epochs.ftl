@@ -228,7 +228,9 @@ epochs-limit_exceeded = { $n } { $n ->
 
 # $limit = "10mm"
 # $confidence = 0.99
-epochs-limit_kept = No displacement exceeds { $limit } (probability over { PERCENT($confidence) } %).
+# $tested = 1300
+# $points = 1300
+epochs-limit_kept = At { $tested } of { $points } points the limit { $limit } is tested; no displacement exceeds it there ({ PERCENT($confidence) } %).
 
 # $limit = "10mm"
 # $n = 12

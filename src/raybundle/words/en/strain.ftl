@@ -68,3 +68,42 @@ strain-empty_extent = The extent { LIST($extent) } holds no pixel.
     .do = Give left, top, right and bottom in this order.
 
 strain-map_empty = no values
+
+# $name = "load-00.tif"
+# $correlation = 0.9
+# $period_px = 12.0
+strain-repeated = { $name }: the texture repeats after { NUM($period_px, digits: 3) } px (correlation { NUM($correlation, digits: 2) }).
+    .why = A displacement by a whole period looks like none; subsets may be found one period off.
+    .do = Use a random pattern, or a { OPTION("window", "PX") } of several periods that holds what does not repeat.
+
+# $name = "load-00.tif"
+# $share = 0.3
+# $limit = 0.1
+strain-saturated = { $name }: { PERCENT($share) } % of the pixels have the darkest or brightest grey value (limit { PERCENT($limit) } %).
+    .why = They carry no place and no noise: standard deviations are too small, by a fifth with a third of the pixels.
+    .do = Expose so that no pixel is saturated.
+
+# $name = "mask.png"
+strain-mask_empty = The mask { $name } masks nothing.
+    .why = Only pixels with the grey value 0 are masked; transparency is not read.
+    .do = Give an image that is black outside the specimen.
+
+# $names = ["series.tif"]
+strain-pages = Only the first picture is used of files with several: { LIST($names, most: 3) }.
+    .do = Save each picture as a file of its own.
+
+# $name = "load-07.tif"
+# $n = 1200
+# $of = 2300
+# $share = 0.52
+strain-jumps = { $name }: displacements jump between { $n } of { $of } pairs of neighbours.
+    .why = The shape of a subset predicts where its neighbour lies; { PERCENT($share) } % lie more than a pixel away. The texture repeats, or the motion is too large.
+    .do = Do not use this image. Use a random pattern, a larger { OPTION("window", "PX") }, or images at smaller loads in between.
+
+# $names = ["copy.tif"]
+strain-same_content = The reference itself, moved or not: { LIST($names, most: 3) }.
+    .why = Its noise is the same; standard deviations are too small.
+    .do = Give another image.
+
+strain-image_twice = The image is given twice.
+    .do = Give each image once.

@@ -69,6 +69,6 @@ epochs-camera_changed = La caméra { $camera } a une autre orientation interne �
 
 epochs-limit_exceeded = Déplacements de plus de { $limit } : { $n } ; { $name } { NUM($length_mm, digits: 3) } mm jusqu’au { $end } (probabilité supérieure à { PERCENT($confidence) } %).
 
-epochs-limit_kept = Aucun déplacement ne dépasse { $limit } (probabilité supérieure à { PERCENT($confidence) } %).
+epochs-limit_kept = La limite { $limit } est contrôlée sur { $tested } points de { $points } ; aucun déplacement ne la dépasse là ({ PERCENT($confidence) } %).
 
 epochs-limit_below_detection = { $limit } n'est pas contrôlé pour { $n } points sur { $points } : sous le seuil de détection.

@@ -24,3 +24,17 @@ strain-same_image = L'image est une copie de la référence { $reference }.
 strain-empty_extent = L'emprise { LIST($extent) } ne contient aucun pixel.
 
 strain-map_empty = aucune valeur
+
+strain-repeated = { $name } : la texture se répète après { NUM($period_px, digits: 3) } px (corrélation { NUM($correlation, digits: 2) }).
+
+strain-saturated = { $name } : { PERCENT($share) } % des pixels ont la valeur de gris extrême (limite { PERCENT($limit) } %).
+
+strain-mask_empty = Le masque { $name } ne masque rien.
+
+strain-pages = Seule la première image est utilisée des fichiers qui en ont plusieurs : { LIST($names, most: 3) }.
+
+strain-jumps = { $name } : { $n } de { $of } fenêtres voisines se contredisent : les déplacements sautent.
+
+strain-same_content = La référence elle-même, déplacée ou non : { LIST($names, most: 3) }.
+
+strain-image_twice = L'image est donnée deux fois.

@@ -126,7 +126,9 @@ def _arrays(f: Found) -> dict[str, Array]:
         return whole
     assert START.codec is not None
     started = START.codec.arrays(f.started)
-    pairs = numbered([{**arrays_of_pair(p), "ends": np.array([p.first, p.second])} for p in f.pairs])
+    pairs = numbered(
+        [{**arrays_of_pair(p), "ends": np.array([p.first, p.second]), "method": np.array(p.method)} for p in f.pairs]
+    )
     return {**whole, "keys": texts(f.keys), **packed({"started": started, "pairs": pairs})}
 
 
@@ -147,12 +149,20 @@ def _product(a: Mapping[str, Array]) -> Found:
     )  # fmt: skip
 
 
+FEWEST = 3
+"""Photographs of the largest part: what a single pair holds together may itself be wrong"""
+
+
 def _incomplete(state: OrientState) -> bool:
-    """Whether photographs are left out or in other parts; scenes have ways of their own."""
+    """Whether photographs are left out or in other parts; scenes have ways of their own.
+
+    Where structure repeats, more pairs join what was separated with reason.
+    """
     repeats = {state.photos[i].name for i in state.repeats}
     lost = [name for name, _ in state.lost if name not in repeats]
     allowed = state.scenes is None and state.asked.options.wide_baselines != "none"
-    return allowed and bool(state.ties) and (bool(lost) or len(state.ties) > 1)
+    doubtful = any(n.code == REPEATED for n in state.notices) or state.oriented < FEWEST
+    return allowed and not doubtful and (bool(lost) or len(state.ties) > 1)
 
 
 STAGE = ORIENT.register(
