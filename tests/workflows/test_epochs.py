@@ -2,7 +2,7 @@
 
 import csv
 import shutil
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -10,12 +10,15 @@ import cv2
 import numpy as np
 import pytest
 
-from raybundle.commands.epochs import EpochsSettings, epochs, groups_of, messages_of, trends_of
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.commands.epochs import EpochsSettings, epochs, groups_of, messages_of, trends_of, with_movements
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
 from raybundle.metrology.congruence import STRAINED
+from raybundle.numerics.progress import silent
 from raybundle.ties.match_weights import Matches, Weights, weighted
+from raybundle.workflows.adjust import adjust
 from raybundle.workflows.epochs.cameras import cameras_by_dates
 from raybundle.workflows.epochs.dated_points import by_dates
 from raybundle.workflows.epochs.movements import MOVED, movements
@@ -307,3 +310,31 @@ def test_a_copy_keeps_the_first_date_and_is_named(may, tmp_path):
     assert [july.values[k] for k in ("copies", "unusable", "lost")] == [2, 1, 1]
     _, dateless = left_out(found, folders[:2], [])
     assert [dateless.values[k] for k in ("date", "n", "total", "whole")] == ["july", 3, 4, False]
+
+
+@dataclass
+class _Oriented:
+    """What `with_movements` takes of an orientation."""
+
+    adjustment: object
+    weights: object = None
+    matches: tuple = ()
+    remarks: tuple = ()
+    sigma_px: float = 0.0
+
+
+def test_a_photograph_with_too_few_points_at_its_date_is_left_out_and_named():
+    block, dates = network(6)
+    block = replace(block, images=replace(block.images, file=tuple(f"{i}.jpg" for i in block.images.ids)))
+    o, lone = block.observations, 9
+    date = dates.of_image
+    mine = np.flatnonzero(o.image == lone)
+    # of its points only two are seen by another photograph of its date
+    others = np.isin(o.point, o.point[mine[2:]]) & (date[o.image] == date[lone]) & (o.image != lone)
+    block = replace(block, observations=o.rows(~others))
+    days = {f: DAYS[d] for f, d in zip(block.images.file, date.tolist(), strict=True)}
+    done = _Oriented(adjustment=adjust(block, AdjustmentOptions(jobs=1, noise="white")))
+    whole, found = with_movements(done, days, EpochsSettings(out=Path("dam")), silent)
+    assert found is not None
+    out = [n for n in whole.adjustment.notices if n.code == "image_left_out"]
+    assert [n.ids for n in out] == [(block.images.ids[lone],)]

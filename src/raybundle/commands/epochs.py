@@ -10,11 +10,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.orient import OrientSettings
-from raybundle.errors import InputError, Message, Severity, Text, note, warning
+from raybundle.errors import InputError, Message, NotSolvable, Severity, Text, note, phrase, warning
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import Range, keywords, made, other_than_usual, setting
 
 if TYPE_CHECKING:
+    from raybundle.adjustment.records.notice import Notice
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
     from raybundle.metrology.congruence import Congruence
@@ -244,11 +245,15 @@ def with_movements(
     done: Orientation, dates: Mapping[str, str], settings: EpochsSettings, progress: Progress
 ) -> tuple[Orientation, Movements | None]:  # fmt: skip
     """An orientation with places of each date where points moved, and what moved; None: one date alone."""
+    import numpy as np
+
     from raybundle.adjustment.readjust import block_again
+    from raybundle.block.select import without_images
     from raybundle.ties.block import image_sigma_px
     from raybundle.workflows.epochs.dated_points import Dates
     from raybundle.workflows.epochs.movements import movements
     from raybundle.workflows.epochs.stability import weighted_apart
+    from raybundle.workflows.final_adjustment import excluded_image
 
     a = done.adjustment
     block = block_again(a)
@@ -264,21 +269,43 @@ def with_movements(
         block,
         cameras=tuple(replace(c, estimate=free.get(c.id, ())) if c.estimate == "auto" else c for c in block.cameras),
     )
-    weights, adjusting = done.weights, replace(a.options, reject="snooping", estimate="given", datum="auto")
-    if weights is not None and done.matches:
-        block, weights = weighted_apart(block, Dates.of(of_image), done.matches, weights, adjusting, progress)
+    adjusting = replace(a.options, reject="snooping", estimate="given", datum="auto")
     same = {"test": None, "yes": True, "no": False}[settings.shared_cameras]
-    found = movements(
-        block, Dates.of(of_image), significance=settings.significance, groups=groups_of(settings.group, block),
-        datum=settings.datum_points, same_cameras=same, progress=progress,
-        options=adjusting,
-    )  # fmt: skip
+
+    def tested(block: Block) -> tuple[Movements, Any]:
+        weights = done.weights
+        if weights is not None and done.matches:
+            block, weights = weighted_apart(block, Dates.of(of_image), done.matches, weights, adjusting, progress)
+        return movements(
+            block, Dates.of(of_image), significance=settings.significance, groups=groups_of(settings.group, block),
+            datum=settings.datum_points, same_cameras=same, progress=progress, options=adjusting,
+        ), weights  # fmt: skip
+
+    less: list[Notice] = []
+    while True:
+        try:
+            found, weights = tested(block)
+            break
+        except NotSolvable as error:  # rays that are the only ones of a point at their date place nothing
+            names = [u.name for u in error.undetermined if u.kind == "image"]
+            out = np.isin(block.images.ids, names) & block.images.oriented
+            if (
+                error.message is None
+                or error.message.code != TOO_FEW
+                or not out.any()
+                or (block.images.oriented & ~out).sum() < 2
+            ):
+                raise
+            block = without_images(block, out)
+            less += [excluded_image(name, phrase("excluded.few_points_at_date")) for name in names]
     own = {n.code for n in found.adjustment.notices}
-    notices = (*(n for n in a.notices if n.code not in own and n.code not in OF_ONE_DATE), *found.adjustment.notices)
+    before = (n for n in a.notices if n.code not in own and n.code not in OF_ONE_DATE)
+    notices = (*less, *before, *found.adjustment.notices)
     adjustment = replace(found.adjustment, notices=notices)
     return replace(done, adjustment=adjustment, weights=weights, sigma_px=image_sigma_px(adjustment)), found
 
 
+TOO_FEW = "image.too_few_points"
 OF_ONE_DATE = {"snooping_masked", "rejected", "image_contradicts", "image_less_precise"}
 """Codes of notices that points which moved raise while they are taken for one place"""
 

@@ -7,3 +7,5 @@ excluded-few_points = The { $n } remaining points do not determine the orientati
 
 # $photographs = 3
 excluded-part = A separate part of { $photographs } photographs is not determined.
+
+excluded-few_points_at_date = Too few of its points have a second ray at its date.
