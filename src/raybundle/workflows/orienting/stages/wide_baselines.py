@@ -11,8 +11,8 @@ import numpy as np
 
 from raybundle.adjustment.records.notice import Notice
 from raybundle.errors import InputError, phrase
+from raybundle.io.block.arrays import value_of_text
 from raybundle.io.photos.masks import Masks
-from raybundle.io.reading.trees import own_json_of
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.methods import FOR_WIDE_BASELINES, LEARNED, feature_method
 from raybundle.matching.verify import VerifiedPair
@@ -133,7 +133,7 @@ def _arrays(f: Found) -> dict[str, Array]:
 
 
 def _product(a: Mapping[str, Array]) -> Found:
-    steps = tuple(replace(Step(**s), joined=tuple(s["joined"])) for s in own_json_of(str(a["steps"])))
+    steps = tuple(replace(Step(**s), joined=tuple(s["joined"])) for s in value_of_text(str(a["steps"])))
     budget = float(a["budget_s"])
     if "keys" not in a:
         return Found(steps=steps, budget_s=budget)
