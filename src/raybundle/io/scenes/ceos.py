@@ -123,7 +123,7 @@ def _time(record: Record, byte: int) -> np.datetime64:
     try:
         if parts is not None and parts[2] in MONTHS:
             month = MONTHS.index(parts[2]) + 1
-            return np.datetime64(f"{parts[3]}-{month:02}-{int(parts[1]):02}T{parts[4]}", "ns")
+            return np.datetime64(f"{parts[3]}-{month:02}-{parts[1]:0>2}T{parts[4]}", "ns")
     except ValueError:
         pass
     return record.fail(byte, "value.no_time", value=quoted(word))
