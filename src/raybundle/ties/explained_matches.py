@@ -1,4 +1,4 @@
-"""Photographs whose verified matches their adjusted orientation does not explain: of another camera, or misplaced.
+"""Photographs with verified matches that the adjusted orientation does not explain: of another camera, or misplaced.
 
 Pairs are verified by a fundamental matrix, which fits any camera.  Matches that fit it, but not the adjusted
 orientation and camera, are left out one by one on the way to the adjustment, and what stays of the photograph looks
