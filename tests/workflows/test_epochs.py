@@ -17,6 +17,7 @@ from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
 from raybundle.metrology.congruence import STRAINED
 from raybundle.numerics.progress import silent
+from raybundle.results.displacements import read_displacements
 from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.adjust import adjust
 from raybundle.workflows.epochs.cameras import cameras_by_dates
@@ -37,7 +38,6 @@ from raybundle.workflows.epochs.tables import (
     changes_of,
     epochs_json,
     exceeded,
-    read_displacements,
     write_displacements,
     write_strains,
     write_velocities,

@@ -369,7 +369,7 @@ def _outside_groups(given: Sequence[str], tested: Sequence[str]) -> list[Message
 
 def _delivered(result: Path) -> Any:
     """Displacements of the result that is replaced; None: there are none."""
-    from raybundle.workflows.epochs.tables import DISPLACEMENTS, read_displacements
+    from raybundle.results.displacements import DISPLACEMENTS, read_displacements
 
     file = result / DISPLACEMENTS
     return read_displacements(file) if file.is_file() else None
@@ -419,8 +419,8 @@ def trends_of(m: Movements, significance: float) -> Trends:
 def _write(
     found: Movements | None, folder: Path, limit: Limit | None, changes: Changes | None, significance: float
 ) -> None:
+    from raybundle.results.displacements import DISPLACEMENTS
     from raybundle.workflows.epochs.tables import (
-        DISPLACEMENTS,
         EPOCHS,
         STRAINS,
         VELOCITIES,

@@ -149,6 +149,7 @@ def _stages(project: Path, made: Container[str], *, of_calibration: bool) -> tup
         return CALIBRATE.titles()
     from raybundle.workflows.orient import stages
 
-    after = [t for t in stages() if t in made][-1:]  # a stage before the last one that ran was not needed
-    passed = stages()[: stages().index(after[0])] if after else ()
-    return tuple(t for t in stages() if t in made or t not in passed)
+    last = max((k for k, t in enumerate(stages()) if t in made), default=-1)
+    return tuple(
+        t for k, t in enumerate(stages()) if t in made or k > last
+    )  # those before that did not run: not needed

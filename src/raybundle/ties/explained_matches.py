@@ -8,6 +8,7 @@ good.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
@@ -24,6 +25,8 @@ UNEXPLAINED = 0.6
 """Share of the matches of its best pair that fit the orientation, below which a photograph is reported."""
 OTHERS = 0.9
 """The same share in the median of all photographs, below which nothing is reported: no camera fits then."""
+KEPT = 256
+"""Photographs of which features are kept while pairs are compared: they are read from the project"""
 FEWEST = 4
 """Photographs with such pairs: the others show what is usual."""
 
@@ -36,7 +39,7 @@ def best_shares(block: Block, xy_px: Sequence[Array], rows: Sequence[int], pairs
     A match fits where its rays miss each other by no more than the verification allows, `verify.limit_px`.
     """
     cameras, of_image = interiors(block)
-    best = np.full(len(block.images), np.nan)
+    best, places = np.full(len(block.images), np.nan), lru_cache(KEPT)(xy_px.__getitem__)
     for p in pairs:
         i, j = rows[p.first], rows[p.second]
         if i < 0 or j < 0 or not (block.images.oriented[i] and block.images.oriented[j]):
@@ -46,7 +49,7 @@ def best_shares(block: Block, xy_px: Sequence[Array], rows: Sequence[int], pairs
         base = block.images.centre[j] - block.images.centre[i]
         rays: list[Array] = []
         for k, photo, column in ((i, p.first, 0), (j, p.second, 1)):
-            camera, pixels = cameras[of_image[k]], xy_px[photo][p.matches[:, column]]
+            camera, pixels = cameras[of_image[k]], places(photo)[p.matches[:, column]]
             if k in block.images.frames:
                 pixels = camera_from_file(pixels, camera, block.images.frames[k])
             rays.append(camera_rays(camera, pixels.T).T @ block.images.rotation[k])

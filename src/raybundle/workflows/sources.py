@@ -18,6 +18,7 @@ from raybundle.io.geo.coordinate_systems import frame_from_mapping
 from raybundle.io.reading.trees import Json
 from raybundle.io.tables import Column, Table, read_table
 from raybundle.numerics.arrays import Array
+from raybundle.results.displacements import DISPLACEMENTS, read_displacements
 from raybundle.results.folder import MAP, ResultFolder, read_result
 from raybundle.results.record import STATE
 from raybundle.results.recording_sheet import read_recorded
@@ -144,8 +145,6 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
 
 def _displaced(folder: Path) -> Displaced | None:
     """What moved between the dates of a result."""
-    from raybundle.workflows.epochs.tables import DISPLACEMENTS, read_displacements
-
     table = folder / DISPLACEMENTS
     return read_displacements(table) if table.is_file() else None
 

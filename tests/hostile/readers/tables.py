@@ -113,7 +113,7 @@ def displacement_seeds(top: Path) -> None:
 
 
 def read_the_displacements(folder: Path) -> list[str]:
-    from raybundle.workflows.epochs.tables import read_displacements
+    from raybundle.results.displacements import read_displacements
 
     found = read_displacements(only(folder))
     return [n for n in ("xyz", "vector", "covariance") if np.isinf(getattr(found, n)).any()]

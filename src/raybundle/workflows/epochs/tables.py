@@ -12,19 +12,17 @@ import numpy as np
 
 from raybundle.io.digits import COUNT, PIXEL, PROBABILITY, SHORT, STD, TEST, Digits, by_sigma, reported
 from raybundle.io.formats.base import Displaced
-from raybundle.io.tables import Column, read_table, write_table
+from raybundle.io.tables import write_table
 from raybundle.metrology.areas import AreaTest
 from raybundle.metrology.trends import YEAR, Trends
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import correlation
 from raybundle.results.contents import clean
+from raybundle.results.displacements import AXES, EXCEEDS, TESTED
 from raybundle.workflows.epochs.matching_errors import OF_PLACES, SCALES
 from raybundle.workflows.epochs.movements import MOVED, UNTESTED, Movements, exceeding
 
-DISPLACEMENTS, STRAINS, VELOCITIES = "displacements.csv", "surface_strain.csv", "velocities.csv"
-EPOCHS = "epochs.json"
-AXES = "XYZ"
-EXCEEDS, TESTED = "p_exceeds_limit", "p_tested"
+STRAINS, VELOCITIES, EPOCHS = "surface_strain.csv", "velocities.csv", "epochs.json"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -233,26 +231,6 @@ def _area(a: AreaTest, ids: Sequence[str], names: Sequence[str]) -> dict[str, An
 def write_epochs(contents: Mapping[str, Any], path: Path) -> None:
     """Write epochs.json."""
     path.write_text(json.dumps(clean(reported(dict(contents), SHORT)), indent=1) + "\n", encoding="utf-8")
-
-
-def read_displacements(path: Path) -> Displaced:
-    """The displacements of a result."""
-    texts, numbers = ("point", "from", "to", "verdict"), [f"{h}{a}" for h in ("d", "sd") for a in AXES]
-    more = (*AXES, "rXY", "rXZ", "rYZ", "length", "F", "p", "detectable_before", "detectable", EXCEEDS, TESTED)
-    columns = [
-        *(Column(name=n, kind="text", empty=True) for n in texts),
-        *(Column(name=n, kind="number", empty=True, optional=n in {EXCEEDS, TESTED}) for n in (*numbers, *more)),
-    ]
-    t = read_table(path, columns, least_rows=0, own=True)
-    R = np.tile(np.eye(3), (len(t.text["point"]), 1, 1))
-    for name, (i, j) in {"rXY": (0, 1), "rXZ": (0, 2), "rYZ": (1, 2)}.items():
-        R[:, i, j] = R[:, j, i] = t.numbers(name)[:, 0]
-    std = t.numbers(*(f"sd{a}" for a in AXES))
-    point, start, end, verdict = (tuple(t.text[n]) for n in texts)
-    return Displaced(
-        point=point, start=start, end=end, verdict=verdict, xyz=t.numbers(*AXES), p=t.numbers("p")[:, 0],
-        vector=t.numbers(*(f"d{a}" for a in AXES)), covariance=std[:, :, None] * R * std[:, None, :],
-    )  # fmt: skip
 
 
 def changes_of(m: Movements, before: Displaced) -> Changes | None:
