@@ -8,7 +8,9 @@ import pytest
 from raybundle.adjustment.records.severity import Severity
 from raybundle.block import Instrument, Role, Stations
 from raybundle.errors import InputError
+from raybundle.measuring.actions.control import GiveControl, Given
 from raybundle.measuring.actions.verbs import Point, Put
+from raybundle.measuring.control_names import check_reach
 from raybundle.measuring.merge import merge
 from raybundle.measuring.panel_candidates import measured_panel, panel_places
 from raybundle.measuring.panel_search import search_panels
@@ -145,3 +147,29 @@ def test_control_under_other_names_or_in_another_order_is_no_shift():
     base, _, both = hand_marked(given=lambda xyz: xyz[:, [1, 0, 2]])
     with pytest.raises(InputError, match="do not fit their marks"):
         merge(base, both)
+
+
+@pytest.mark.parametrize(
+    ("shift", "apart"), [((0, 0, 0), None), ((142e3, 0, 0), 142e3), ((0, 0, 45.0), None)]
+)  # fmt: skip
+def test_control_in_another_zone_is_refused_when_it_is_given(shift, apart):
+    base, _, both = hand_marked()
+    rows = [
+        Given(point=n, role="control", xyz=tuple(np.array(v.xyz) + shift), sigma=v.sigma)
+        for n, v in both.points.items()
+    ]
+    action = GiveControl(file="gcps.csv", points=tuple(rows))
+    if apart is None:
+        check_reach(base, action)
+        return
+    with pytest.raises(InputError, match="the project has EPSG:25833") as caught:
+        check_reach(base, action, "EPSG:25833")
+    assert caught.value.code == "mark.control_apart"
+    assert caught.value.message is not None
+    assert caught.value.message.values["distance"] == pytest.approx(apart, rel=1e-3)
+
+
+def test_control_has_no_place_to_miss_in_a_block_without_one():
+    base, _, _ = hand_marked()
+    row = Given(point="A", role="control", xyz=(4e5, 5e6, 100.0), sigma=(0.01, 0.01, 0.01))
+    check_reach(base.having(base.stations.rows(np.zeros(0, int))), GiveControl(file="gcps.csv", points=(row,)))

@@ -1,10 +1,12 @@
 """The server's part of masks, tables dropped on the window, and many open tabs."""
 
 import asyncio
+import json
 
 import numpy as np
 from PIL import Image
 
+from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.measuring.journal import entries_of, journal_path
 from raybundle.studio.watchers import Live
 from raybundle.workflows.unoriented_block import small_pictures
@@ -24,6 +26,19 @@ def test_a_dropped_table_is_one_action_and_one_undo(client, project):
     assert first["command"].endswith("mark control -- " + str(project) + " control.csv")
     assert [e.verb for e in entries_of(journal_path(project))] == ["control"]
     assert not act(client, "undo", "u").json()["state"]["points"]
+
+
+def test_a_dropped_table_in_the_coordinate_system_of_the_project_is_converted(client, desk, project):
+    frame = local_frame("EPSG:32632", (700_000.0, 5_400_000.0, 400.0))
+    result = next(project.rglob("result.json"))
+    result.write_text(json.dumps(json.loads(result.read_text()) | {"frame": frame.as_mapping()}))
+    local = desk.block.images.centre[:2] + [1.0, 2.0, 0.5]
+    rows = [
+        f"{name},{x:.6f},{y:.6f},{z:.6f}" for name, (x, y, z) in zip("AB", frame.crs_from_local(local), strict=True)
+    ]
+    answer = client.post("/api/control", json={"id": "utm", "text": "\n".join(["point,X,Y,Z", *rows])}).json()
+    for at, point in zip(local, answer["state"]["points"], strict=True):
+        np.testing.assert_allclose(point["xyz"], at, atol=1e-5)
 
 
 def test_a_table_that_cannot_be_read_is_refused_with_its_line(client, project):

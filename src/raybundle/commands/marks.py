@@ -20,9 +20,11 @@ from raybundle.errors import InputError, Text, phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
 from raybundle.io.folders import check_free, new_folder
+from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.tables import write_table
 from raybundle.measuring.actions.control import GiveControl, control_of
 from raybundle.measuring.actions.masks import drawn_by_file, photographs_in, write_masks
+from raybundle.measuring.control_names import check_reach
 from raybundle.measuring.export import (
     lost_in_csv,
     lost_in_gcp_list,
@@ -161,7 +163,7 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
         if verb == "reject_beyond" and "rows" not in arguments:
             arguments["rows"] = _beyond(_standing(folder), journal.state, **arguments)
         if verb == "control" and "points" not in arguments:
-            action, _ = control_in_block(folder, control_of(str(arguments.get("file", "")))[0])
+            action = control_in_block(folder, control_of(str(arguments.get("file", "")))[0])
             return journal.append(action, id=id, author=operator)
         if verb == "move" and "covariance" not in arguments:
             image, point = (str(arguments.get(name, "")) for name in ("image", "point"))
@@ -170,29 +172,34 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
         return journal.append_verb(verb, arguments, id=id, author=operator)
 
 
-def control_in_block(folder: str | Path, action: GiveControl) -> tuple[GiveControl, str]:
-    """A table of control in the frame of the block, and the system that it was converted from; empty: none.
+def control_in_block(folder: str | Path, action: GiveControl) -> GiveControl:
+    """A table of control in the frame of the block of a folder.
 
     A project with a coordinate system has a local frame in it.  The coordinates are taken in that system if they lie
     nearer to the block so than as they stand.
+    raises  InputError for control that lies far from the block either way
     """
     from raybundle.commands.marked_results import passed_on
 
     frame = passed_on(Path(folder)).frame
-    if frame is None:
-        return action, ""
+    action = action if frame is None else _in_frame(action, frame)
+    check_reach(read_block(given_block(_standing(folder))), action, "" if frame is None else frame.crs)
+    return action
+
+
+def _in_frame(action: GiveControl, frame: LocalFrame) -> GiveControl:
     xyz = np.array([[np.nan if v is None else v for v in p.xyz] for p in action.points])
     try:
         local = frame.local_from_crs(xyz)
     except InputError:  # outside the area of the system
-        return action, ""
+        return action
     if not float(np.nanmedian(np.abs(local[:, :2]))) < float(np.nanmedian(np.abs(xyz[:, :2]))):
-        return action, ""
+        return action
     points = tuple(
         replace(p, xyz=cast("Any", tuple(None if v is None else float(w) for v, w in zip(p.xyz, row, strict=True))))
         for p, row in zip(action.points, local, strict=True)
     )
-    return replace(action, points=points), frame.crs
+    return replace(action, points=points)
 
 
 TESTED_AT_ONCE = 200_000

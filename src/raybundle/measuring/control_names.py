@@ -1,4 +1,4 @@
-"""Control given by hand in a block that positions of photographs place: whether each name has its coordinates.
+"""Control given by hand in a block that has its place: whether it lies there, and each name has its coordinates.
 
 Control and positions may differ by a shift, which is estimated (`placing.positions`); nothing else moves the points
 against each other.
@@ -11,6 +11,7 @@ from scipy.optimize import linear_sum_assignment
 
 from raybundle.block import Block
 from raybundle.errors import InputError, message
+from raybundle.measuring.actions.control import GiveControl
 from raybundle.measuring.state import State
 from raybundle.numerics.arrays import Array
 
@@ -18,6 +19,40 @@ FEWEST = 3
 """Points: without one, two are left which agree in the shift or do not."""
 ROUGHLY, SIGMAS = 0.1, 4.0
 """How far places before the adjustment may miss: a share of the extent, or standard deviations of the positions."""
+
+EXTENTS = 10.0
+"""How far the nearest control point may lie from the block: more than any shift of positions, less than a wrong zone,
+unit or order of coordinates makes it"""
+
+
+def check_reach(block: Block, action: GiveControl, crs: str = "") -> None:
+    """Raise InputError for a table of control of which even the nearest point lies far from a block that has its place.
+
+    Distances are in plan, in extents of the block from the median of its projection centres: a geoid undulation may be
+    larger than an object.
+    crs  the coordinate system of the project; empty: none
+    """
+    stations, p = block.stations, block.points
+    if not len(stations) and not p.is_control.all(axis=1).any():
+        return
+    xyz = np.array([[np.nan if v is None else v for v in point.xyz] for point in action.points])
+    plan = np.isfinite(xyz[:, :2]).all(axis=1)
+    centres = block.images.centre[block.images.oriented]
+    if not plan.any() or not len(centres):
+        return
+    middle = np.median(centres, axis=0)
+    known = p.xyz[np.isfinite(p.xyz).all(axis=1)]
+    object_ = np.median(np.linalg.norm(known - middle, axis=1)) if len(known) else 0.0
+    extent = max(float(np.linalg.norm(centres - middle, axis=1).max()), float(object_))
+    sigma = stations.sigma[np.isfinite(stations.sigma)]
+    limit = EXTENTS * (extent + (float(np.median(sigma)) if len(sigma) else 0.0))
+    apart = np.where(plan, np.linalg.norm(xyz[:, :2] - middle[:2], axis=1), np.inf)
+    nearest = int(np.argmin(apart))
+    if float(apart[nearest]) > limit:
+        raise InputError(
+            "mark.control_apart", file=action.file, point=action.points[nearest].point, distance=float(apart[nearest]),
+            extent=extent, limit=limit, unit=block.length_unit, crs=crs,
+        )  # fmt: skip
 
 
 def check_names(block: Block, state: State, places: Array) -> None:

@@ -21,6 +21,7 @@ from starlette.responses import Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from raybundle.commands.marks import control_in_block
 from raybundle.errors import InputError, RaybundleError, code_of, phrase
 from raybundle.io.reading.trees import json_of
 from raybundle.measuring.actions.control import control_of_text
@@ -217,6 +218,7 @@ class Studio:
         if not name:
             raise HTTPException(400, phrase("studio_page.bad_request", name="id", kind="id"))
         action, remarks = control_of_text(_text(given, "text"), _text(given, "file") or "control.csv")
+        action = control_in_block(self.desk.source, action)
         done = self._done(self.desk.journal.append(action, id=name, author=str(given.get("author", ""))[:100]))
         return {"added": [p.point for p in action.points], "remarks": list(remarks), **done}
 

@@ -153,3 +153,10 @@ mark-control_names = { $n } Passpunkte passen nicht zu ihren Bildmessungen: nach
     .do = Namen, Einheit und Reihenfolge der Koordinaten in der Passpunkttabelle prüfen.
 
 mark-control_named = Die Koordinaten von { $point } sind die der Bildmessungen von { $at }.
+
+mark-control_apart = Der nächste Passpunkt { $point } liegt { NUM($distance, digits: 3) } { $unit } von den Fotos entfernt.
+    .why = Die Fotos und was sie zeigen, reichen über { NUM($extent, digits: 2) } { $unit }; erlaubt sind { NUM($limit, digits: 2) } { $unit }.
+    .do = Koordinatensystem{ $crs ->
+        [none] { "" }
+       *[other] { "" } (das Projekt hat { $crs })
+    }, Einheit und Reihenfolge der Koordinaten prüfen.

@@ -268,3 +268,16 @@ mark-control_names = { $n } control points do not fit their marks: after a commo
 # $point = "P2"
 # $at = "P1"
 mark-control_named = The coordinates of { $point } are those of the marks of { $at }.
+
+# $point = "P1"
+# $distance = 142000
+# $extent = 210
+# $limit = 2100
+# $unit = "m"
+# $crs = "EPSG:25832"
+mark-control_apart = The nearest control point, { $point }, is { NUM($distance, digits: 3) } { $unit } from the photographs.
+    .why = The photographs and what they show extend over { NUM($extent, digits: 2) } { $unit }; { NUM($limit, digits: 2) } { $unit } are allowed.
+    .do = Check coordinate system{ $crs ->
+        [none] { "" }
+       *[other] { "" } (the project has { $crs })
+    }, unit and order of the coordinates.

@@ -78,3 +78,5 @@ mark-tested_later = La marque de { $point } dans { $image } n'est pas encore con
 mark-control_names = { $n } points d'appui ne correspondent pas à leurs marques : après un décalage commun, l'écart est de { NUM($missed, digits: 2) } { $unit }.
 
 mark-control_named = Les coordonnées de { $point } sont celles des marques de { $at }.
+
+mark-control_apart = Le point d'appui le plus proche, { $point }, est à { NUM($distance, digits: 3) } { $unit } des photographies.
