@@ -32,7 +32,7 @@ def test_a_dropped_table_in_the_coordinate_system_of_the_project_is_converted(cl
     frame = local_frame("EPSG:32632", (700_000.0, 5_400_000.0, 400.0))
     result = next(project.rglob("result.json"))
     result.write_text(json.dumps(json.loads(result.read_text()) | {"frame": frame.as_mapping()}))
-    local = desk.block.images.centre[:2] + [1.0, 2.0, 0.5]
+    local = desk.block.images.centre[:2] + np.array([1.0, 2.0, 0.5])
     rows = [
         f"{name},{x:.6f},{y:.6f},{z:.6f}" for name, (x, y, z) in zip("AB", frame.crs_from_local(local), strict=True)
     ]
