@@ -3,6 +3,7 @@
 import csv
 import shutil
 from dataclasses import dataclass, replace
+from datetime import datetime
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -11,12 +12,22 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.records.options import AdjustmentOptions
-from raybundle.commands.epochs import EpochsSettings, epochs, groups_of, messages_of, trends_of, with_movements
-from raybundle.errors import InputError
+from raybundle.commands.epochs import (
+    Epochs,
+    EpochsSettings,
+    _stated,
+    epochs,
+    groups_of,
+    messages_of,
+    trends_of,
+    with_movements,
+)
+from raybundle.errors import InputError, warning
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
 from raybundle.metrology.congruence import STRAINED
 from raybundle.numerics.progress import silent
+from raybundle.report.moved import reported
 from raybundle.results.displacements import read_displacements
 from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.adjust import adjust
@@ -25,6 +36,7 @@ from raybundle.workflows.epochs.dated_points import by_dates
 from raybundle.workflows.epochs.movements import MOVED, movements
 from raybundle.workflows.epochs.photograph_dates import (
     Source,
+    contradicted,
     date_of,
     dates_of,
     folders_of,
@@ -247,6 +259,15 @@ def test_without_a_scale_no_length_is_printed(done):
     assert found[0] - found[1] == {"displacement.largest", "displacement.level_of_detection", "displacement.velocity"}
 
 
+def test_what_is_warned_of_stands_in_the_report_too(done):
+    gone = warning("epochs.photographs_left_out", date=DAYS[0], n=1, total=4, whole=False, copies=0, unusable=1,
+                   lost=0, names=["a.jpg"])  # fmt: skip
+    made = Epochs(orientation=_Oriented(done[0].adjustment), movements=done[0], left_out=(gone,))
+    stated = _stated(done[0], made, EpochsSettings(out=Path("dam")))
+    assert {"epochs.photographs_left_out", "epochs.no_scale"} <= {n.data.code for n in stated.reported}
+    assert any("1 of 4 photographs take no part" in text for _, text in reported(stated))
+
+
 def test_groups_name_points_or_an_outline(tmp_path):
     block, _ = network(1)
     assert groups_of(["rock:2,NOPE"], block) == {"rock": ("2", "NOPE")}
@@ -269,6 +290,26 @@ def test_linked_photographs_have_the_date_of_their_folder(tmp_path):
     (tmp_path / "may/a.jpg").symlink_to(tmp_path / "archive/a.jpg")
     photo = SimpleNamespace(path=tmp_path / "may/a.jpg", name="a.jpg", metadata=SimpleNamespace(taken=None))
     assert dates_of([photo], [Source(path=tmp_path / "may", date="2026-05-01")]) == {"a.jpg": "2026-05-01"}
+
+
+@pytest.mark.parametrize(
+    ("stated", "taken", "codes"),
+    [
+        (("05-01", "06-01"), (("05-01", "05-02"), ("06-01", "06-01")), []),
+        (("05-01", "06-01"), (("01-01", "01-01"), ("02-01", "02-01")), []),  # a clock that is set wrong
+        (("05-01", "06-01"), (("06-01", "06-01"), ("05-01", "05-01")), ["epochs.dates_contradict"]),
+        (("05-01", "06-01"), (("05-01", "05-01"), ("05-01", "05-03")), ["epochs.dates_contradict"]),
+        (("05-01", "06-01"), (("05-01", "05-20"), ("06-01", "06-01")), ["epochs.date_of_many_days"]),
+        (("05-01", "06-01"), ((), ("05-01", "05-01")), []),
+    ],
+)
+def test_dates_that_exif_contradicts(stated, taken, codes):
+    days = [(d, t) for d, of in zip(stated, taken, strict=True) for t in of or (None,)]
+    photos = [
+        SimpleNamespace(name=str(k), metadata=SimpleNamespace(taken=t and datetime.fromisoformat(f"2026-{t}T12:00")))
+        for k, (_, t) in enumerate(days)
+    ]
+    assert [m.code for m in contradicted(photos, {str(k): f"2026-{d}" for k, (d, _) in enumerate(days)})] == codes
 
 
 @pytest.fixture

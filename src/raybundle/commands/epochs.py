@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 EXCEEDED, MM = 6, 1e3
 """Exit status where a displacement exceeds the limit; millimetres of a metre"""
+ON_FIRST_PAGE = {"epochs.limit_exceeded", "epochs.limit_below_detection"}
 TABLE = "epochs"
 """Of project.toml: the photographs of all dates"""
 UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "": 1.0}
@@ -77,7 +78,7 @@ class Epochs:
     exceeded: tuple[Exceeded, ...] = ()
     changes: Changes | None = None
     left_out: tuple[Message, ...] = ()
-    """Of each date with photographs that take no part"""
+    """Of the photographs: dates that EXIF contradicts, and each date with photographs that take no part"""
 
     @property
     def adjustment(self) -> Adjustment:
@@ -111,7 +112,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     from raybundle.io.trajectories import read_trajectory
     from raybundle.results.folder import check_target
     from raybundle.results.project_results import EPOCHS, replacing
-    from raybundle.workflows.epochs.photograph_dates import dates_of, folders_of, found_in, left_out
+    from raybundle.workflows.epochs.photograph_dates import contradicted, dates_of, folders_of, found_in, left_out
     from raybundle.workflows.orient import orient as oriented
     from raybundle.workflows.orienting.options import OrientOptions
 
@@ -133,7 +134,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
         positions=None if orienting.positions is None else read_trajectory(orienting.positions), earlier=_earlier(out),
     )  # fmt: skip
     dates = dates_of(done.photos, folders)
-    less = left_out(there, folders, done.not_oriented)
+    less = [*contradicted(done.photos, dates), *left_out(there, folders, done.not_oriented)]
     try:
         done, found = with_movements(done, dates, settings, progress)
     except InputError as error:
@@ -145,6 +146,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     before = _delivered(result)
     changes = None if found is None or before is None else _changes(found, before)
     over = () if found is None or limit is None else _exceeded(found, limit)
+    made = Epochs(orientation=done, movements=found, changes=changes, exceeded=over, left_out=tuple(less))
     record = record_of(orienting).over(record_in(out))
     if found is not None and not record.date:
         record = replace(record, date=", ".join(found.dates.names))
@@ -154,13 +156,11 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
             settings={n: str(v) for n, v in other_than_usual(settings).items() if n not in {"photos", "out"}},
             wanted=accuracy_class(orienting.accuracy_class), record=record,
             pdf=orienting.pdf, appendix=orienting.appendix, language=orienting.language, additions=stated.as_addition(),
-            findings=() if found is None else (_stated(found, changes), trends_of(found, settings.significance)),
+            findings=() if found is None else (_stated(found, made, settings), trends_of(found, settings.significance)),
             outcomes=() if found is None else _outcomes(found, settings, limit, over),
             more=lambda folder: _write(found, folder, limit, changes, settings.significance),
         )  # fmt: skip
-    return Epochs(
-        orientation=done, movements=found, changes=changes, exceeded=over, left_out=tuple(less),
-    )  # fmt: skip
+    return made
 
 
 def limit_of(settings: EpochsSettings) -> Limit | None:
@@ -375,12 +375,14 @@ def _delivered(result: Path) -> Any:
     return read_displacements(file) if file.is_file() else None
 
 
-def _stated(found: Movements, changes: Changes | None) -> Congruence:
-    """The test with what the report states of untested points and of earlier displacements."""
+def _stated(found: Movements, made: Epochs, settings: EpochsSettings) -> Congruence:
+    """The test with what the report states beside it: untested points, earlier displacements, warnings."""
     from raybundle.adjustment.records.notice import Notice
 
-    stated = [m for m in (_untested(found), None if changes is None else _changed(changes)) if m is not None]
-    notices = tuple(Notice(code=m.code, values=m.values, measured=m.severity) for m in stated)
+    changed = None if made.changes is None else _changed(made.changes)
+    stated = [m for m in (_untested(found), changed) if m is not None]
+    stated += [m for m in _warnings(found, made, settings) if m.code not in ON_FIRST_PAGE]
+    notices = tuple(Notice(code=m.code, values=m.values, measured=m.severity, details=m.details) for m in stated)
     return replace(found.stability.congruence, reported=(*found.stability.congruence.reported, *notices))
 
 
@@ -551,13 +553,20 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
     untested = _untested(m)
     first += [] if untested is None else [untested]
     first += [] if done.changes is None else [_changed(done.changes)]
-    grave = [*done.left_out]
+    if not done.adjustment.free_scale and (limit := limit_of(settings)) is not None and not done.exceeded:
+        first.append(_limited(m, settings, limit)[0])
+    return first, _warnings(m, done, settings)
+
+
+def _warnings(m: Movements, done: Epochs, settings: EpochsSettings) -> list[Message]:
+    """The gravest first."""
+    grave = [_beyond(done.exceeded, settings)] if done.exceeded else []
+    grave += done.left_out
     if done.adjustment.free_scale:
         limited = warning("epochs.limit_not_tested", limit=settings.limit)
         grave.append(limited if settings.limit else warning("epochs.no_scale"))
     elif (limit := limit_of(settings)) is not None:
-        kept, below = _limited(m, settings, limit)
-        first += [] if done.exceeded else [kept]
+        _, below = _limited(m, settings, limit)
         grave += [] if below is None else [below]
     if m.stability.congruence.after[1] < settings.significance:
         grave.append(warning("epochs.stable_points_differ", p=float(m.stability.congruence.after[1])))
@@ -566,7 +575,4 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
         for t in m.stability.cameras
         if not t.shared
     ]
-    grave += _outside_groups(settings.group, m.stability.congruence.ids)
-    if done.exceeded:
-        grave.insert(0, _beyond(done.exceeded, settings))
-    return first, grave
+    return [*grave, *_outside_groups(settings.group, m.stability.congruence.ids)]

@@ -85,6 +85,14 @@ epochs-photographs_without_date = { $n } { $n ->
     } kein Datum: { LIST($names, most: 5) }.
     .do = Mit { OPTION("date", "JJJJ-MM-TT") } hinzufügen.
 
+epochs-dates_contradict = EXIF widerspricht { $start } und { $end }: die Fotos wurden am { $first } und am { $last } aufgenommen.
+    .why = Zwischen den Daten liegen { $days } Tage, zwischen den Fotos { $taken }. Verschiebungen und Geschwindigkeiten gelten für die Daten.
+    .do = { OPTION("date", "JJJJ-MM-TT") } prüfen. Wenn die Uhr der Kamera neu gestellt wurde, ist nichts falsch.
+
+epochs-date_of_many_days = Fotos von { $date } wurden vom { $first } bis zum { $last } aufgenommen (EXIF).
+    .why = Was sich zwischen diesen Tagen bewegt hat, widerspricht sich innerhalb des Datums.
+    .do = Die Fotos jedes Datums in einen eigenen Ordner legen.
+
 epochs-dates_not_paired = { $add } Ordner werden mit { $dates } { $dates ->
         [one] Datum
         *[other] Daten

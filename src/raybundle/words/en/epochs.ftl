@@ -155,6 +155,23 @@ epochs-photographs_without_date = { $n } { $n ->
     } no date: { LIST($names, most: 5) }.
     .do = Add them with { OPTION("date", "YYYY-MM-DD") }.
 
+# $start = "2026-05-01"
+# $end = "2026-06-01"
+# $days = 31
+# $first = "2026-06-01"
+# $last = "2026-05-01"
+# $taken = -31
+epochs-dates_contradict = Photographs of { $start } and { $end } were taken on { $first } and { $last } (EXIF).
+    .why = The dates are { $days } days apart, the photographs { $taken }. Displacements and velocities are stated by the dates.
+    .do = Check { OPTION("date", "YYYY-MM-DD") }. If the clock of the camera was reset, nothing is wrong.
+
+# $date = "2026-05-01"
+# $first = "2026-05-01"
+# $last = "2026-06-01"
+epochs-date_of_many_days = Photographs of { $date } were taken from { $first } to { $last } (EXIF).
+    .why = What moved between these days contradicts within the date.
+    .do = Put photographs of each date into a folder of their own.
+
 # $add = 2
 # $dates = 1
 epochs-dates_not_paired = { $add } folders are added with { $dates } { $dates ->

@@ -42,6 +42,10 @@ epochs-no_date_text = { $text } n’est pas une date.
 
 epochs-photographs_without_date = Photos sans date ({ $n }) : { LIST($names, most: 5) }.
 
+epochs-dates_contradict = EXIF contredit { $start } et { $end } : les photographies datent du { $first } et du { $last }.
+
+epochs-date_of_many_days = Les photographies du { $date } ont été prises du { $first } au { $last } (EXIF).
+
 epochs-dates_not_paired = Dossiers ajoutés : { $add } ; dates : { $dates }.
 
 epochs-no_photographs = { $project } n’a pas de photos.

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
+from itertools import pairwise
 from pathlib import Path
 
 from raybundle.errors import InputError, Message, code_of, excluded, warning
@@ -17,6 +18,8 @@ from raybundle.workflows.scenes.images import find_scenes
 
 MOST_REASONS = 3
 """Photographs of a date that are listed with the reason why they take no part"""
+SLACK_DAYS = 2
+"""By how many days photographs of one date may be taken before or after it"""
 _DATE = re.compile(r"(\d{4})[-_.]?(\d{2})[-_.]?(\d{2})")
 
 
@@ -73,6 +76,40 @@ def dates_of(photos: Sequence[Photo], sources: Sequence[Source]) -> dict[str, st
     missing = [name for name, d in found.items() if not d]
     if missing:
         raise InputError("epochs.photographs_without_date", n=len(missing), names=missing)
+    return found
+
+
+def contradicted(photos: Sequence[Photo], dates: Mapping[str, str]) -> list[Message]:
+    """Warnings of dates that the days on which their photographs were taken contradict.
+
+    Only differences of days count: a clock that is set wrong is wrong at all dates.  Two dates contradict where the
+    days are in another order, or their difference is wrong by more than half; a date does where its own days are
+    further apart than half of the way to the next date.
+    """
+    days: dict[str, list[date]] = {}
+    for photo in photos:
+        if photo.metadata.taken is not None:
+            days.setdefault(dates[photo.name], []).append(photo.metadata.taken.date())
+    found: list[Message] = []
+    names = sorted(days)
+    taken = {name: sorted(days[name]) for name in names}
+    at = {name: date.fromisoformat(name) for name in names}
+    for k, name in enumerate(names):
+        near = min((abs((at[n] - at[name]).days) for n in names[max(k - 1, 0) : k + 2] if n != name), default=0)
+        first, last = taken[name][0], taken[name][-1]
+        if near and (last - first).days > max(SLACK_DAYS, near / 2):
+            found.append(warning("epochs.date_of_many_days", date=name, first=str(first), last=str(last)))
+    wide = {m.values["date"] for m in found}
+    for start, end in pairwise(name for name in names if name not in wide):
+        stated = (at[end] - at[start]).days
+        first, last = (taken[name][len(taken[name]) // 2] for name in (start, end))
+        if abs((last - first).days - stated) > max(SLACK_DAYS, stated / 2):
+            found.append(
+                warning(
+                    "epochs.dates_contradict", start=start, end=end, days=stated, first=str(first), last=str(last),
+                    taken=(last - first).days,
+                )
+            )  # fmt: skip
     return found
 
 
