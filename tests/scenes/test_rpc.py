@@ -9,7 +9,7 @@ import pytest
 
 from raybundle.errors import InputError, NoConvergence
 from raybundle.io.scenes import read_scene
-from raybundle.scenes.bias import BIAS_PARAMETERS, bias_kind
+from raybundle.scenes.bias import BIAS_PARAMETERS
 from raybundle.scenes.rpc import correct_image, observe_rpc
 from raybundle.scenes.rpc_fit import fit_rpc
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
@@ -218,9 +218,6 @@ def test_no_rpc(rpc, changes, message):
         replace(rpc, **changes)
 
 
-def test_unknown_bias_and_bad_shape(rpc):
-    with pytest.raises(InputError, match=r"bias\.unknown_model"):
-        bias_kind("cubic")
-    assert bias_kind("drift") == "drift"
+def test_bad_shape(rpc):
     with pytest.raises(InputError, match=r"rpc\.point_shape"):
         rpc.project(np.zeros(3))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import KDTree
 
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array
 from raybundle.objects.surface import Surface
 
 
@@ -46,8 +46,3 @@ def _to_triangles(p: Array, corners: Array) -> Array:
         t = np.clip(np.einsum("ki,ki->k", p - s, side) / np.einsum("ki,ki->k", side, side), 0, 1)
         best = np.minimum(best, np.linalg.norm(p - s - t[:, None] * side, axis=1))
     return np.where(within, np.abs(height) / np.sqrt(square), best)
-
-
-def nearest_rows(places: Array, xyz: Array) -> Index:
-    """(n,) rows of the points (m, 3) that lie nearest to places (n, 3)."""
-    return np.asarray(KDTree(xyz).query(places)[1], np.int64)

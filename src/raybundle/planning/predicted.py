@@ -38,11 +38,6 @@ class Predicted:
     """Parameters that are not determinable: less is stated of them than one knows before the first photograph"""
 
     @property
-    def point_std(self) -> Array:
-        """(p, 3) standard deviations of X, Y, Z; NaN where a point takes no part."""
-        return np.sqrt(np.diagonal(self.points, axis1=1, axis2=2))
-
-    @property
     def rms(self) -> Array:
         """(3,) standard deviations of X, Y, Z, root mean square over the points that are not held."""
         variance = np.diagonal(self.points, axis1=1, axis2=2)

@@ -17,7 +17,6 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 
 BiasKind = Literal["none", "shift", "drift", "affine"]
@@ -28,14 +27,6 @@ BIAS_PARAMETERS: dict[BiasKind, tuple[str, ...]] = {
     "affine": ("A0", "A1", "A2", "B0", "B1", "B2"),
 }
 """Symbols of the parameters of each kind, all in px."""
-
-
-def bias_kind(name: str) -> BiasKind:
-    """The kind of that name; raises InputError with the known ones."""
-    for kind in BIAS_PARAMETERS:
-        if kind == name:
-            return kind
-    raise InputError("bias.unknown_model", name=repr(name), known=list(BIAS_PARAMETERS))
 
 
 def bias_design(kind: BiasKind, uv: Array) -> Array:

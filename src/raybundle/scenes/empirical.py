@@ -87,11 +87,6 @@ class EmpiricalFit:
         """Positions of the parameters that were estimated."""
         return np.array([k for k, s in enumerate(self.model.symbols) if s not in self.without], np.int32)
 
-    @property
-    def standard_deviation_px(self) -> Array:
-        """(2,) of the residuals in x and y."""
-        return self.residuals_px.std(axis=0)
-
     def project(self, xyz: Array) -> Array:
         """Image points (n, 2) [px] of object points (n, 3)."""
         return self.project_with_partials(xyz)[0]

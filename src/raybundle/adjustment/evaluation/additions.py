@@ -28,7 +28,7 @@ from raybundle.adjustment.system.images_numpy import residuals_and_partials
 from raybundle.block import Block, Camera, Images, Observations
 from raybundle.block.rejection import Rejections
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.arrays import Array, Index
 from raybundle.platforms import Carried
 from raybundle.platforms.station import sensor_from_object
 
@@ -69,12 +69,6 @@ class Photographs:
             image=np.repeat(np.arange(len(parts)), [len(p) for p in parts]).astype(np.int32), point=self.point[rows],
             xy_px=self.xy_px[rows], cov_px2=self.cov_px2[rows],
         )  # fmt: skip
-
-    def observing(self, rows: Mask | Index) -> Photographs:
-        """With these of their image points."""
-        return replace(
-            self, image=self.image[rows], point=self.point[rows], xy_px=self.xy_px[rows], cov_px2=self.cov_px2[rows]
-        )
 
 
 def with_photographs(

@@ -158,13 +158,6 @@ class ParameterResult:
         """Its meaning in words."""
         return worded(self.meaning, **dict(self.values))
 
-    def std_words(self, length: str = "") -> str:
-        """The standard deviation with its unit, as "0.16 mm"; a ratio (unit "1") has none in print.
-
-        length  unit of lengths in object space; empty: not known, and not printed
-        """
-        return self.in_unit("unknown" if self.std is None else f"{self.std:.2g}", length)
-
     def in_unit(self, words: str, length: str = "") -> str:
         """Words of its value or standard deviation, with the unit."""
         return f"{words} {printed_unit(self.unit, length)}".rstrip()

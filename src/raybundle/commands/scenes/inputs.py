@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -160,8 +160,3 @@ def _is_array(given: Any) -> bool:
 
 def _encoding(array: Any) -> Mapping[str, Any]:
     return array.encoding if isinstance(array.encoding, dict) else {}
-
-
-def with_rpc(given: SceneInput, rpc: Rpc) -> SceneInput:
-    """The same picture with another RPC."""
-    return replace(given, scene=replace(given.scene, rpc=rpc))

@@ -102,7 +102,7 @@ def improved(designer: Designer, start: Stations, search: Search | None = None, 
     count   how many stations there are to be; None: as many as in `start`
     raises  InputError where one of `start` stands where one may not, or nothing can be seen from anywhere
     The same arguments give the same stations.  Limits: that there is no better one; how sensitive the
-    figure is to stations that are not met exactly (`disturbed`).
+    figure is to stations that are not met exactly.
     """
     with threadpool_limits(1):
         return _improved(designer, start, search or Search(), count or len(start))
@@ -290,17 +290,3 @@ def _moved_together(d: Designer, stations: Stations, value: float, trials: int, 
             best, x_best = values[k], xs[k]
         d.progress("moving stations together", 0.5 + 0.4 * strategy.countevals / trials)
     return best, of(x_best)
-
-
-def disturbed(designer: Designer, design: Design, places: float, directions_deg: float, runs: int = 20) -> Array:
-    """(runs,) figures of a network whose stations are met with these standard deviations only [m], [deg]."""
-    rng = np.random.default_rng(5)
-    s = design.stations
-    found = np.empty(runs)
-    for k in range(runs):
-        centre = s.centre + rng.normal(0, places, s.centre.shape)
-        away = np.linalg.norm(s.at - s.centre, axis=1, keepdims=True)
-        at = s.at + rng.normal(0, np.radians(directions_deg), s.at.shape) * away
-        roll = s.roll + np.radians(rng.normal(0, directions_deg, len(s)))
-        found[k] = designer.design(Stations(centre=centre, at=at, roll=roll)).figure
-    return found

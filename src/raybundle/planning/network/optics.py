@@ -49,10 +49,6 @@ class Optics:
         far = h * self.focus / (h - (self.focus - f)) if h > self.focus - f else float("inf")
         return near, far
 
-    def diffraction_px(self, pixel_mm: float) -> float:
-        """Diameter of the Airy disc [px], 2.44 lambda N: beyond two or three pixels stopping down costs sharpness."""
-        return 2.44 * WAVELENGTH_MM * self.f_number / pixel_mm
-
 
 def best_focus(near: float, far: float) -> float:
     """Focus distance [m] whose depth of field has these ends for some f-number: their harmonic mean."""

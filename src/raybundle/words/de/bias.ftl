@@ -1,6 +1,3 @@
-bias-unknown_model = Das Bias-Modell { $name } ist unbekannt.
-    .do = Eines von { LIST($known, most: 9) } verwenden.
-
 bias-point_count = { $ground } Geländepunkte und { $image } Bildpunkte sind angegeben.
     .do = Mindestens ein Paar und gleich viele von beiden angeben.
 

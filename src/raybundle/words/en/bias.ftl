@@ -1,8 +1,3 @@
-# $name = "'cubic'"
-# $known = ["shift", "affine"]
-bias-unknown_model = Bias model { $name } is unknown.
-    .do = Use one of { LIST($known, most: 9) }.
-
 # $ground = 4
 # $image = 3
 bias-point_count = { $ground } ground points and { $image } image points are given.
