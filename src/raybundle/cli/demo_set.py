@@ -24,6 +24,7 @@ def run(folder: Path, out: Path, progress: str) -> None:
 
     folder  photos/, measured.csv (marked targets) and truth/ (a block folder with the scale bar)
     """
+    from raybundle.adjustment.evaluation.counts import counts
     from raybundle.cli.progress import reporting
     from raybundle.commands.orient import report_stage, write_orientation
     from raybundle.io.block.folder import read_block
@@ -48,7 +49,7 @@ def run(folder: Path, out: Path, progress: str) -> None:
             write_orientation(done, result, report="html", progress=notify, additions=known)
     a = done.adjustment
     facts(oriented=done.oriented, photographs=len(done.photos), result=result)
-    points = len(a.given.points)
+    points = counts(a).points_used
     oriented = note(
         "summary.oriented", oriented=done.oriented, of=len(done.photos), points=points, parts=0, lost=0, names=[]
     )

@@ -77,12 +77,13 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
 def _summary(done: Orientation, settings: OrientSettings) -> Summary:
     """What the command reports."""
+    from raybundle.adjustment.evaluation.counts import counts
     from raybundle.workflows.orient import component_folder
 
     result, other = settings.out / "result", done.other_components
     lost = {n for n, _ in done.not_oriented}
     apart = sum(len(set(part.photographs) - lost) for part in other)
-    points = len(done.adjustment.given.points)
+    points = counts(done.adjustment).points_used
     first = [note("summary.oriented", oriented=done.oriented - apart, of=len(done.photos), points=points,
                   parts=len(other), lost=len(lost), names=sorted(lost))]  # fmt: skip
     if not done.photos:
