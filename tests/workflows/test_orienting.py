@@ -1,5 +1,6 @@
 """The stages of `orient` as values: each a file, done by whatever executor, the same products."""
 
+import shutil
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
@@ -10,6 +11,7 @@ import pytest
 from PIL import Image
 
 from raybundle.adjustment.records.notice import Notice
+from raybundle.errors import code_of
 from raybundle.io.photos.photo import find_photos
 from raybundle.io.trajectories import read_trajectory
 from raybundle.matching.methods import feature_method
@@ -135,3 +137,18 @@ def test_what_does_not_concern_a_stage_makes_nothing_again(photos, tmp_path):
         [photos], tmp_path / "renamed", replace(options, crs="EPSG:32633"), positions=read_trajectory(table)
     )
     assert {r.name for r in placed.stages if r.from_cache} == KEPT
+
+
+@needs_portal
+def test_a_mirrored_photograph_is_left_out_by_name(photos, tmp_path):
+    folder = tmp_path / "photos"
+    shutil.copytree(photos, folder)
+    with Image.open(folder / "portal_03.jpg") as image:
+        image.transpose(Image.Transpose.FLIP_LEFT_RIGHT).save(folder / "portal_03.jpg", exif=image.info["exif"])
+    with Image.open(PORTAL / "portal_05.jpg") as image:
+        image.reduce(2).save(folder / "portal_05.jpg", quality=92, exif=image.info["exif"])
+    done = orient([folder], tmp_path / "project", OrientOptions(precise=False))
+    assert code_of(dict(done.not_oriented)["portal_03.jpg"]) == "not_oriented.mirrored"
+    (notice,) = [n for n in done.adjustment.notices if n.code == "mirrored_photographs"]
+    assert notice.values["names"] == ["portal_03.jpg"]
+    assert notice.values["matches"] > 5 * notice.values["plain"]

@@ -109,6 +109,11 @@ class FeatureMethod(ABC):
     def vectors(self, descriptors: Array) -> Array:
         """Unit vectors (n, k) float32 whose inner product measures likeness, of stored descriptors."""
 
+    def mirrored(self, descriptors: Array) -> Array | None:
+        """The stored descriptors of the same features of the mirrored picture; None: only by detecting them anew."""
+        del descriptors
+        return None
+
     def bytes_needed(self, pixels: float) -> float:
         """Memory that finding the features of a photograph of so many pixels takes, by which tasks wait for each other.
 

@@ -90,6 +90,11 @@ class RootSift(FeatureMethod):
         """Unit vectors (n, 128) of the stored bytes."""
         return directions(descriptors)
 
+    def mirrored(self, descriptors: Array) -> Array:
+        """Rows across the direction of the feature change places, and the directions of gradients their sign."""
+        bins = descriptors.reshape(-1, 4, 4, 8)[:, ::-1, :, -np.arange(8)]
+        return np.ascontiguousarray(bins.reshape(-1, 128))
+
     def match(self, first: Described, second: Described) -> Index:
         """Mutual nearest neighbours of the stored bytes."""
         return mutual_matches(first.descriptors, second.descriptors)[0]

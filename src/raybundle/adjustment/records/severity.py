@@ -29,7 +29,7 @@ _CODES = {
         "little_redundancy "
         "mark_rejected marked_lost marked_once marks_left_out marks_not_adjusted "
         "marks_reduced marks_turned marks_untested mask_orientation mask_refused "
-        "mask_uniform moved_ambiguous no_targets nominal_missing nominal_wrong "
+        "mask_uniform mirrored_photographs moved_ambiguous no_targets nominal_missing nominal_wrong "
         "one_ray_control outside_format parts_apart pixel_shape given_twice "
         "points_left_out positions_shifted rays_diverge read_out_unused relative_control repeated_structure "
         "residual_structure "

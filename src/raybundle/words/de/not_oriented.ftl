@@ -68,6 +68,9 @@ not_oriented-few_fit = Nur { $n } { $n ->
 not_oriented-same_picture = Die Aufnahme zeigt dasselbe Bild wie { $other }.
     .do = Eine Aufnahme, die keine Kopie ist, von einem anderen Standpunkt wiederholen.
 
+not_oriented-mirrored = Die Aufnahme ist gegenüber den anderen gespiegelt.
+    .do = In einem Bildprogramm links und rechts vertauschen oder das Dia von der anderen Seite scannen.
+
 not_oriented-alone = Eine einzelne Aufnahme lässt sich nicht orientieren; nötig sind zwei.
     .do = Aufnahmen desselben Objekts von anderen Standpunkten hinzufügen.
 

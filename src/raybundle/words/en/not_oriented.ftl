@@ -89,6 +89,9 @@ not_oriented-few_fit = Only { $n } { $n ->
 not_oriented-same_picture = The photograph shows the same picture as { $other }.
     .do = If the photograph is no copy, take it again from another position.
 
+not_oriented-mirrored = The photograph is mirrored against the others.
+    .do = Exchange left and right in an image editor, or scan the slide from the other side.
+
 not_oriented-alone = One photograph alone cannot be oriented; two are needed.
     .do = Add photographs of the same object from other positions.
 

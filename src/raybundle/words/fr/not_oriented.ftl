@@ -30,6 +30,8 @@ not_oriented-few_fit = Seuls { $n } points de la photographie conviennent aux au
 
 not_oriented-same_picture = La photographie montre la même image que { $other }.
 
+not_oriented-mirrored = La photographie est inversée par rapport aux autres.
+
 not_oriented-alone = Une seule photographie ne peut pas être orientée ; il en faut deux.
 
 not_oriented-not_joined = La scène n'a pas de liaison avec les photographies.

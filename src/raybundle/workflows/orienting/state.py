@@ -100,6 +100,8 @@ class OrientState:
     """in which the pairs were chosen, of many photographs"""
     repeats: dict[int, int] = field(default_factory=dict[int, int])
     """photographs that show the same picture as another, by their index"""
+    mirrored: tuple[int, ...] = ()
+    """photographs that are mirrored against the others"""
     ties: tuple[TieBlock, ...] = ()
     """tie points with approximate values, of every part"""
     further: tuple[Step, ...] = ()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,6 +16,7 @@ from raybundle.matching.features import FeatureMethod
 from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.ties.mirrored import mirrored_notice, mirrored_photographs
 from raybundle.ties.pairs import Round, pairs_of
 from raybundle.ties.points import FeatureStore, match_pairs
 from raybundle.ties.same_picture import same_picture_notice, same_pictures
@@ -41,6 +43,8 @@ class Matched:
     """in which they were chosen, of a large set"""
     repeats: dict[int, int]
     """photographs that show the same picture as another, by their index"""
+    mirrored: tuple[int, ...]
+    """photographs that are mirrored against the others, by their index"""
     notices: tuple[Notice, ...]
 
 
@@ -70,8 +74,18 @@ def match(i: Inputs, means: Means) -> Matched:
     repeats = same_pictures(pairs, i.photos, i.features, i.method)
     if repeats:
         notices.append(same_picture_notice(repeats, i.photos))
-        pairs = [replace(p, matches=p.matches[:0]) if {p.first, p.second} & repeats.keys() else p for p in pairs]
-    return Matched(pairs=tuple(pairs), rounds=chosen.rounds, repeats=repeats, notices=tuple(notices))
+        pairs = _without(pairs, repeats.keys())
+    mirrored = mirrored_photographs(pairs, i.photos, i.features, i.method)
+    if mirrored is not None:
+        notices.append(mirrored_notice(mirrored, i.photos))
+    out = mirrored.photographs if mirrored is not None and mirrored.certain else ()
+    pairs = _without(pairs, set(out)) if out else pairs
+    return Matched(pairs=tuple(pairs), rounds=chosen.rounds, repeats=repeats, mirrored=out, notices=tuple(notices))
+
+
+def _without(pairs: Sequence[VerifiedPair], out: AbstractSet[int]) -> list[VerifiedPair]:
+    """The pairs, without the matches of those photographs."""
+    return [replace(p, matches=p.matches[:0]) if {p.first, p.second} & out else p for p in pairs]
 
 
 def _positions(photos: Sequence[Photo]) -> Array | None:
@@ -96,7 +110,14 @@ def _stands_still(pairs: Sequence[VerifiedPair]) -> bool:
 
 
 def _put(state: OrientState, m: Matched) -> OrientState:
-    return replace(state, pairs=m.pairs, rounds=m.rounds, repeats=m.repeats, notices=(*state.notices, *m.notices))
+    return replace(
+        state,
+        pairs=m.pairs,
+        rounds=m.rounds,
+        repeats=m.repeats,
+        mirrored=m.mirrored,
+        notices=(*state.notices, *m.notices),
+    )
 
 
 def _outcome(state: OrientState) -> str:

@@ -111,7 +111,7 @@ def _put(state: OrientState, started: Started) -> OrientState:
     same = {
         state.photos[i].name: phrase("not_oriented.same_picture", other=state.photos[k].name)
         for i, k in state.repeats.items()
-    }
+    } | {state.photos[i].name: phrase("not_oriented.mirrored") for i in state.mirrored}
     count = sum(len(t.block.observations) for t in ties)
     return replace(
         state,

@@ -64,7 +64,7 @@ def _inputs(state: OrientState) -> Inputs:
         start=START.inputs(state),
         first=Arranged(pairs=state.pairs, features=state.found, ties=state.ties, notices=repeated),
         method=state.method, further=further_methods(options.wide_baselines), count=options.feature_count,
-        out=tuple(sorted(state.repeats)), masks=state.masks,
+        out=tuple(sorted({*state.repeats, *state.mirrored})), masks=state.masks,
     )  # fmt: skip
 
 
@@ -158,8 +158,8 @@ def _incomplete(state: OrientState) -> bool:
 
     Where structure repeats, more pairs join what was separated with reason.
     """
-    repeats = {state.photos[i].name for i in state.repeats}
-    lost = [name for name, _ in state.lost if name not in repeats]
+    out = {state.photos[i].name for i in (*state.repeats, *state.mirrored)}
+    lost = [name for name, _ in state.lost if name not in out]
     allowed = state.scenes is None and state.asked.options.wide_baselines != "none"
     doubtful = any(n.code == REPEATED for n in state.notices) or state.oriented < FEWEST
     return allowed and not doubtful and (bool(lost) or len(state.ties) > 1)

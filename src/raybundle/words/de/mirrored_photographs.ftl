@@ -1,0 +1,13 @@
+mirrored_photographs = { $n } { $n ->
+        [one] Aufnahme ist
+        *[other] Aufnahmen sind
+    } gegenüber den anderen gespiegelt und ausgelassen: { LIST($names, most: 3) }.
+    .why = { $photograph } hat { $matches } Zuordnungen mit { $other }, wenn links und rechts vertauscht werden, und höchstens { $plain } wie gegeben.
+    .do = In einem Bildprogramm links und rechts vertauschen oder die Dias von der anderen Seite scannen.
+
+mirrored_photographs-possible = { $n } { $n ->
+        [one] Aufnahme ist
+        *[other] Aufnahmen sind
+    } vielleicht gegenüber den anderen gespiegelt: { LIST($names, most: 3) }.
+    .why = { $photograph } hat { $matches } Zuordnungen mit { $other }, wenn links und rechts vertauscht werden, und höchstens { $plain } wie gegeben. Ein symmetrisches Objekt erklärt das ebenso; die Aufnahmen nehmen teil.
+    .do = Die Aufnahmen mit dem Objekt vergleichen. Bei gespiegelten links und rechts vertauschen und neu rechnen.
