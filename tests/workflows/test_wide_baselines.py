@@ -17,6 +17,7 @@ from raybundle.matching.methods import LEARNED, feature_method
 from raybundle.ties.rotations import Common, agreeing
 from raybundle.ties.wide_baselines import budget_s, joined_features
 from raybundle.workflows.orient import OrientOptions, orient
+from raybundle.workflows.orienting.stages.adjustment import kept_joins
 from raybundle.workflows.orienting.stages.wide_baselines import STAGE, further_methods
 from tests.matching.test_features import texture
 
@@ -195,3 +196,12 @@ def test_nothing_is_done_where_all_photographs_are_oriented():
 
 def test_the_budget_grows_with_what_is_apart_and_has_a_bound():
     assert [budget_s(apart, 30) for apart in (0, 2, 30)] == [0.0, 40.0, 210.0]
+
+
+def test_photographs_that_the_adjustment_leaves_out_again_are_not_joined():
+    first = Notice(code="wide_baselines", ids=("a", "b"), values={"methods": ["affine_views"], "pairs": 4, "joined": 2})
+    other = Notice(code="photographs", message="b")
+    assert kept_joins((other, first), set()) == [other, first]
+    _, less = kept_joins((other, first), {"b"})
+    assert (less.ids, less.values["joined"]) == (("a",), 1)
+    assert kept_joins((other, first), {"a", "b"}) == [other]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -25,7 +26,7 @@ from raybundle.placing.positions import GPS_M, flight_lines, without_idle
 from raybundle.placing.recorded_positions import with_relative_precision
 from raybundle.ties.explained_matches import unexplained_notice
 from raybundle.ties.points import FeatureStore
-from raybundle.workflows.final_adjustment import adjusted_component, final_adjustment, undetermined_component
+from raybundle.workflows.final_adjustment import adjusted_component, final_adjustment, left_out, undetermined_component
 from raybundle.workflows.orienting.connected_components import (
     ConnectedComponent,
     apart_notice,
@@ -105,7 +106,7 @@ def adjust(i: Inputs, means: Means) -> Adjusted:
     cropped = [n for a in every for n in cropped_notices(a)]
     xy, names = i.features.xy_px(), [p.name for p in i.photos]
     reported = (
-        *i.notices,
+        *kept_joins(i.notices, {name for name, _ in left_out(done.adjustment, done.other_components)}),
         *cropped,
         *(n for a in every for n in unexplained_notice(a.adjusted, names, xy, i.pairs)),
         *incomplete_notice(i, done),
@@ -113,6 +114,18 @@ def adjust(i: Inputs, means: Means) -> Adjusted:
     )
     adjustment = replace(done.adjustment, notices=(*reported, *done.adjustment.notices, *room.notices()))
     return replace(done, adjustment=adjustment, lost=lost)
+
+
+def kept_joins(notices: Sequence[Notice], left: AbstractSet[str]) -> list[Notice]:
+    """The notices; of wide baselines without the photographs that the adjustment left out again."""
+    kept: list[Notice] = []
+    for n in notices:
+        ids = tuple(name for name in n.ids if name not in left)
+        if n.code != "wide_baselines" or ids == n.ids:
+            kept.append(n)
+        elif ids:
+            kept.append(replace(n, ids=ids, values={**n.values, "joined": len(ids)}))
+    return kept
 
 
 def _relative(placed: Georeferenced, photos: Sequence[Photo], kind: Literal["", "shift", "drift"]) -> Georeferenced:
