@@ -1972,6 +1972,7 @@ def strain(
     gauge: int = 5,
     shape: Literal['affine', 'quadratic'] = 'affine',
     extent: tuple[float, float, float, float] | list[float] | None = None,
+    area: str | Sequence[str] = (),
     mask: str | Path | None = None,
     scale: float | None = None,
 ) -> Strains:
@@ -1989,6 +1990,7 @@ def strain(
     gauge   Subsets along the side of the plane for a strain, odd.
     shape   Deformation within a subset.
     extent  Part of the reference image in pixels.  [default: all]
+    area    Mean displacement and strain of a rectangle of the reference. May be repeated.
     mask    Image that is black outside the specimen.
     scale   Millimetres on the specimen per pixel.  [default: pixels only]
     """

@@ -11,6 +11,7 @@ from tests.matching.specimen import HEIGHT, WIDTH, deformed, image, motion
 from tests.messages import refused
 
 import raybundle as rb
+from raybundle.errors import InputError
 
 MOTION = motion(3.0, strain=(0.004, -0.002, 0.001), shift=(1.4, -0.6))
 FEW = {"step": 24, "window": 21, "gauge": 3}
@@ -78,6 +79,27 @@ def test_python_gives_what_the_command_writes(series, tmp_path):
     assert (x.max(), y.max()) <= (290, 250)
     assert len(rows_of(tmp_path / "o/displacements.csv")) == len(x)
     assert done.settings.scale is None
+
+
+def test_areas_have_their_mean_displacement_and_strain(series, tmp_path, capsys):
+    names = [str(series / f"load-0{k}") for k in ("0.png", "1.png", "2.tif")]
+    given = ["--area", "left:30,30,160,260", "--area", "corner:0,0,40,40", "--step", "24", "--window", "21"]
+    done = reported(capsys, "strain", *names, "--out", str(tmp_path / "o"), *given, "--gauge", "3", "--scale", "0.5")
+    assert values_of(done)["strain.area"]["name"] == "left"
+    assert values_of(done)["strain.area_empty"]["area"] == "corner"
+    F, rows = MOTION[0], rows_of(tmp_path / "o/areas.csv")
+    assert [(r["image"], r["area"]) for r in rows] == [("load-01.png", "left"), ("load-02.tif", "left")]
+    E = (F.T @ F - np.eye(2)) / 2
+    for r in rows:
+        assert float(r["exx"]) == pytest.approx(E[0, 0], abs=4 * float(r["sd_exx"]))
+        assert float(r["eyy"]) == pytest.approx(E[1, 1], abs=4 * float(r["sd_eyy"]))
+        assert float(r["u_mm"]) == pytest.approx(0.5 * float(r["u_px"]), abs=1e-3)
+        assert float(r["rotation_deg"]) == pytest.approx(3.0, abs=0.1)
+        assert float(r["misfit"]) < 1.3
+    for text, code in (("left", "area_text"), ("a:1,2,3", "area_text"), ("a:1,2,x,4", "area_text"),
+                       ("a:9,2,3,4", "empty_extent")):  # fmt: skip
+        with pytest.raises(InputError, match=rf"strain\.{code}"):
+            rb.strain(names[0], names[1], tmp_path / "p", area=(text,))
 
 
 def test_a_mask_leaves_out_what_is_black(series, tmp_path):

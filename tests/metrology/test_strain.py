@@ -6,7 +6,7 @@ from scipy.stats import chi2, kstest
 
 from raybundle.matching.subset_noise import overlap_correlation
 from raybundle.matching.subsets import window_options
-from raybundle.metrology.strain import connected, rigid_motion, strain_field
+from raybundle.metrology.strain import area_strain, connected, rigid_motion, strain_field
 from raybundle.numerics.statistics import mahalanobis2
 
 STEP, GAUGE, HALF = 10, 2, 12
@@ -46,19 +46,25 @@ def test_strain_is_that_of_the_material_however_it_is_turned(rotation_deg):
     np.testing.assert_allclose(np.degrees(e.rotation), rotation_deg, atol=1e-9)
 
 
-def simulated(runs):
-    """Errors of strains in the middle of a rotated field, of displacements that are correlated as subsets overlap."""
-    F, C = gradient(20.0, 0.03, 0.0, 0.01), cov()
+def drawn(F, C, runs):
+    """Displacements of a field whose errors are correlated as subsets overlap."""
     at = np.abs(CELL[:, None] - CELL[None])
     full = overlap_correlation(window_options(HALF, quadratic=False), STEP, max(SHAPE))
     rho = full[max(SHAPE) + at[..., 0], max(SHAPE) + at[..., 1]]
     half = np.linalg.cholesky(rho + 1e-12 * np.eye(len(rho)))
     L = np.linalg.cholesky(C)
     rng, truth = np.random.default_rng(1), XY @ (F - np.eye(2)).T
+    for _ in range(runs):
+        yield truth + np.einsum("nij,nj->ni", L, half @ rng.normal(size=(len(XY), 2)))
+
+
+def simulated(runs):
+    """Errors of strains in the middle of a rotated field."""
+    F, C = gradient(20.0, 0.03, 0.0, 0.01), cov()
     E, middle = (F.T @ F - np.eye(2)) / 2, len(XY) // 2 + SHAPE[1] // 2
     errors, stated = [], None
-    for _ in range(runs):
-        e = field(truth + np.einsum("nij,nj->ni", L, half @ rng.normal(size=(len(XY), 2))), C)
+    for displacement in drawn(F, C, runs):
+        e = field(displacement, C)
         errors.append(e.strain[middle] - [E[0, 0], E[1, 1], E[0, 1]])
         stated = e.cov[middle] if stated is None else stated
     return np.array(errors), np.tile(stated, (runs, 1, 1))
@@ -70,6 +76,34 @@ def test_the_covariance_is_true_and_a_tenth_would_show():
     assert kstest(d2, chi2(3).cdf).pvalue > 1e-3
     assert kstest(d2 * 1.1**2, chi2(3).cdf).pvalue < 1e-3
     assert kstest(d2 / 1.1**2, chi2(3).cdf).pvalue < 1e-3
+
+
+def area(displacement, inside, C=None):
+    far = overlap_correlation(window_options(HALF, quadratic=False), STEP, 3)
+    return area_strain(displacement, cov() if C is None else C, CELL, SHAPE, float(STEP), inside, far)
+
+
+def test_an_area_has_the_mean_displacement_and_strain_with_true_covariances():
+    F, C, inside = gradient(20.0, 0.03, 0.0, 0.01), cov(), (CELL[:, 1] > 2) & (CELL[:, 0] != 4)
+    E, middle = (F.T @ F - np.eye(2)) / 2, XY[inside].mean(axis=0) @ (F - np.eye(2)).T
+    found = [area(d, inside, C) for d in drawn(F, C, 1500)]
+    strains = np.array([a.strain.strain[0] - [E[0, 0], E[1, 1], E[0, 1]] for a in found])
+    for errors, stated in (
+        (strains, found[0].strain.cov[0]), (np.array([a.mean - middle for a in found]), found[0].mean_cov),
+    ):  # fmt: skip
+        d2, law = mahalanobis2(errors, np.tile(stated, (1500, 1, 1))), chi2(errors.shape[1]).cdf
+        assert kstest(d2, law).pvalue > 1e-3
+        assert kstest(d2 * 1.1**2, law).pvalue < 1e-3
+        assert kstest(d2 / 1.1**2, law).pvalue < 1e-3
+    assert found[0].strain.count == inside.sum()
+    assert 0.7 < np.mean([a.misfit for a in found]) < 1
+
+
+def test_an_area_of_several_strains_shows_it_and_a_line_has_none():
+    every = np.ones(len(XY), bool)
+    assert area(np.column_stack([(XY[:, 0] / 50) ** 2, 0 * XY[:, 0]]), every).misfit > 10
+    assert area(0 * XY, CELL[:, 0] == 1) is None
+    assert area(np.where(CELL[:, :1] == 1, 0.0, np.nan) + 0 * XY, every) is None
 
 
 def test_no_plane_is_laid_across_a_gap():

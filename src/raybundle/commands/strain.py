@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from raybundle.commands.strain_results import StrainImage, Strains, StrainSettings, state_counts
 from raybundle.errors import InputError, Message, Severity, note, warning
+from raybundle.io.reading.words import number_of
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import keywords, made
 
@@ -29,6 +30,9 @@ EXACT_PX = 1e-4
 SATURATED = 0.1
 """Share of the pixels of the specimen at an end of the grey scale from which on this is reported: with 29 % of them
 displacements err by 1.2 standard deviations, with 79 % by 1.75"""
+UNEVEN = 1.5
+"""Distance of displacements from the plane of an area, in standard deviations, from which on this is reported: noise
+alone gives 1, which overlapping subsets make smaller"""
 LARGEST = 0.99
 """Quantile of the largest normal strains that is reported: single ones beside weak texture are uncertain"""
 
@@ -66,6 +70,7 @@ def run_strain(settings: StrainSettings, progress: Progress = silent) -> Strains
     without = tuple(p for p in settings.deformed if p.resolve() != own)  # load-*.tif names the reference, too
     s = replace(settings, deformed=without or settings.deformed)
     check_new_folder(s.out)
+    areas_of(s.area)
     photos = [read_photo(p) for p in (s.reference, *s.deformed)]
     _check(photos)
     reference = read_grey(photos[0])
@@ -135,7 +140,7 @@ def _image(s: StrainSettings, name: str, grid: SubsetGrid, f: Followed) -> Strai
 
     from raybundle.matching.subset_noise import overlap_correlation
     from raybundle.matching.subsets import State, window_options
-    from raybundle.metrology.strain import rigid_motion, strain_field
+    from raybundle.metrology.strain import area_strain, rigid_motion, strain_field
 
     d = f.xy_px - grid.xy_px
     good = f.state == State.FOLLOWED
@@ -149,7 +154,32 @@ def _image(s: StrainSettings, name: str, grid: SubsetGrid, f: Followed) -> Strai
         name=name, followed=f, displacement=d, rigid=rigid,
         relative=np.where(good[:, None], d - rigid.displacement(grid.xy_px), np.nan),
         strain=strain_field(d, f.cov_px2, grid.cell, grid.shape, float(s.step), gauge, near),
+        areas={
+            name: area_strain(d, f.cov_px2, grid.cell, grid.shape, float(s.step), _inside(grid, corners), rho)
+            for name, corners in areas_of(s.area).items()
+        },
     )  # fmt: skip
+
+
+def areas_of(given: Sequence[str]) -> dict[str, tuple[float, float, float, float]]:
+    """Rectangles by their names; raises InputError for a text that is none."""
+    found: dict[str, tuple[float, float, float, float]] = {}
+    for text in given:
+        name, _, corners = text.partition(":")
+        values = [number_of(v) for v in corners.split(",")]
+        left, top, right, bottom = values if len(values) == 4 else [None] * 4
+        if not name or left is None or top is None or right is None or bottom is None or name in found:
+            raise InputError("strain.area_text", text=text)
+        if not (left < right and top < bottom):
+            raise InputError("strain.empty_extent", extent=[left, top, right, bottom])
+        found[name] = (left, top, right, bottom)
+    return found
+
+
+def _inside(grid: SubsetGrid, corners: tuple[float, float, float, float]) -> Mask:
+    """(n,) subsets with their middle in a rectangle."""
+    (x, y), (left, top, right, bottom) = grid.xy_px.T, corners
+    return (x >= left) & (x <= right) & (y >= top) & (y <= bottom)
 
 
 def names_of(paths: Sequence[Path]) -> list[str]:
@@ -225,6 +255,14 @@ def _reported(s: StrainSettings, grid: SubsetGrid, images: Sequence[StrainImage]
     if s.shape == "affine" and max(bent) > BENT_SHARE:
         worst = images[int(np.argmax(bent))]
         found.append(warning("strain.bent", name=worst.name, share=max(bent), limit_px=BENT_PX))
+    uneven = {(n, i.name): a.misfit for i in images for n, a in i.areas.items() if a and a.misfit > UNEVEN}
+    if uneven:
+        area, name = max(uneven, key=lambda k: uneven[k])
+        areas = sorted({n for n, _ in uneven})
+        found.append(warning("strain.area_uneven", area=area, name=name, misfit=uneven[area, name], n=len(areas)))
+    for area in sorted({n for i in images for n, a in i.areas.items() if a is None}):
+        lacking = [i.name for i in images if i.areas[area] is None]
+        found.append(warning("strain.area_empty", area=area, names=lacking))
     none = [i.name for i in images if not np.isfinite(i.strain.strain).any()]
     if none:
         found.append(warning("strain.no_strain", names=none, gauge=s.gauge))
@@ -258,4 +296,9 @@ def summary_of(image: StrainImage) -> list[Message]:
         largest = float(1e6 * np.nanquantile(e.principal[:, 0], LARGEST))
         std = 1e6 * float(np.sqrt(np.nanmedian(np.diagonal(e.cov, axis1=1, axis2=2))))
         found.append(note("strain.strains", xx=xx, yy=yy, xy=xy, sigma=std, largest=largest))
+    for name, a in image.areas.items():
+        if a is not None:
+            (xx, yy, xy), s = (1e6 * a.strain.strain[0]).tolist(), 1e6 * np.sqrt(np.diag(a.strain.cov[0]))
+            found.append(note("strain.area", name=name, n=int(a.strain.count[0]), xx=xx, yy=yy, xy=xy,
+                              s_xx=float(s[0]), s_yy=float(s[1]), s_xy=float(s[2])))  # fmt: skip
     return found

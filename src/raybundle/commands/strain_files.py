@@ -15,7 +15,7 @@ from raybundle.report.figures.svg import tick_labels, ticks
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
 
-DISPLACEMENTS, STRAIN, RESULT, MAPS = "displacements.csv", "strain.csv", "result.json", "maps"
+DISPLACEMENTS, STRAIN, AREAS, RESULT, MAPS = "displacements.csv", "strain.csv", "areas.csv", "result.json", "maps"
 RAMP = np.array([(48, 18, 59), (70, 107, 227), (40, 188, 235), (50, 242, 152), (164, 252, 60), (238, 207, 58),
                  (251, 128, 34), (210, 49, 5), (122, 4, 3)], float)  # fmt: skip
 """From low to high (after Turbo by Anton Mikhailov)"""
@@ -52,6 +52,12 @@ def write_strains(done: Strains, reference: Array, size: Array) -> tuple[Path, .
     with new_folder(s.out) as folder:
         write_table(folder / DISPLACEMENTS, d, digits)
         write_table(folder / STRAIN, e, digits)
+        if s.area:
+            a = _areas(done)
+            more = {f"{c}_{u}": by_sigma(a[f"sd_{c}_{u}"]) for u in units for c in "uv"}
+            more |= {f"sd_{c}_{u}": STD for u in units for c in "uv"} | {"subsets": Places(0), "misfit": Places(2)}
+            more |= {f"e{c}": by_sigma(a[f"sd_e{c}"]) for c in ("xx", "yy", "xy")}
+            write_table(folder / AREAS, a, digits | more)
         contents = reported(_contents(done, size), SHORT)
         (folder / RESULT).write_text(json.dumps(clean(contents), indent=1) + "\n", encoding="utf-8")
         (folder / MAPS).mkdir()
@@ -59,7 +65,7 @@ def write_strains(done: Strains, reference: Array, size: Array) -> tuple[Path, .
             stem = f"{k:0{len(str(len(done.images)))}d}-{Path(image.name).stem}"
             for name, values, unit in _mapped(done, image):
                 _draw(folder / MAPS / f"{stem}-{name}.png", done, reference, values, f"{image.name}: {name} [{unit}]")
-    return tuple(s.out / name for name in (DISPLACEMENTS, STRAIN, RESULT, MAPS))
+    return tuple(s.out / name for name in (DISPLACEMENTS, STRAIN, *([AREAS] if s.area else []), RESULT, MAPS))
 
 
 def _places(done: Strains, rows: list[Array]) -> dict[str, Any]:
@@ -100,17 +106,42 @@ def _strains(done: Strains) -> dict[str, Any]:
     def of(name: str) -> Array:
         return np.concatenate([getattr(i.strain, name)[r] for i, r in zip(done.images, rows, strict=True)])
 
-    e, cov, principal = of("strain"), of("cov"), of("principal")
-    std = np.sqrt(np.diagonal(cov, axis1=1, axis2=2))
     columns = _places(done, rows)
-    columns |= {f"e{a}": e[:, k] for k, a in enumerate(("xx", "yy", "xy"))}
+    columns |= _strain_columns(of("strain"), of("cov"), of("principal"), of("direction"), of("rotation"))
+    return columns | {"displacements": of("count").astype(float)}
+
+
+def _strain_columns(e: Array, cov: Array, principal: Array, direction: Array, rotation: Array) -> dict[str, Any]:
+    e, cov, principal = e.reshape(-1, 3), cov.reshape(-1, 3, 3), principal.reshape(-1, 2)
+    std = np.sqrt(np.diagonal(cov, axis1=1, axis2=2))
+    columns: dict[str, Any] = {f"e{a}": e[:, k] for k, a in enumerate(("xx", "yy", "xy"))}
     columns |= {f"sd_e{a}": std[:, k] for k, a in enumerate(("xx", "yy", "xy"))}
     for a, b, name in ((0, 1, "r_xx_yy"), (0, 2, "r_xx_xy"), (1, 2, "r_yy_xy")):
         columns[name] = cov[:, a, b] / (std[:, a] * std[:, b])
     return columns | {
-        "e1": principal[:, 0], "e2": principal[:, 1], "direction_deg": np.degrees(of("direction")),
-        "rotation_deg": np.degrees(of("rotation")), "displacements": of("count").astype(float),
+        "e1": principal[:, 0], "e2": principal[:, 1], "direction_deg": np.degrees(direction),
+        "rotation_deg": np.degrees(rotation),
     }  # fmt: skip
+
+
+def _areas(done: Strains) -> dict[str, Any]:
+    """Rows of each area in each image; without those that have too few subsets."""
+    rows = [(i.name, name, a) for i in done.images for name, a in i.areas.items() if a is not None]
+    columns: dict[str, Any] = {
+        "image": [i for i, _, _ in rows], "area": [n for _, n, _ in rows],
+        "subsets": np.array([float(a.strain.count[0]) for *_, a in rows]),
+    }  # fmt: skip
+    mean = np.array([a.mean for *_, a in rows]).reshape(-1, 2)
+    mean_std = np.sqrt(np.array([np.diag(a.mean_cov) for *_, a in rows])).reshape(-1, 2)
+    for unit, f in (("px", 1.0), ("mm", done.settings.scale)):
+        if f:
+            for k, c in enumerate("uv"):
+                columns |= {f"{c}_{unit}": f * mean[:, k], f"sd_{c}_{unit}": f * mean_std[:, k]}
+    fields = [a.strain for *_, a in rows]
+    columns |= _strain_columns(
+        *(np.array([getattr(e, n)[0] for e in fields]) for n in ("strain", "cov", "principal", "direction", "rotation"))
+    )
+    return columns | {"misfit": np.array([a.misfit for *_, a in rows])}
 
 
 def _contents(done: Strains, size: Array) -> dict[str, Any]:

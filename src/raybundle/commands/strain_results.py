@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import MISSING, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -11,7 +12,7 @@ from raybundle.settings import ANY, POSITIVE, Range, setting
 
 if TYPE_CHECKING:
     from raybundle.matching.subsets import Followed, SubsetGrid
-    from raybundle.metrology.strain import RigidMotion, StrainField
+    from raybundle.metrology.strain import AreaStrain, RigidMotion, StrainField
     from raybundle.numerics.arrays import Array
 
 
@@ -34,6 +35,10 @@ class StrainSettings:
         None, "Part of the reference image in pixels.  [default: all]", metavar="LEFT TOP RIGHT BOTTOM",
         limits=(ANY, ANY, ANY, ANY),
     )  # fmt: skip
+    area: tuple[str, ...] = setting(
+        (), "Mean displacement and strain of a rectangle of the reference. May be repeated.",
+        metavar="NAME:LEFT,TOP,RIGHT,BOTTOM",
+    )  # fmt: skip
     mask: Path | None = setting(None, "Image that is black outside the specimen.", metavar="FILE")
     scale: float | None = setting(
         None, "Millimetres on the specimen per pixel.  [default: pixels only]", metavar="MM", limits=POSITIVE
@@ -52,6 +57,8 @@ class StrainImage:
     relative: Array
     """(n, 2) displacement less the common rigid motion"""
     strain: StrainField
+    areas: Mapping[str, AreaStrain | None]
+    """None: too few subsets"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.signal import fftconvolve
 
 from raybundle.numerics.arrays import Array, Index, Mask
 
@@ -97,6 +98,51 @@ def strain_field(
         H = np.einsum("nak,nkcr->ncark", a, L).reshape(len(rows), 4, 2, -1)
         C[rows] = np.einsum("npsk,nqsk->npq", H @ rho, H)
     return _strains(gradient, C, count)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AreaStrain:
+    """Mean displacement and strain of an area."""
+
+    mean: Array
+    """(2,) displacement in the middle [px]"""
+    mean_cov: Array
+    """(2, 2)"""
+    strain: StrainField
+    """one row"""
+    misfit: float
+    """rms distance of the displacements from their plane, in their standard deviations: some 1 for one strain"""
+
+
+def area_strain(
+    displacement: Array, cov: Array, cell: Index, shape: tuple[int, int], step: float, inside: Mask, correlation: Array
+) -> AreaStrain | None:
+    """The strain of the least-squares plane of all displacements of an area; None: they determine none.
+
+    displacement, cov, cell, shape, step  as of `strain_field`
+    inside       (n,)
+    correlation  (2 r + 1, 2 r + 1) of displacements by steps between them, as far as they overlap
+    """
+    rows = np.flatnonzero(inside & np.isfinite(displacement[:, 0]))
+    if len(rows) < 3 or min(np.ptp(cell[rows], axis=0)) == 0:
+        return None
+    place = np.column_stack([np.ones(len(rows)), cell[rows][:, ::-1] * step])
+    place[:, 1:] -= place[:, 1:].mean(axis=0)
+    weight = np.linalg.pinv(place)
+    plane = weight @ displacement[rows]
+    L = _roots(cov[rows])
+    fields = np.zeros((3, 2, 2, *shape))  # weight, component, root of the noise
+    fields[..., cell[rows, 0], cell[rows, 1]] = np.einsum("an,ncr->acrn", weight, L)
+    fields = fields.reshape(6, 2, *shape)
+    shared = fftconvolve(fields, correlation[None, None], mode="same", axes=(-2, -1))
+    C = np.einsum("prij,qrij->pq", fields, shared)
+    G = plane[1:].T
+    order = [2, 4, 3, 5]  # u_x, u_y, v_x, v_y of the slopes in x and y of u and v
+    off = displacement[rows] - place @ plane
+    sigma = np.sqrt(np.diagonal(cov[rows], axis1=1, axis2=2))
+    strain = _strains(G[None], C[np.ix_(order, order)][None], np.array([len(rows)]))
+    misfit = float(np.sqrt(np.mean((off / sigma) ** 2)))
+    return AreaStrain(mean=plane[0], mean_cov=C[:2, :2], strain=strain, misfit=misfit)
 
 
 def connected(there: Mask, gauge: int) -> Mask:

@@ -62,3 +62,18 @@ strain-same_content = Die Referenz selbst, verschoben oder nicht: { LIST($names,
 
 strain-image_twice = Das Bild ist zweimal angegeben.
     .do = Jedes Bild einmal angeben.
+
+strain-area = Bereich { $name } ({ $n } Subsets), Dehnung [1e-6]: xx { NUM($xx, digits: 3) } ± { NUM($s_xx, digits: 2) }, yy { NUM($yy, digits: 3) } ± { NUM($s_yy, digits: 2) }, xy { NUM($xy, digits: 3) } ± { NUM($s_xy, digits: 2) }.
+
+strain-area_text = { $text } ist kein Bereich.
+    .do = NAME:LINKS,OBEN,RECHTS,UNTEN in Pixeln angeben, jeden Namen einmal.
+
+strain-area_uneven = Die Dehnung ist in { $n } { $n ->
+        [one] Bereich
+       *[other] Bereichen
+    } nicht überall gleich, am wenigsten in { $area } ({ $name }).
+    .why = Die Verschiebungen weichen um { NUM($misfit, digits: 2) } Standardabweichungen (rms) von einer Ebene ab. Dehnung und Standardabweichung sind die der Ebene.
+    .do = Kleinere Bereiche wählen oder die Karten verwenden.
+
+strain-area_empty = Der Bereich { $area } hat in { LIST($names, most: 3) } zu wenige Subsets.
+    .do = Einen größeren Bereich oder kleineres { OPTION("step", "PX") } wählen.

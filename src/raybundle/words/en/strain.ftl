@@ -107,3 +107,33 @@ strain-same_content = The reference itself, moved or not: { LIST($names, most: 3
 
 strain-image_twice = The image is given twice.
     .do = Give each image once.
+
+# $name = "web"
+# $n = 120
+# $xx = 1210
+# $yy = -350
+# $xy = 20
+# $s_xx = 12
+# $s_yy = 11
+# $s_xy = 8
+strain-area = Area { $name } ({ $n } subsets), strain [1e-6]: xx { NUM($xx, digits: 3) } ± { NUM($s_xx, digits: 2) }, yy { NUM($yy, digits: 3) } ± { NUM($s_yy, digits: 2) }, xy { NUM($xy, digits: 3) } ± { NUM($s_xy, digits: 2) }.
+
+# $text = "web:10,20"
+strain-area_text = { $text } is no area.
+    .do = Give NAME:LEFT,TOP,RIGHT,BOTTOM in pixels, each name once.
+
+# $area = "web"
+# $name = "load-07.tif"
+# $misfit = 2.4
+# $n = 2
+strain-area_uneven = Strain is not the same everywhere in { $n } { $n ->
+        [one] area
+       *[other] areas
+    }, most of all in { $area } ({ $name }).
+    .why = Displacements differ from a plane by { NUM($misfit, digits: 2) } standard deviations (rms). Strain and standard deviation are those of the plane.
+    .do = Choose smaller areas, or read the maps.
+
+# $area = "web"
+# $names = ["load-07.tif"]
+strain-area_empty = Area { $area } has too few subsets in { LIST($names, most: 3) }.
+    .do = Choose a larger area or a smaller { OPTION("step", "PX") }.

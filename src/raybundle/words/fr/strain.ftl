@@ -38,3 +38,11 @@ strain-jumps = { $name } : { $n } de { $of } fenêtres voisines se contredisent 
 strain-same_content = La référence elle-même, déplacée ou non : { LIST($names, most: 3) }.
 
 strain-image_twice = L'image est donnée deux fois.
+
+strain-area = Zone { $name } ({ $n } subsets), déformation [1e-6] : xx { NUM($xx, digits: 3) } ± { NUM($s_xx, digits: 2) }, yy { NUM($yy, digits: 3) } ± { NUM($s_yy, digits: 2) }, xy { NUM($xy, digits: 3) } ± { NUM($s_xy, digits: 2) }.
+
+strain-area_text = { $text } n'est pas une zone.
+
+strain-area_uneven = La déformation n'est pas uniforme dans { $n } zones, surtout dans { $area } ({ $name }).
+
+strain-area_empty = La zone { $area } a trop peu de subsets dans { LIST($names, most: 3) }.
