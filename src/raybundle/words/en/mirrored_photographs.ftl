@@ -8,7 +8,7 @@ mirrored_photographs = { $n } { $n ->
         [one] photograph is
         *[other] photographs are
     } mirrored against the others and left out: { LIST($names, most: 3) }.
-    .why = { $photograph } has { $matches } matches with { $other } if left and right are exchanged, and at most { $plain } as it is.
+    .why = { $photograph } has { $matches } matches with { $other } if left and right are exchanged, and at most { $plain } unchanged.
     .do = Exchange left and right in an image editor, or scan the slides from the other side.
 
 # $n = 3
@@ -21,5 +21,5 @@ mirrored_photographs-possible = { $n } { $n ->
         [one] photograph may be
         *[other] photographs may be
     } mirrored against the others: { LIST($names, most: 3) }.
-    .why = { $photograph } has { $matches } matches with { $other } if left and right are exchanged, and at most { $plain } as it is. A symmetrical object explains it as well; the photographs take part.
+    .why = { $photograph } has { $matches } matches with { $other } if left and right are exchanged, and at most { $plain } unchanged. A symmetrical object explains it as well; the photographs take part.
     .do = Compare the photographs with the object. Exchange left and right of those that are mirrored, and run again.
