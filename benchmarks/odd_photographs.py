@@ -81,7 +81,10 @@ NO_STATION = ("mirrored", "reprinted")
 UNKNOWN = ("two cameras", "zoom")
 """Kinds whose camera is not given"""
 OTHERS = ("two cameras", "zoom", "panorama", "burst", "thumbnail")
-NAMING = ("image_contradicts", "identical_images", "weak_photographs", "cropped_photographs", "camera_kept_apart")
+NAMING = (
+    "image_contradicts", "identical_images", "weak_photographs", "cropped_photographs", "camera_kept_apart",
+    "mirrored_photographs",
+)  # fmt: skip
 """Warnings that name a photograph as one not to rely on"""
 ORDINARY = "ordinary"
 SETS = {"wings": "chain", "tower": "chain"}
