@@ -190,6 +190,17 @@ def esa_seeds(top: Path) -> None:
         (place(top, k + 2) / "LEA_01.001").write_bytes(leader(Esa(single=False, **small))[0])
 
 
+def hdf5_seeds(top: Path) -> None:
+    from tests.scenes.hdf5_products import cosmo, iceye_hdf5, nisar
+    from tests.scenes.radar_products import Product
+
+    small = {"columns": 40, "rows": 40, "vectors": 5}
+    for k, maker in enumerate((cosmo, nisar, iceye_hdf5)):
+        maker(place(top, k) / "a.h5", Product(**small))
+    cosmo(place(top, 3) / "a.h5", Product(ground=True, **small), mission="KMPS", mode="WIDE SWATH")
+    iceye_hdf5(place(top, 4) / "a.h5", Product(ground=True, **small))
+
+
 def optical_bar_seeds(top: Path) -> None:
     from tests.scenes.test_push_frame import bar
 
@@ -217,7 +228,7 @@ for _name, _seeds in (
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
     ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds),
     ("enmap", enmap_seeds), ("sentinel1", sentinel1_seeds), ("radar-isd", radar_isd_seeds),
-    ("radar-products", product_seeds), ("esa-products", esa_seeds), ("optical-bar", optical_bar_seeds),
+    ("radar-products", product_seeds), ("esa-products", esa_seeds), ("hdf5", hdf5_seeds), ("optical-bar", optical_bar_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
 

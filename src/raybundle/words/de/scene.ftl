@@ -310,3 +310,8 @@ scene-raw_product = { $kind } ist ein Rohdatenprodukt (Stufe 0): Es enthält Sig
     .do = Das Produkt in Schrägentfernung oder Bodenentfernung (Stufe 1) beschaffen.
 
 scene-times_rounded = Die Zeiten der Zeilen sind um bis zu { $seconds } s gerundet ({ $n_px } Zeilen), was die Uhr aufnimmt.
+
+scene-not_uniform = Die Werte dieser Tabelle weichen um { $steps } Schritte von gleichen Abständen ab (Grenze { $limit }).
+    .do = Die Datei erneut beschaffen.
+
+scene-image_used = Das Bild { $name } wird verwendet; die Datei enthält auch { $others }.

@@ -446,3 +446,12 @@ scene-raw_product = { $kind } is a raw product (level 0): it holds signals, no i
 # $seconds = 0.001
 # $n_px = 1.7
 scene-times_rounded = Times of lines are rounded by up to { $seconds } s ({ $n_px } lines), which the clock takes.
+
+# $steps = 0.4
+# $limit = 0.001
+scene-not_uniform = The values of this table leave an equal spacing by { $steps } steps (limit { $limit }).
+    .do = Get the file again.
+
+# $name = "frequencyA"
+# $others = "frequencyB"
+scene-image_used = The image { $name } is used; the file also holds { $others }.

@@ -209,3 +209,7 @@ scene-record_missing = Le fichier n'a pas de { $name }.
 scene-raw_product = { $kind } est un produit brut (niveau 0) : il contient des signaux, pas d'image.
 
 scene-times_rounded = Les temps des lignes sont arrondis de { $seconds } s au plus ({ $n_px } lignes), ce que prend l'horloge.
+
+scene-not_uniform = Les valeurs de cette table s'écartent de { $steps } pas d'un espacement égal (limite { $limit }).
+
+scene-image_used = L'image { $name } est utilisée ; le fichier contient aussi { $others }.
