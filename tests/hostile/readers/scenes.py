@@ -196,7 +196,7 @@ def hdf5_seeds(top: Path) -> None:
 
     small = {"columns": 40, "rows": 40, "vectors": 5}
     for k, maker in enumerate((cosmo, nisar, iceye_hdf5)):
-        maker(place(top, k) / "a.h5", Product(**small))
+        maker(place(top, k) / "a.h5", Product(**small if maker is not nisar else {}))
     cosmo(place(top, 3) / "a.h5", Product(ground=True, **small), mission="KMPS", mode="WIDE SWATH")
     iceye_hdf5(place(top, 4) / "a.h5", Product(ground=True, **small))
 

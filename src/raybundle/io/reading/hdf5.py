@@ -6,6 +6,7 @@ to other files and tables that are stored in other files are not followed.
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -17,6 +18,7 @@ from typing import Any, NoReturn
 import numpy as np
 
 from raybundle.errors import InputError, Message, Value, content
+from raybundle.io.reading.files import opened
 from raybundle.io.reading.words import SHOWN, bounded, no_number
 from raybundle.io.reading.xml import Attributes, Element
 from raybundle.numerics.arrays import Array
@@ -24,6 +26,7 @@ from raybundle.numerics.arrays import Array
 SIGNATURE = b"\x89HDF\r\n\x1a\n"
 MOST = 1 << 22
 """Values of a table that is read at once: the coordinates of a grid are some 10^5"""
+HEAP = b"GCOL"
 WORDS = 1 << 12
 """Values that are also read as words"""
 PACKAGE = "h5py"
@@ -97,13 +100,37 @@ def _node(path: Path, name: str, data: Any) -> Node:
     values = data if isinstance(data, np.ndarray) else None
     if values is None and hasattr(data, "dtype"):
         stored = data.size is not None and data.size <= MOST and not data.external and not data.is_virtual
+        if stored and data.dtype.kind == "O":
+            _check_heap(path, data)
         values = np.asarray(data[()]) if stored and data.dtype.kind in "fiubSOU" else None
     words = "" if values is None or values.size > WORDS else " ".join(map(_word, values.ravel().tolist()))
     return Node(path, 0, name, Attributes({}), content=words, data=None if values is data else data, values=values)
 
 
 def _word(value: Any) -> str:
-    return value.decode("utf-8", "replace").strip(" \0") if isinstance(value, bytes) else str(value)
+    text = value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+    return text.partition("\0")[0].strip()
+
+
+def _check_heap(path: Path, data: Any) -> None:
+    """Refuse heaps of texts whose objects do not fill them: the library of HDF5 reads such a one without end."""
+    at = data.id.get_offset()
+    if at is None:
+        return
+    with opened(path) as file:
+        file.seek(at)
+        for _, address, _ in struct.iter_unpack("<IQI", file.read(16 * data.size)):
+            file.seek(min(address, 1 << 62))
+            head = file.read(16)
+            size = int.from_bytes(head[8:], "little") - len(head)
+            heap = file.read(min(max(size, 0), MOST))
+            k = 0
+            while head[:4] == HEAP and len(heap) - k >= len(head):
+                index, n = struct.unpack_from("<H6xQ", heap, k)
+                step = n if index == 0 else len(head) + n + -n % 8
+                if not len(head) <= step <= len(heap) - k:
+                    raise ValueError("heap of texts")
+                k += step
 
 
 @contextmanager
