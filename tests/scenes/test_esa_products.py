@@ -14,6 +14,7 @@ SHAPES = {
     "slant": ("IMS", {}), "slant, alternating": ("APS", {}), "slant, far first": ("IMS", {"near_first": False}),
     "slant, last line first": ("IMS", {"forwards": False}), "ground": ("IMP", {"ground": True}),
     "ground, four polynomials": ("IMM", {"ground": True, "polynomials": 4}),
+    "wide swath": ("WSM", {"ground": True, "polynomials": 4}), "global": ("GM1", {"ground": True}),
     "ground, linear between them": ("APP", {"ground": True, "polynomials": 4, "linear": True}),
 }  # fmt: skip
 
@@ -116,7 +117,7 @@ def test_the_data_file_has_the_size(tmp_path):
 WRONG = {
     "raw N1": ("n1", {"kind": "IM_", "level": "0P"}, "scene.raw_product", "MPH, byte 1"),
     "map N1": ("n1", {"kind": "IMG"}, "scene.map_product", "MPH, byte 1"),
-    "bursts N1": ("n1", {"kind": "WSS"}, "value.not_supported", "MPH, byte 1"),
+    "bursts N1": ("n1", {"kind": "WSS"}, "scene.burst_images", "MPH, byte 1"),
     "raw CEOS": ("ceos", {"kind": "SAR RAW SIGNAL DATA"}, "scene.raw_product", "DATA SET SUMMARY, byte 1111"),
     "map CEOS": ("ceos", {"projection": "Universal Transverse Mercator"}, "scene.map_product",
                  "MAP PROJECTION DATA, byte 29"),

@@ -201,6 +201,13 @@ def hdf5_seeds(top: Path) -> None:
     iceye_hdf5(place(top, 4) / "a.h5", Product(ground=True, **small))
 
 
+def capella_seeds(top: Path) -> None:
+    from tests.scenes.radar_products import Product
+    from tests.scenes.test_capella import capella
+
+    (place(top) / "a_extended.json").write_text(json.dumps(capella(Product(columns=40, rows=40, vectors=5))))
+
+
 def optical_bar_seeds(top: Path) -> None:
     from tests.scenes.test_push_frame import bar
 
@@ -228,7 +235,7 @@ for _name, _seeds in (
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
     ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds),
     ("enmap", enmap_seeds), ("sentinel1", sentinel1_seeds), ("radar-isd", radar_isd_seeds),
-    ("radar-products", product_seeds), ("esa-products", esa_seeds), ("hdf5", hdf5_seeds), ("optical-bar", optical_bar_seeds),
+    ("radar-products", product_seeds), ("esa-products", esa_seeds), ("hdf5", hdf5_seeds), ("capella", capella_seeds), ("optical-bar", optical_bar_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
 
