@@ -17,6 +17,9 @@ MARKS: tuple[tuple[bytes, str, str], ...] = (
     (b"Level-1C_", "scene.is_map", "sentinel2"),
     (b"Level-2A_", "scene.is_map", "sentinel2"),
     (b"Level-1B_User_Product", "scene.product_not_read", "sentinel2"),
+    (b"SAOCOM_XMLProduct", "scene.product_not_read", "saocom"),
+    (b"<MissionID>KMPS", "scene.product_not_read", "kompsat5"),
+    (b"CPHD/1.", "scene.product_not_read", "cphd"),
 )
 """In the beginning of a file, code of the message, and the product that it names"""
 HDF4 = b"\x0e\x03\x13\x01"

@@ -426,12 +426,18 @@ scene-product_not_read = { $what ->
      [aster] ASTER level 1A (HDF)
      [sentinel2] Sentinel-2 level 1B
      [ceos] Volume directories and image files of CEOS
+     [saocom] SAOCOM products
+     [kompsat5] Auxiliary XML of KOMPSAT-5
+     [cphd] Phase histories (CPHD)
     *[hdf] HDF files
     } are not read.
     .do = { $what ->
      [aster] Give an RPC of it, as aster2asp of the Ames Stereo Pipeline writes
      [sentinel2] Use the level 1C product, which is a map
      [ceos] Give the leader file beside it (LEA_01.001)
+     [saocom] Convert it to SICD
+     [kompsat5] Give the HDF5 product
+     [cphd] Give the image of it (SICD)
     *[hdf] Give an RPC of the scene, or convert it to SICD
     }.
 

@@ -201,6 +201,9 @@ scene-product_not_read = { $what ->
      [aster] Les produits ASTER niveau 1A (HDF)
      [sentinel2] Les produits Sentinel-2 niveau 1B
      [ceos] Les répertoires de volume et les fichiers d'image CEOS
+     [saocom] Les produits SAOCOM
+     [kompsat5] Les fichiers XML auxiliaires de KOMPSAT-5
+     [cphd] Les historiques de phase (CPHD)
     *[hdf] Les fichiers HDF
     } ne sont pas lus.
 
