@@ -33,7 +33,8 @@ def cosmo(path, p, *, mission="CSK", kind=None, mode="HIMAGE", ellipsoid="WGS84"
             "Look Side": "RIGHT" if p.side > 0 else "LEFT", "Ellipsoid Designator": ellipsoid,
             "Lines Order": "EARLY-LATE" if p.forwards else "LATE-EARLY",
             "Columns Order": "NEAR-FAR" if p.near_first else "FAR-NEAR",
-            "Scene Sensing Start UTC": f"{START}000".replace("T", " "), "Reference UTC": "2023-05-06 05:06:00.000000000",
+            "Scene Sensing Start UTC": f"{START}000".replace("T", " "),
+            "Reference UTC": "2023-05-06 05:06:00.000000000",
         }  # fmt: skip
         for name, text in texts.items():
             file.attrs[name] = np.bytes_(text)
@@ -98,7 +99,10 @@ def nisar(path, p, *, group="RSLC", bands="A", epsg=4326, geolocation=True):
             lon, lat = geographic[:, 0], geographic[:, 1]
             if epsg != 4326:
                 lon, lat = Transformer.from_crs(4326, epsg, always_xy=True).transform(lon, lat)
-            axes = ranges[0] + (xy[:, 0] - 0.5) * (ranges[1] - ranges[0]), times[0] + (xy[:, 1] - 0.5) * (times[1] - times[0])
+            axes = (
+                ranges[0] + (xy[:, 0] - 0.5) * (ranges[1] - ranges[0]),
+                times[0] + (xy[:, 1] - 0.5) * (times[1] - times[0]),
+            )
             # every point has an own height, time and range: all others of the cube are unknown
             cube = np.full((2, 9, 9, 9), np.nan)
             order = [np.argsort(np.argsort(v)) for v in (geographic[:, 2], axes[1], axes[0])]
@@ -121,7 +125,13 @@ def iceye_hdf5(path, p):
                 file[name] = np.array(text.split(), float)
             elif re.fullmatch(r"[-+.\de]+", text) and name not in {"time", "count", *VECTOR}:
                 file[name] = int(text) if text.isdecimal() else float(text)
-            elif name in {"product_name", "satellite_name", "look_side", "zerodoppler_start_utc", "zerodoppler_end_utc"}:
+            elif name in {
+                "product_name",
+                "satellite_name",
+                "look_side",
+                "zerodoppler_start_utc",
+                "zerodoppler_end_utc",
+            }:
                 file[name] = text
         file["state_vector_time_utc"] = np.array([[p.utc(v)[:-1].encode()] for v in t])
         for k, table in (("pos", P), ("vel", V)):

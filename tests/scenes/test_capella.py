@@ -15,7 +15,9 @@ from tests.scenes.test_mda_products import assert_meets
 def capella(p):
     """The keys of the format of Capella (product version 1.10) that a ray needs."""
     at = centre_of(p, (p.columns // 2, p.rows // 2))
-    state = [{"time": p.utc(t), "position": P.tolist(), "velocity": V.tolist()} for t, P, V in zip(*p.table(), strict=True)]
+    state = [
+        {"time": p.utc(t), "position": P.tolist(), "velocity": V.tolist()} for t, P, V in zip(*p.table(), strict=True)
+    ]
     return {
         "product_type": "SLC",
         "collect": {
@@ -59,7 +61,10 @@ FAULTS = [
     (("collect", "image", "image_geometry", "first_line_time"), "soon", "value.no_time"),
     (("collect", "image", "image_geometry", "delta_line_time"), None, "value.key_missing"),
     (("collect", "image", "image_geometry", "delta_range_sample"), -1.0, None),
-    (("collect", "image", "image_geometry", "doppler_centroid_polynomial"), {"coefficients": [[1.0]]}, "value.not_supported"),
+    (
+        ("collect", "image", "image_geometry", "doppler_centroid_polynomial"), {"coefficients": [[1.0]]},
+        "value.not_supported",
+    ),
     (("collect", "image", "rows"), 0, None),
     (("collect", "radar", "pointing"), "up", "value.not_supported"),
     (("collect", "state", "coordinate_system", "type"), "eci", "value.not_supported"),

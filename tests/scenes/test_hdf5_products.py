@@ -51,7 +51,7 @@ def test_the_second_frequency_is_named(tmp_path):
 
 @pytest.mark.parametrize("name", ["REE_RSLC_out17.h5"])
 def test_nisar_meets_range_and_azimuth_of_its_grid(name):
-    """0.1 mm of range and 10 mm of azimuth, where the time of the grid is that of its coordinates: in its first line."""
+    """0.1 mm of range and 10 mm of azimuth, in the first line: the grid repeats its time for others."""
     path = file("target", name)
     scene = read_scene(path).rigorous
     with h5py.File(path) as data:

@@ -245,7 +245,9 @@ for _name, _seeds in (
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
     ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds),
     ("enmap", enmap_seeds), ("sentinel1", sentinel1_seeds), ("radar-isd", radar_isd_seeds),
-    ("radar-products", product_seeds), ("esa-products", esa_seeds), ("hdf5", hdf5_seeds), ("capella", capella_seeds), ("radarsat1", radarsat1_seeds), ("optical-bar", optical_bar_seeds),
+    ("radar-products", product_seeds), ("esa-products", esa_seeds),
+    ("hdf5", hdf5_seeds), ("capella", capella_seeds),
+    ("radarsat1", radarsat1_seeds), ("optical-bar", optical_bar_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
 

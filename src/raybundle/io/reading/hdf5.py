@@ -1,7 +1,7 @@
-"""HDF5 as a tree of elements, as `xml` reads XML: below a group its members and attributes, below a dataset its attributes.
+"""HDF5 as a tree of elements, as `xml` reads XML: below a group its members and attributes, below a dataset the latter.
 
-h5py reads it; it is an extra, and loaded where a file is one.  An element is read when its parent is asked for it.  Links
-to other files and tables that are stored in other files are not followed.
+h5py reads it; it is an extra, and loaded where a file is one.  An element is read when its parent is asked for it.
+Links to other files are not followed, nor are tables that are stored in other files.
 """
 
 from __future__ import annotations
@@ -53,10 +53,8 @@ class Node(Element):
 
     def node(self, *names: str) -> Node | None:
         """The element down this way of names."""
-        found: Node | None = self
-        for name in names:
-            found = None if found is None else found._child(name)
-        return found
+        child = self._child(names[0]) if names else self
+        return child if child is None or not names else child.node(*names[1:])
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -97,8 +95,8 @@ class Node(Element):
 
 
 def _node(path: Path, name: str, data: Any) -> Node:
-    values = data if isinstance(data, np.ndarray) else None
-    if values is None and hasattr(data, "dtype"):
+    values: Any = data if isinstance(data, np.ndarray) else None
+    if not isinstance(data, np.ndarray) and hasattr(data, "dtype"):
         stored = data.size is not None and data.size <= MOST and not data.external and not data.is_virtual
         if stored and data.dtype.kind == "O":
             _check_heap(path, data)

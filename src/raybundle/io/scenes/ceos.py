@@ -49,7 +49,7 @@ def read(path: Path) -> Scene:
     summary, platform = (record_of(found, code, path) for code in (SUMMARY, PLATFORM))
     mission, product = summary.text(397, 412), summary.text(1111, 1142)
     if not mission.startswith("ERS"):
-        summary.fail(397, "value.not_supported", value=quoted(mission), known=["ERS1", "ERS2"])
+        summary.fail(397, "value.not_supported", value=quoted(mission), known=["ERS1", "ERS2", "RSAT-1"])
     if "RAW" in product.upper():
         summary.fail(1111, "scene.raw_product", kind=product)
     projection = record_of(found, PROJECTION, path)
@@ -89,6 +89,7 @@ def records_of(path: Path) -> dict[int, Record]:
 
 
 def record_of(found: dict[int, Record], code: int, path: Path) -> Record:
+    """The record of this code; raises InputError where there is none."""
     if code not in found:
         raise InputError("scene.record_missing", name=NAMES[code], file=path)
     return found[code]
@@ -218,7 +219,8 @@ def of_radarsat(head: bytes) -> bool:
 
 register(
     SceneFormat(
-        name="ceos", title="CEOS leader of ERS (SLC, PRI)", recognises=lambda _, head: is_leader(head) and not of_radarsat(head), read=read,
-        within="[Ll][Ee][Aa]_*", companions=_companions,
+        name="ceos", title="CEOS leader of ERS (SLC, PRI)", read=read,
+        recognises=lambda _, head: is_leader(head) and not of_radarsat(head), within="[Ll][Ee][Aa]_*",
+        companions=_companions,
     )
 )  # fmt: skip

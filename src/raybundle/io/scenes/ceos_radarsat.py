@@ -1,8 +1,8 @@
 """RADARSAT-1 in CEOS format of CDPF: the leader (LEA_01.001) with its data file, ground range (SGF, SGX, ScanSAR).
 
 CDPF RZ-SP-50-5313: polynomials of slant range stand in the record of detailed processing parameters, times, slant
-ranges and geographic coordinates of each line before its pixels.  Times are whole milliseconds, through which a straight
-line runs.  State vectors stand in an inertial frame, velocities in mm/s.
+ranges and geographic coordinates of each line before its pixels.  Times are whole milliseconds, through which a
+straight line runs.  State vectors stand in an inertial frame, velocities in mm/s.
 """
 
 from __future__ import annotations
@@ -69,7 +69,9 @@ def read(path: Path) -> Scene:
         data.fail(DESCRIPTOR_BYTES + 45, "scene.line_order", seconds=float(seconds[-1]))
     sign = float(np.sign(ranges[0, 2] - ranges[0, 0])) or 1.0
     known = map_ is not None and map_.text(*TERRAIN)
-    height = float(np.mean([map_.number(b, b + 15) for b in range(TERRAIN[0], TERRAIN[1], 16)])) if known and map_ else 0.0
+    height = (
+        float(np.mean([map_.number(b, b + 15) for b in range(TERRAIN[0], TERRAIN[1], 16)])) if known and map_ else 0.0
+    )
     columns_ = _polynomials(detailed, columns, np.sort(ranges[0])[[0, 2]], epoch)
     scene = columns_.scene(
         (columns, rows), platform_orbit(platform, epoch), (float(first_s), float(line_s)), sign=sign,
@@ -131,7 +133,7 @@ def _update(detailed: Record, at: int) -> np.datetime64:
             return np.datetime64(f"{year}-01-01T{clock}", "ms") + np.timedelta64(n - 1, "D")
     except ValueError:
         pass
-    detailed.fail(at, "value.no_time", value=quoted(word))
+    return detailed.fail(at, "value.no_time", value=quoted(word))
 
 
 def _trailer(path: Path) -> Path | None:

@@ -106,7 +106,7 @@ def _epoch(parent: object, name: str = "time") -> np.datetime64:
             return np.datetime64(date.strip().rstrip("Z"), "ns")
     except ValueError:
         pass
-    unit.fail("value.no_time", value=quoted(unit.content))
+    return unit.fail("value.no_time", value=quoted(unit.content))
 
 
 def _ties(grid: Node, ranges: tuple[float, float], lines: tuple[float, float]) -> tuple[Array, Array]:
