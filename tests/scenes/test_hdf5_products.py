@@ -7,7 +7,6 @@ from raybundle.errors import InputError
 from raybundle.io.reading import hdf5 as room
 from raybundle.io.scenes import products, read_scene
 from raybundle.numerics.geodesy import WGS84, geocentric_from_geographic
-from raybundle.scenes.kinds.range_doppler import C_LIGHT
 from tests.messages import refused
 from tests.scenes.hdf5_products import cosmo, iceye_hdf5, nisar
 from tests.scenes.radar_products import Product
@@ -182,4 +181,7 @@ def test_other_hdf5_is_named(tmp_path):
         data["a"] = 1.0
     with refused("scene.product_not_read", what="hdf"):
         read_scene(tmp_path / "a.h5")
-    assert C_LIGHT == 299792458.0
+    whole = (tmp_path / "a.h5").read_bytes()
+    (tmp_path / "b.h5").write_bytes(whole[: len(whole) // 2])
+    with refused("file.hdf5_damaged", file="b.h5"):
+        read_scene(tmp_path / "b.h5")
