@@ -170,7 +170,7 @@ def clock(t):
     return f"{day}-{MONTHS[int(month) - 1]}-{year} {hour[:12]}"
 
 
-def leader(p, *, vmp=False, inertial=None, late_s=0.0, kind=None, mission="ERS2", projection=None):
+def leader(p, *, vmp=False, inertial=None, late_s=0.0, kind=None, mission="ERS2", projection=None, mm=1.0):
     """LEA_01.001, and exact ground and image points of its corners.
 
     inertial  Greenwich hour angle [rad] at the first state vector, which then stands in an inertial frame
@@ -222,7 +222,7 @@ def leader(p, *, vmp=False, inertial=None, late_s=0.0, kind=None, mission="ERS2"
     field(platform, 161, 182, f"{(at - day) / np.timedelta64(1, 'us') * 1e-6:.15E}")
     field(platform, 183, 204, f"{t[1] - t[0]:.15E}".replace("E", "D"))
     field(platform, 205, 268, ("Earth Centred Rotating" if inertial is None else "INERTIAL").ljust(64))
-    for k, v in enumerate(np.concatenate([P, V], axis=1).ravel()):
+    for k, v in enumerate(np.concatenate([P, mm * V], axis=1).ravel()):
         field(platform, 387 + 22 * k, 408 + 22 * k, f"{v: .15E}")
     facility = ceos_record(5, (10, 200, 31, 50), 12288)  # facility related data record, general type
     field(facility, 13, 76, "FACILITY RELATED DATA RECORD [ESA GENERAL TYPE]".ljust(64))
@@ -247,3 +247,43 @@ def data_file(p, rows=None, columns=None):
     length = 12 + 4 * columns
     lines = [ceos_record(k + 2, (50, 11, 18, 20), length) for k in range(rows)] if rows < 100 else []
     return b"".join(bytes(r) for r in (record, *lines))
+
+
+def radarsat1(p, *, sets=None, bytes_=2):
+    """LEA_01.001 and DAT_01.001 of RADARSAT-1 (CDPF RZ-SP-50-5313); exact ground and image points of its lines.
+
+    Fields of the detailed processing parameters: 7726 bytes, as ASF's and OSSIM's structures have them.
+    """
+    head = leader(p, mission="RSAT-1", inertial=1.0, mm=1e3, kind="SGF")[0]
+    detailed = ceos_record(6, (18, 120, 18, 20), 7726)
+    times, rows = p.sets()
+    field(detailed, 4883, 4886, len(times) if sets is None else sets)
+    for k, (t, c) in enumerate(zip(times, rows, strict=True)):
+        at = 4887 + 117 * k
+        time = START + np.timedelta64(round(t * 1e6), "us")
+        day = (time.astype("datetime64[D]") - time.astype("datetime64[Y]").astype("datetime64[D]")).astype(int) + 1
+        field(detailed, at, at + 20, f"{str(time)[:4]}-{day:03}-{str(time)[11:23]}")
+        for j, v in enumerate([*c, 0.0, 0.0]):
+            field(detailed, at + 21 + 16 * j, at + 36 + 16 * j, f"{v:.9E}")
+    field(detailed, 7227, 7242, f"{p.spacing_m:.7f}")
+    middle, lines = (p.columns - 1) / 2, np.arange(p.rows)
+    ground, image = p.pixels([0, middle, p.columns - 1], [0, p.rows // 2, p.rows - 1], 0.0)
+    near_first = np.array([0.0, middle, p.columns - 1.0]) if p.near_first else np.array([p.columns - 1.0, middle, 0.0])
+    t = p.first_s + lines * p.line_s * (1 if p.forwards else -1)
+    size = 192 + 2 * p.columns
+    data = bytearray(data_file(p, p.rows, p.columns)[:720])
+    field(data, 225, 228, bytes_)
+    every = p.pixels([0, middle, p.columns - 1], lines, 0.0)[0].reshape(-1, 3, 3)
+    body = b""
+    for k, seconds in enumerate(t):
+        line = bytearray(size)
+        put(line, 0, "IBBBBI", k + 2, 50, 11, 18, 20, size)
+        at = START + np.timedelta64(round(seconds * 1e3), "ms")
+        year = at.astype("datetime64[Y]").astype("datetime64[ms]")
+        days, ms = divmod(int((at - year) / np.timedelta64(1, "ms")), 86_400_000)
+        put(line, 36, "3I", int(str(at)[:4]), days + 1, ms)
+        ranges = p.slant(near_first * p.spacing_m, np.full(3, seconds))
+        put(line, 64, "3I", *np.round(ranges).astype(int).tolist())
+        put(line, 132, "6i", *np.round(every[k, :, [1, 0]] * 1e6).astype(int).ravel().tolist())
+        body += bytes(line)
+    return head, bytes(detailed), bytes(data) + body, ground, image

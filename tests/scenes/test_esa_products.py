@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from raybundle.errors import RaybundleError
+from raybundle.errors import InputError, RaybundleError
 from raybundle.io.scenes import companions_of, read_scene
 from tests.messages import refused
-from tests.scenes.esa_products import Esa, data_file, leader, n1
+from tests.scenes.esa_products import Esa, data_file, leader, n1, radarsat1
 from tests.scenes.test_radar_files import RADAR
 
 LIMIT_PX = 1e-3
@@ -14,6 +14,7 @@ SHAPES = {
     "slant": ("IMS", {}), "slant, alternating": ("APS", {}), "slant, far first": ("IMS", {"near_first": False}),
     "slant, last line first": ("IMS", {"forwards": False}), "ground": ("IMP", {"ground": True}),
     "ground, four polynomials": ("IMM", {"ground": True, "polynomials": 4}),
+    "wide swath": ("WSM", {"ground": True, "polynomials": 4}), "global": ("GM1", {"ground": True}),
     "ground, linear between them": ("APP", {"ground": True, "polynomials": 4, "linear": True}),
 }  # fmt: skip
 
@@ -116,11 +117,11 @@ def test_the_data_file_has_the_size(tmp_path):
 WRONG = {
     "raw N1": ("n1", {"kind": "IM_", "level": "0P"}, "scene.raw_product", "MPH, byte 1"),
     "map N1": ("n1", {"kind": "IMG"}, "scene.map_product", "MPH, byte 1"),
-    "bursts N1": ("n1", {"kind": "WSS"}, "value.not_supported", "MPH, byte 1"),
+    "bursts N1": ("n1", {"kind": "WSS"}, "scene.burst_images", "MPH, byte 1"),
     "raw CEOS": ("ceos", {"kind": "SAR RAW SIGNAL DATA"}, "scene.raw_product", "DATA SET SUMMARY, byte 1111"),
     "map CEOS": ("ceos", {"projection": "Universal Transverse Mercator"}, "scene.map_product",
                  "MAP PROJECTION DATA, byte 29"),
-    "another radar": ("ceos", {"mission": "RSAT-1"}, "value.not_supported", "DATA SET SUMMARY, byte 397"),
+    "another radar": ("ceos", {"mission": "JERS-1"}, "value.not_supported", "DATA SET SUMMARY, byte 397"),
 }  # fmt: skip
 
 
@@ -131,6 +132,50 @@ def test_wrong_types_are_refused_by_name(tmp_path, name):
     data = (n1 if form == "n1" else leader)(product, **keys)[0]
     with refused(code, file="a.001", column=column):
         read_scene(saved(tmp_path, data, "a.001"))
+
+
+RADARSAT = {"columns": 300, "rows": 101, "line_s": 0.02, "spacing_m": 12.5, "ground": True, "single": False}
+
+
+def radarsat1_files(folder, product, *, trailer=False, **keys):
+    head, detailed, data, ground, image = radarsat1(product, **keys)
+    saved(folder, data, "DAT_01.001")
+    if trailer:
+        saved(folder, head[:720] + detailed, "TRA_01.001")
+    return saved(folder, head if trailer else head + detailed, "LEA_01.001"), ground, image
+
+
+@pytest.mark.parametrize("trailer", [False, True])
+@pytest.mark.parametrize("shape", [{}, {"forwards": False, "near_first": False}, {"polynomials": 3}])
+def test_radarsat1_meets_its_lines(tmp_path, shape, trailer):
+    product = Esa(**RADARSAT | shape)
+    path, ground, image = radarsat1_files(tmp_path, product, trailer=trailer)
+    found = read_scene(path)
+    assert (found.format, found.width_px, found.height_px) == ("radarsat1", 300, 101)
+    assert [r.code for r in found.remarks] == ["scene.radar_delays", "scene.times_rounded"]
+    assert np.abs(found.rigorous.project(ground) - image).max() < LIMIT_PX
+    assert {p.name for p in companions_of(path)} == {"DAT_01.001", *(["TRA_01.001"] if trailer else [])}
+
+
+@pytest.mark.parametrize(
+    ("keys", "change", "code"),
+    [
+        ({"sets": 0}, {}, "scene.no_ground_range"), ({"bytes_": 4}, {}, "value.not_supported"),
+        ({}, {"LEA_01.001": (b"2023-126-", b"2023-999-")}, "value.no_time"),
+        ({}, {"DAT_01.001": None}, "scene.record_missing"),
+        ({}, {"DAT_01.001": (b"\x00\x00\x07\xe7", b"\x00\x00\x00\x07")}, "value.no_time"),
+    ],
+)  # fmt: skip
+def test_faults_of_radarsat1_are_refused_by_name(tmp_path, keys, change, code):
+    path, *_ = radarsat1_files(tmp_path, Esa(**RADARSAT), **keys)
+    for name, pair in change.items():
+        if pair is None:
+            (tmp_path / name).unlink()
+        else:
+            (tmp_path / name).write_bytes(replaced((tmp_path / name).read_bytes(), *pair))
+    with pytest.raises(InputError) as caught:
+        read_scene(path)
+    assert caught.value.code == code
 
 
 MAIN = 1247 + 2200  # about where the annotation begins

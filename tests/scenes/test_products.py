@@ -23,7 +23,9 @@ FILES = {
         "scene.is_map", "orthoimage",
     ),
     "AST_L1A_003.hdf": (b"\x0e\x03\x13\x01" + bytes(40), "scene.product_not_read", "aster"),
-    "other.h5": (b"\x89HDF\r\n\x1a\n" + bytes(40), "scene.product_not_read", "hdf"),
+    "saocom.xml": (b"<SAOCOM_XMLProduct><Channel/></SAOCOM_XMLProduct>", "scene.product_not_read", "saocom"),
+    "K5_Aux.xml": (b"<Root><MissionID>KMPS</MissionID></Root>", "scene.product_not_read", "kompsat5"),
+    "umbra.cphd": (b"CPHD/1.1.0\nXML_BLOCK_SIZE := 10\n", "scene.product_not_read", "cphd"),
     "DAT_01.001": (b"\x00\x00\x00\x01\x3f\xc0\x12\x12\x00\x00\x02\xd0" + bytes(800), "scene.product_not_read", "ceos"),
     "VDF_DAT.001": (b"\x00\x00\x00\x01\xc0\xc0\x12\x12\x00\x00\x01\x68" + bytes(40), "scene.product_not_read", "ceos"),
 }  # fmt: skip

@@ -27,6 +27,7 @@ OPTIONAL = {
     "pyogrio": ("GeoPackage, areas in any format of OGR", "pip install 'raybundle[geo]'"),
     "ezdxf": ("drawings in DXF", "pip install 'raybundle[geo]'"),
     "pyarrow": ("large tables as Parquet", "pip install 'raybundle[parquet]'"),
+    "h5py": ("radar scenes in HDF5", "pip install 'raybundle[radar]'"),
     "pi_heif": ("photographs in HEIC", "pip install 'raybundle[heic]'"),
     "rawpy": ("photographs in raw formats", "pip install 'raybundle[raw]'"),
     "torch": ("what learned feature methods compute with", "pip install 'raybundle[learned]'"),

@@ -31,8 +31,8 @@ def command() -> None:
     """Rational polynomials (RPC) of satellite scenes: show, project, correct, make, orthorectify.
 
     Input formats: _RPC.TXT; .RPB; .geom; GeoTIFF and NITF with RPC; RPC of GDAL (VRT, .aux.xml, gdalinfo -json); RPC of
-    rpcm (JSON) and orthority (YAML); DIMAP XML; Maxar ISD XML; ISD JSON of line scanners and radars; XML of Sentinel-1,
-    RADARSAT-2, RCM, TerraSAR-X, ICEYE, Envisat and ERS; SICD.
+    rpcm (JSON) and orthority (YAML); DIMAP XML; Maxar ISD XML; ISD JSON of line scanners and radars; files of
+    Sentinel-1, RADARSAT-1 and -2, RCM, TerraSAR-X, ICEYE, COSMO-SkyMed, KOMPSAT-5, NISAR, Capella, Envisat, ERS; SICD.
     The centre of the first pixel is 0.5, 0.5. Files with another convention are converted on reading and writing.
     Heights are above the ellipsoid.
 

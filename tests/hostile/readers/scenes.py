@@ -190,6 +190,33 @@ def esa_seeds(top: Path) -> None:
         (place(top, k + 2) / "LEA_01.001").write_bytes(leader(Esa(single=False, **small))[0])
 
 
+def radarsat1_seeds(top: Path) -> None:
+    from tests.scenes.esa_products import Esa
+    from tests.scenes.test_esa_products import radarsat1_files
+
+    small = {"columns": 60, "rows": 21, "line_s": 0.1, "spacing_m": 12.5, "ground": True, "single": False}
+    for k in (0, 1):
+        radarsat1_files(place(top, k), Esa(**small), trailer=bool(k))
+
+
+def hdf5_seeds(top: Path) -> None:
+    from tests.scenes.hdf5_products import cosmo, iceye_hdf5, nisar
+    from tests.scenes.radar_products import Product
+
+    small = {"columns": 40, "rows": 40, "vectors": 5}
+    for k, maker in enumerate((cosmo, nisar, iceye_hdf5)):
+        maker(place(top, k) / "a.h5", Product(**small if maker is not nisar else {}))
+    cosmo(place(top, 3) / "a.h5", Product(ground=True, **small), mission="KMPS", mode="WIDE SWATH")
+    iceye_hdf5(place(top, 4) / "a.h5", Product(ground=True, **small))
+
+
+def capella_seeds(top: Path) -> None:
+    from tests.scenes.radar_products import Product
+    from tests.scenes.test_capella import capella
+
+    (place(top) / "a_extended.json").write_text(json.dumps(capella(Product(columns=40, rows=40, vectors=5))))
+
+
 def optical_bar_seeds(top: Path) -> None:
     from tests.scenes.test_push_frame import bar
 
@@ -199,7 +226,8 @@ def optical_bar_seeds(top: Path) -> None:
 def read_a_scene(folder: Path) -> list[str]:
     from raybundle.io.scenes import read_scene
 
-    scene = read_scene(only(folder, but=".csv"))
+    leader = folder / "LEA_01.001"
+    scene = read_scene(leader if leader.is_file() else only(folder, but=".csv"))
     wrong: list[str] = []
     if scene.rpc is not None:
         names = ("coefficients", "ground_offset", "ground_scale", "image_offset", "image_scale")
@@ -217,7 +245,9 @@ for _name, _seeds in (
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
     ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds),
     ("enmap", enmap_seeds), ("sentinel1", sentinel1_seeds), ("radar-isd", radar_isd_seeds),
-    ("radar-products", product_seeds), ("esa-products", esa_seeds), ("optical-bar", optical_bar_seeds),
+    ("radar-products", product_seeds), ("esa-products", esa_seeds),
+    ("hdf5", hdf5_seeds), ("capella", capella_seeds),
+    ("radarsat1", radarsat1_seeds), ("optical-bar", optical_bar_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
 

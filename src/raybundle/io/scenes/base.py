@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.errors import InputError, Message, note
 from raybundle.io.reading.files import as_utf8, guarded, opened
+from raybundle.io.reading.hdf5 import SIGNATURE, hdf5_root
 from raybundle.io.reading.xml import Element
 from raybundle.io.scenes.products import product_of
 from raybundle.numerics.arrays import Array
@@ -84,7 +85,9 @@ def read_scene(path: str | Path) -> Scene:
     for format_ in scene_formats.values():
         if format_.recognises(path, head):
             return _placed(path, format_)
-
+    if head.startswith(SIGNATURE):
+        with hdf5_root(path):  # or it is damaged
+            raise InputError("scene.product_not_read", what="hdf", file=path)
     raise InputError("scene.format_unknown", formats=[f.title for f in scene_formats.values()], file=path)
 
 

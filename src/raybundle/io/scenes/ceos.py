@@ -28,35 +28,37 @@ from raybundle.scenes.orbit import LEAST, Orbit
 FILE_DESCRIPTOR = b"\xc0\x12\x12"
 """Type codes of the first record of a CEOS file, from byte 6"""
 HEAD, DESCRIPTOR_BYTES = 12, 720
-SUMMARY, PROJECTION, PLATFORM, FACILITY = 10, 20, 30, 200
+SUMMARY, PROJECTION, PLATFORM, DETAILED, FACILITY = 10, 20, 30, 120, 200
 NAMES = {SUMMARY: "DATA SET SUMMARY", PROJECTION: "MAP PROJECTION DATA", PLATFORM: "PLATFORM POSITION DATA",
-         FACILITY: "FACILITY RELATED DATA"}  # fmt: skip
+         DETAILED: "DETAILED PROCESSING PARAMETERS", FACILITY: "FACILITY RELATED DATA"}  # fmt: skip
 """Records of a leader by the second of their type codes"""
 MONTHS = ("JAN", "FEB", "MAR", "APR", "MAY", "JUN", "JUL", "AUG", "SEP", "OCT", "NOV", "DEC")
 ROUNDED_S = 1e-3
 """The last digit of a time, which may be rounded or cut"""
 OMEGA = 7.2921151467e-5
 """Rotation of the earth [rad/s]"""
+FAST = 1e5
+"""Velocities from here on are mm/s, as RADARSAT-1 has them"""
 VECTORS = 500
 """More state vectors has no record."""
 
 
 def read(path: Path) -> Scene:
     """The scene of a leader; raises InputError with record and byte where its fields contradict each other."""
-    found = _records(path)
-    summary, platform = (_record(found, code, path) for code in (SUMMARY, PLATFORM))
+    found = records_of(path)
+    summary, platform = (record_of(found, code, path) for code in (SUMMARY, PLATFORM))
     mission, product = summary.text(397, 412), summary.text(1111, 1142)
     if not mission.startswith("ERS"):
-        summary.fail(397, "value.not_supported", value=quoted(mission), known=["ERS1", "ERS2"])
+        summary.fail(397, "value.not_supported", value=quoted(mission), known=["ERS1", "ERS2", "RSAT-1"])
     if "RAW" in product.upper():
         summary.fail(1111, "scene.raw_product", kind=product)
-    projection = _record(found, PROJECTION, path)
+    projection = record_of(found, PROJECTION, path)
     geometry = projection.text(29, 60).upper()
     if not geometry.startswith(("SLANT", "GROUND")):
         projection.fail(29, "scene.map_product", kind=projection.text(29, 60) or "?")
     columns, rows = _size(path, projection)
     first, last = (_time(summary, byte) for byte in (1815, 1863))
-    orbit = _orbit(platform, first)
+    orbit = platform_orbit(platform, first)
     first_s, line_s, rounded = _lines(summary, orbit, (last - first) / np.timedelta64(1, "ns") * 1e-9, rows)
     ranges, sign = _ranges(summary, projection, found, columns, slant=geometry.startswith("SLANT"))
     side = -1.0 if summary.number(477, 484) < 0 else 1.0
@@ -71,8 +73,8 @@ def read(path: Path) -> Scene:
     )  # fmt: skip
 
 
-def _records(path: Path) -> dict[int, Record]:
-    """The first record of each kind."""
+def records_of(path: Path) -> dict[int, Record]:
+    """The first record of each kind in a leader or a trailer."""
     data, at = read_bytes(path, RECORD_BYTES), 0
     found: dict[int, Record] = {}
     while data[at:].strip(b"\0 "):
@@ -86,13 +88,14 @@ def _records(path: Path) -> dict[int, Record]:
     return found
 
 
-def _record(found: dict[int, Record], code: int, path: Path) -> Record:
+def record_of(found: dict[int, Record], code: int, path: Path) -> Record:
+    """The record of this code; raises InputError where there is none."""
     if code not in found:
         raise InputError("scene.record_missing", name=NAMES[code], file=path)
     return found[code]
 
 
-def _data_file(path: Path) -> Record | None:
+def data_file(path: Path) -> Record | None:
     """The descriptor of the data file beside a leader; None where there is none, or an empty one."""
     beside = path.with_name(re.sub("(?i)^LEA", lambda m: "DAT" if m[0].isupper() else "dat", path.name))
     if beside == path or not beside.is_file() or not beside.stat().st_size:
@@ -101,7 +104,7 @@ def _data_file(path: Path) -> Record | None:
 
 
 def _size(path: Path, projection: Record) -> tuple[int, int]:
-    data = _data_file(path)
+    data = data_file(path)
     if data is None:
         return projection.pixels(61, 76), projection.pixels(77, 92)
     return data.pixels(249, 256), data.pixels(237, 244)
@@ -109,10 +112,10 @@ def _size(path: Path, projection: Record) -> tuple[int, int]:
 
 def _companions(path: Path) -> tuple[Path, ...]:
     """The data file, where the leader has another size."""
-    data = _data_file(path)
+    data = data_file(path)
     if data is None:
         return ()
-    projection = _record(_records(path), PROJECTION, path)
+    projection = record_of(records_of(path), PROJECTION, path)
     stated = (projection.text(61, 76), projection.text(77, 92))
     return () if stated == (data.text(249, 256), data.text(237, 244)) else (data.path,)
 
@@ -129,7 +132,7 @@ def _time(record: Record, byte: int) -> np.datetime64:
     return record.fail(byte, "value.no_time", value=quoted(word))
 
 
-def _orbit(platform: Record, epoch: np.datetime64) -> Orbit:
+def platform_orbit(platform: Record, epoch: np.datetime64) -> Orbit:
     """State vectors, brought to the frame that turns with the earth where they stand in an inertial one."""
     n = int(platform.number(141, 144))
     if not LEAST <= n <= VECTORS:
@@ -143,6 +146,7 @@ def _orbit(platform: Record, epoch: np.datetime64) -> Orbit:
     times = start + platform.number(183, 204) * np.arange(n)
     table = np.array([platform.number(387 + 22 * k, 408 + 22 * k) for k in range(6 * n)]).reshape(n, 6)
     P, V = table[:, :3], table[:, 3:]
+    V = V * (1e-3 if np.abs(V).max() > FAST else 1.0)
     frame, joint = platform.text(205, 268).upper(), rounded_jointly(times)
     try:
         if "INERTIAL" in frame:
@@ -189,7 +193,7 @@ def _ranges(
     if slant:
         choices: list[tuple[float, Array]] = [(sample, np.array([near, 1.0]))]
     else:
-        facility = _record(found, FACILITY, projection.path)
+        facility = record_of(found, FACILITY, projection.path)
         c = np.array([facility.number(b, b + 19) for b in (1855, 1875, 1895, 1915)])
         spacing = projection.number(93, 108)
         choices = [(spacing, c), (spacing, sample * c + [near, 0.0, 0.0, 0.0])]
@@ -208,9 +212,15 @@ def is_leader(head: bytes) -> bool:
     return head[5:8] == FILE_DESCRIPTOR and head[DESCRIPTOR_BYTES + 5 : DESCRIPTOR_BYTES + 6] == bytes([SUMMARY])
 
 
+def of_radarsat(head: bytes) -> bool:
+    """Whether the data set summary of a leader is one of RADARSAT-1."""
+    return head[DESCRIPTOR_BYTES + 396 :].startswith(b"RSAT")
+
+
 register(
     SceneFormat(
-        name="ceos", title="CEOS leader of ERS (SLC, PRI)", recognises=lambda _, head: is_leader(head), read=read,
-        within="[Ll][Ee][Aa]_*", companions=_companions,
+        name="ceos", title="CEOS leader of ERS (SLC, PRI)", read=read,
+        recognises=lambda _, head: is_leader(head) and not of_radarsat(head), within="[Ll][Ee][Aa]_*",
+        companions=_companions,
     )
 )  # fmt: skip

@@ -24,7 +24,9 @@ from raybundle.scenes.kinds.range_doppler import C_LIGHT
 from raybundle.scenes.orbit import Orbit
 
 MAIN_BYTES = 1247
-KINDS = ("IMS", "IMP", "IMM", "APS", "APP", "APM")
+KINDS = ("IMS", "IMP", "IMM", "APS", "APP", "APM", "WSM", "GM1")
+SWATHS = 5
+"""Of wide swath; in slant range (WSS) each is an image"""
 MAPS = ("IMG", "APG")
 EPOCH = np.datetime64("2000-01-01", "ns")
 DAYS, RECORDS = 50_000, 10_000
@@ -72,6 +74,8 @@ def _check_kind(head: Record, product: str) -> None:
         head.fail(byte, "scene.raw_product", kind=product[:10])
     if kind in MAPS:
         head.fail(byte, "scene.map_product", kind=kind)
+    if kind == "WSS":
+        head.fail(byte, "scene.burst_images", n=SWATHS)
     if kind not in KINDS or level != "1":
         head.fail(byte, "value.not_supported", value=quoted(product[:10]), known=list(KINDS))
 
@@ -176,7 +180,7 @@ def _recognises(path: Path, head: bytes) -> bool:
 
 register(
     SceneFormat(
-        name="envisat", title="Envisat and ERS N1, E1, E2 (IMS, IMP, IMM, APS, APP, APM)", recognises=_recognises,
+        name="envisat", title="Envisat and ERS N1, E1, E2 (IM, AP, WSM, GM1)", recognises=_recognises,
         read=read, within="*.[NE][12]",
     )
 )  # fmt: skip

@@ -1,18 +1,19 @@
-"""ICEYE: the XML beside an image; slant range (SLC) and ground range (GRD).
+"""ICEYE: the HDF5 of an image, or the XML beside it; slant range (SLC) and ground range (GRD).
 
-Its elements have the names of the HDF5, at any depth.  A state vector is an element with a time, posX to velZ.  Corners
-show which way lines and columns run.
+Both have the same names, those of the XML at any depth.  A state vector is an element with a time, posX to velZ, or a
+row of tables.  Corners show which way lines and columns run.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 
 from raybundle.errors import Message, note
+from raybundle.io.reading.hdf5 import hdf5_names, hdf5_root
 from raybundle.io.reading.words import no_number, numbers_of
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, element_text, register
@@ -22,10 +23,12 @@ from raybundle.io.scenes.radar_tables import (
     Columns,
     amount,
     choice,
+    corners,
     ground_columns,
     instant,
     only,
     orbit_of,
+    orbit_of_table,
     seconds,
     tied,
     whole,
@@ -33,8 +36,13 @@ from raybundle.io.scenes.radar_tables import (
 from raybundle.io.scenes.rpc_keys import scene_of_keys
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.kinds.range_doppler import C_LIGHT, RangeDoppler
+from raybundle.scenes.orbit import Orbit
 
 VECTOR = tuple(f"{k}{a}" for k in ("pos", "vel") for a in "xyz")
+TIME, GROUND = "state_vector_time_utc", "grsr_coefficients"
+MARKS = frozenset({"satellite_name", "product_name"})
+PIXELS = ("s_i", "s_amplitude")
+"""Tables of an HDF5: by which it is recognised; the pixels of an SLC, and of a GRD"""
 TIMES = ("zerodoppler_start_utc", "zerodoppler_end_utc")
 CORNERS = tuple(f"coord_{a}_{r}" for a in ("first", "last") for r in ("near", "far"))
 HEAD = ("satellite_name", "acquisition_mode", "product_level", "polarization")
@@ -56,7 +64,11 @@ def read(path: Path) -> Scene:
     scene: RangeDoppler | None = None
     remarks: tuple[Message, ...] = (note("scene.rpc_only", path=missing or ""),)
     if missing is None or rpc is None:
-        scene, remarks = _range_doppler(flat, every, vectors, (columns, rows))
+        time = next((n for n in ("time", TIME) if vectors and vectors[0].find(n)), "time")
+        ground = next((e for e in every if e.name == GROUND), None)
+        scene, remarks = _range_doppler(
+            flat, ground, (columns, rows), lambda epoch: orbit_of(flat, vectors, epoch, (time, *VECTOR))
+        )
     return Scene(
         file=path, format="iceye", rpc=rpc, rigorous=scene, width_px=columns, height_px=rows, remarks=remarks,
         sensor=" ".join(w for w in (element_text(flat, n) for n in HEAD) if w), time=element_text(flat, TIMES[0]),
@@ -85,7 +97,7 @@ def _numbers(element: Element) -> Array:
 
 
 def _range_doppler(
-    flat: Element, every: list[Element], vectors: list[Element], size: tuple[int, int]
+    flat: Element, ground: Element | None, size: tuple[int, int], orbit_at: Callable[[np.datetime64], Orbit]
 ) -> tuple[RangeDoppler, tuple[Message, ...]]:  # fmt: skip
     columns, rows = size
     start, end = (only(flat, n) for n in TIMES)
@@ -94,10 +106,9 @@ def _range_doppler(
     step = amount(flat, "azimuth_time_interval", "s")
     if not abs(step * (rows - 1) - lasting) <= 2 * step:
         flat.get("azimuth_time_interval").fail("scene.line_order", seconds=lasting)
-    time = next((n for n in ("time", "state_vector_time_utc") if vectors and vectors[0].find(n)), "time")
-    orbit = orbit_of(flat, vectors, epoch, (time, *VECTOR))
+    orbit = orbit_at(epoch)
     across, along, geographic, image = _corners(flat, columns, rows)
-    scene = _columns(flat, every).scene(
+    scene = _columns(flat, ground).scene(
         size, orbit, (0.0 if along > 0 else lasting, along * step), sign=across, side=choice(flat, "look_side", SIDES),
         height_m=flat.number("avg_scene_height", 0.0),
     )  # fmt: skip
@@ -105,9 +116,8 @@ def _range_doppler(
     return scene, (note("scene.radar_delays"), *contradicted)
 
 
-def _columns(flat: Element, every: list[Element]) -> Columns:
+def _columns(flat: Element, group: Element | None) -> Columns:
     """Slant ranges of an SLC; of a GRD by the polynomial of ground range."""
-    group = next((e for e in every if e.name == "grsr_coefficients"), None)
     if group is None:
         return Columns.slant(amount(flat, "slant_range_spacing"), C_LIGHT / 2 * amount(flat, "first_pixel_time", "s"))
     inside = [e for e in group.children if e.name == "coefficient"]
@@ -129,10 +139,33 @@ def _corners(flat: Element, columns: int, rows: int) -> tuple[float, float, Arra
     across, along = float(np.sign(far[x] - near[x])), float(np.sign(late[1 - x] - near[1 - x]))
     if not across * along:
         flat.get(CORNERS[0]).fail("scene.tie_points", n=4, meets=False, rms_px=None, limit_px=0.0)
-    at = [[(columns - 0.5 if (k % 2) == (across > 0) else 0.5), (rows - 0.5 if (k > 1) == (along > 0) else 0.5)]
-          for k in range(4)]  # fmt: skip
     height = flat.number("avg_scene_height", 0.0)
-    return across, along, np.array([[row[3], row[2], height] for row in table]), np.array(at)
+    return across, along, np.array([[row[3], row[2], height] for row in table]), corners((columns, rows), along, across)
+
+
+def read_hdf5(path: Path) -> Scene:
+    """The scene of an HDF5; raises InputError with the table that is missing or contradicts another."""
+    with hdf5_root(path) as root:
+        columns, rows = (whole(root, f"number_of_{k}_samples") for k in ("range", "azimuth"))
+
+        def orbit_at(epoch: np.datetime64) -> Orbit:
+            times = root.get(TIME)
+            words = [Element(path, 0, TIME, times.attributes, content=w) for w in times.content.split()]
+            table = [root.table(f"{k}{a}") for k in ("pos", "vel") for a in "XYZ"]
+            if any(len(v) != len(words) for v in table):
+                times.fail("value.count", n=len(words), needed=len(table[0]))
+            vectors = np.hsplit(np.stack(table, axis=1), 2)
+            return orbit_of_table(root, np.array([seconds(w, epoch) for w in words]), *vectors)
+
+        image = next((n for k in PIXELS if (n := root.node(k)) is not None), None)
+        if image is not None and image.shape != (rows, columns):
+            image.fail("value.count", n=image.shape[-1], needed=columns)
+        ground = None if image is not None and image.name != PIXELS[-1] else root.find(GROUND)
+        scene, remarks = _range_doppler(root, ground, (columns, rows), orbit_at)
+        return Scene(
+            file=path, format="iceye-hdf5", rigorous=scene, width_px=columns, height_px=rows, remarks=remarks,
+            sensor=" ".join(w for w in (element_text(root, n) for n in HEAD) if w), time=element_text(root, TIMES[0]),
+        )  # fmt: skip
 
 
 def _recognises(path: Path, head: bytes) -> bool:
@@ -145,3 +178,9 @@ def _recognises(path: Path, head: bytes) -> bool:
 
 
 register(SceneFormat(name="iceye", title="ICEYE XML (SLC, GRD)", recognises=_recognises, read=read, within="*.xml"))
+register(
+    SceneFormat(
+        name="iceye-hdf5", title="ICEYE HDF5 (SLC, GRD)", read=read_hdf5, within="*.h5",
+        recognises=lambda path, head: hdf5_names(path, head) >= MARKS,
+    )
+)  # fmt: skip

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
 
 from raybundle.errors import InputError, Message, message
+from raybundle.io.reading.hdf5 import PACKAGE, SIGNATURE
 from raybundle.io.reading.tiff import tiff_tags
 
 MARKS: tuple[tuple[bytes, str, str], ...] = (
@@ -15,9 +17,12 @@ MARKS: tuple[tuple[bytes, str, str], ...] = (
     (b"Level-1C_", "scene.is_map", "sentinel2"),
     (b"Level-2A_", "scene.is_map", "sentinel2"),
     (b"Level-1B_User_Product", "scene.product_not_read", "sentinel2"),
+    (b"SAOCOM_XMLProduct", "scene.product_not_read", "saocom"),
+    (b"<MissionID>KMPS", "scene.product_not_read", "kompsat5"),
+    (b"CPHD/1.", "scene.product_not_read", "cphd"),
 )
 """In the beginning of a file, code of the message, and the product that it names"""
-HDF4, HDF5 = b"\x0e\x03\x13\x01", b"\x89HDF\r\n\x1a\n"
+HDF4 = b"\x0e\x03\x13\x01"
 CEOS = b"\xc0\x12\x12"
 """Type codes of the first record of a CEOS file, from byte 6; in leaders of radars a data set summary (10) follows"""
 ORTHO = (b"RASTER_ORTHO", b">ORTHO<", b">ORT<")
@@ -31,7 +36,9 @@ def product_of(path: Path, head: bytes) -> Message | None:
     for mark, code, what in MARKS:
         if mark in head:
             return message(code, what=what)
-    if head.startswith((HDF4, HDF5)):
+    if head.startswith(SIGNATURE) and find_spec(PACKAGE) is None:
+        return message("package.h5py_missing")
+    if head.startswith(HDF4):
         aster = path.name.upper().startswith("AST_L1A") or b"ASTER" in head
         return message("scene.product_not_read", what="aster" if aster else "hdf")
     if head[5:8] == CEOS and head[725:726] != b"\n":

@@ -112,11 +112,31 @@ def orbit_of(parent: Element, vectors: Sequence[Element], epoch: np.datetime64, 
         parent.fail("scene.position_count", n=len(vectors), least=LEAST_VECTORS)
     times = np.array([seconds(v.get(names[0]), epoch) for v in vectors])
     rows = [[amount(v, n, u) for n, u in zip(names[1:], ("m",) * 3 + ("m/s",) * 3, strict=True)] for v in vectors]
-    order, table = np.argsort(times), np.array(rows).reshape(-1, 6)
+    return orbit_of_table(parent, times, *np.hsplit(np.array(rows).reshape(-1, 6), 2))
+
+
+def orbit_of_table(parent: Element, times: Array, positions: Array, velocities: Array) -> Orbit:
+    """The orbit of times (n,) [s], positions [m] and velocities [m/s] (n, 3) that stand below this element."""
+    sizes = (len(times), len(positions), len(velocities))
+    if min(sizes) < max(LEAST_VECTORS, *sizes):
+        parent.fail("scene.position_count", n=min(sizes), least=max(LEAST_VECTORS, *sizes))
+    order = np.argsort(times)
     try:
-        return Orbit(times=times[order], positions=table[order, :3], velocities=table[order, 3:])
+        return Orbit(times=times[order], positions=positions[order], velocities=velocities[order])
     except InputError as error:
-        raise error.at(parent.file, parent.line, parent.name) from None
+        raise error.at(parent.file, parent.line or None, parent.name) from None
+
+
+def corners(size_px: tuple[int, int], along: float, across: float) -> Array:
+    """Image points (4, 2) of the near and the far corner of the earliest line, and of the latest.
+
+    along, across  1: lines run from the earliest, columns from the nearest; else -1
+    """
+    columns, rows = size_px
+    return np.array(
+        [[columns - 0.5 if (k % 2) == (across > 0) else 0.5, rows - 0.5 if (k > 1) == (along > 0) else 0.5]
+         for k in range(4)]
+    )  # fmt: skip
 
 
 def rounded_jointly(times: Array) -> bool:

@@ -82,3 +82,6 @@ file-name_not_utf8 = Dieser Name ist kein gültiges UTF-8.
 
 file-read_by_command = Diese Datei ist Eingabe des Befehls; sie wird nicht überschrieben.
     .do = Einen anderen Namen wählen.
+
+file-hdf5_damaged = Die HDF5-Datei ist beschädigt oder unvollständig ({ $detail }).
+    .do = Die Datei erneut beschaffen.

@@ -39,3 +39,6 @@ package-matplotlib_missing = Abbildungen benötigen das Paket matplotlib.
 
 package-tables_missing = Das Paket { $package } ist nicht installiert.
     .do = pip install { $package } ausführen oder { OPTION("to", "numpy") } angeben.
+
+package-h5py_missing = Szenen in HDF5 brauchen das Paket h5py.
+    .do = Ausführen: pip install 'raybundle[radar]'

@@ -294,12 +294,18 @@ scene-product_not_read = { $what ->
      [aster] ASTER Stufe 1A (HDF)
      [sentinel2] Sentinel-2 Stufe 1B
      [ceos] Verzeichnis- und Bilddateien von CEOS
+     [saocom] SAOCOM-Produkte
+     [kompsat5] Hilfsdateien (XML) von KOMPSAT-5
+     [cphd] Phasenverläufe (CPHD)
     *[hdf] HDF-Dateien
     } werden nicht gelesen.
     .do = { $what ->
      [aster] Ein RPC dazu angeben, wie es aster2asp der Ames Stereo Pipeline schreibt
      [sentinel2] Das Produkt der Stufe 1C verwenden, das eine Karte ist
      [ceos] Die Leader-Datei daneben angeben (LEA_01.001)
+     [saocom] In SICD umwandeln
+     [kompsat5] Das HDF5-Produkt angeben
+     [cphd] Das Bild dazu angeben (SICD)
     *[hdf] Ein RPC der Szene angeben, oder sie nach SICD umwandeln
     }.
 
@@ -310,3 +316,8 @@ scene-raw_product = { $kind } ist ein Rohdatenprodukt (Stufe 0): Es enthält Sig
     .do = Das Produkt in Schrägentfernung oder Bodenentfernung (Stufe 1) beschaffen.
 
 scene-times_rounded = Die Zeiten der Zeilen sind um bis zu { $seconds } s gerundet ({ $n_px } Zeilen), was die Uhr aufnimmt.
+
+scene-not_uniform = Die Werte dieser Tabelle weichen um { $steps } Schritte von gleichen Abständen ab (Grenze { $limit }).
+    .do = Die Datei erneut beschaffen.
+
+scene-image_used = Das Bild { $name } wird verwendet; die Datei enthält auch { $others }.

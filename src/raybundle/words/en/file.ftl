@@ -95,3 +95,7 @@ file-name_not_utf8 = This name is not valid UTF-8.
 
 file-read_by_command = This file is input of the command; it is not overwritten.
     .do = Choose another name.
+
+# $detail = "truncated file"
+file-hdf5_damaged = The HDF5 file is damaged or incomplete ({ $detail }).
+    .do = Get the file again.

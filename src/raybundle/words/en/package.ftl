@@ -41,3 +41,6 @@ package-matplotlib_missing = Figures need the package matplotlib.
 # $package = "polars"
 package-tables_missing = The package { $package } is not installed.
     .do = Run pip install { $package }, or give { OPTION("to", "numpy") }.
+
+package-h5py_missing = Scenes in HDF5 need the package h5py.
+    .do = Run: pip install 'raybundle[radar]'

@@ -426,12 +426,18 @@ scene-product_not_read = { $what ->
      [aster] ASTER level 1A (HDF)
      [sentinel2] Sentinel-2 level 1B
      [ceos] Volume directories and image files of CEOS
+     [saocom] SAOCOM products
+     [kompsat5] Auxiliary XML of KOMPSAT-5
+     [cphd] Phase histories (CPHD)
     *[hdf] HDF files
     } are not read.
     .do = { $what ->
      [aster] Give an RPC of it, as aster2asp of the Ames Stereo Pipeline writes
      [sentinel2] Use the level 1C product, which is a map
      [ceos] Give the leader file beside it (LEA_01.001)
+     [saocom] Convert it to SICD
+     [kompsat5] Give the HDF5 product
+     [cphd] Give the image of it (SICD)
     *[hdf] Give an RPC of the scene, or convert it to SICD
     }.
 
@@ -446,3 +452,12 @@ scene-raw_product = { $kind } is a raw product (level 0): it holds signals, no i
 # $seconds = 0.001
 # $n_px = 1.7
 scene-times_rounded = Times of lines are rounded by up to { $seconds } s ({ $n_px } lines), which the clock takes.
+
+# $steps = 0.4
+# $limit = 0.001
+scene-not_uniform = The values of this table leave an equal spacing by { $steps } steps (limit { $limit }).
+    .do = Get the file again.
+
+# $name = "frequencyA"
+# $others = "frequencyB"
+scene-image_used = The image { $name } is used; the file also holds { $others }.

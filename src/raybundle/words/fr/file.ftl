@@ -50,3 +50,5 @@ file-suffix = Le nom doit se terminer par { LIST($known, most: 20) }.
 file-name_not_utf8 = Ce nom n'est pas de l'UTF-8 valide.
 
 file-read_by_command = Ce fichier est une entrée de la commande ; il n'est pas écrasé.
+
+file-hdf5_damaged = Le fichier HDF5 est endommagé ou incomplet ({ $detail }).

@@ -25,3 +25,5 @@ package-typst_missing = Un rapport en PDF a besoin du paquet typst.
 package-matplotlib_missing = Les figures ont besoin du paquet matplotlib.
 
 package-tables_missing = Le paquet { $package } n'est pas installé.
+
+package-h5py_missing = Les scènes en HDF5 demandent le paquet h5py.

@@ -201,6 +201,9 @@ scene-product_not_read = { $what ->
      [aster] Les produits ASTER niveau 1A (HDF)
      [sentinel2] Les produits Sentinel-2 niveau 1B
      [ceos] Les répertoires de volume et les fichiers d'image CEOS
+     [saocom] Les produits SAOCOM
+     [kompsat5] Les fichiers XML auxiliaires de KOMPSAT-5
+     [cphd] Les historiques de phase (CPHD)
     *[hdf] Les fichiers HDF
     } ne sont pas lus.
 
@@ -209,3 +212,7 @@ scene-record_missing = Le fichier n'a pas de { $name }.
 scene-raw_product = { $kind } est un produit brut (niveau 0) : il contient des signaux, pas d'image.
 
 scene-times_rounded = Les temps des lignes sont arrondis de { $seconds } s au plus ({ $n_px } lignes), ce que prend l'horloge.
+
+scene-not_uniform = Les valeurs de cette table s'écartent de { $steps } pas d'un espacement égal (limite { $limit }).
+
+scene-image_used = L'image { $name } est utilisée ; le fichier contient aussi { $others }.
