@@ -73,14 +73,9 @@ _resident = [0]
 
 @pytest.hookimpl(trylast=True)
 def pytest_runtest_teardown(item, nextitem):
-    """After the last test of a file, forget what it cached; where the process has grown, give memory back."""
-    if nextitem is not None and nextitem.path == item.path:
-        return
-    for held in vars(item.module).values():
-        if getattr(held, "__module__", None) == item.module.__name__ and hasattr(held, "cache_clear"):
-            held.cache_clear()
+    """Give memory back to the system after the last test of a file, where the process has grown."""
     process = psutil.Process()
-    if TRIM and process.memory_info().rss > _resident[0] + GROWN:
+    if TRIM and (nextitem is None or nextitem.path != item.path) and process.memory_info().rss > _resident[0] + GROWN:
         gc.collect()
         TRIM(0)
         _resident[0] = process.memory_info().rss
