@@ -95,7 +95,7 @@ LONG = {
     "moved", "next-photograph", "orthorectify", "own-observation-kind", "own-unknowns", "photograph-lists",
     "plan-a-facade", "plan-a-flight", "plan-photographs", "predict-a-flight", "read-the-report", "recipes",
     "recording-sheet", "rectify", "results-in-python", "rtk-flight", "satellite-pair", "satellite-rpc",
-    "scale-bars", "studio", "surface", "surface-products", "surface-test", "targets", "uav", "uav-precision",
+    "scale-bars", "strain", "studio", "surface", "surface-products", "surface-test", "targets", "uav", "uav-precision",
     "video", "without-a-compiler",
 }  # fmt: skip
 """Pages whose examples take more than five seconds; others of more than 1.5 stand in tests/slow.txt"""

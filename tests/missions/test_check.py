@@ -143,12 +143,19 @@ def test_photographs_from_elsewhere(tmp_path, good):
         checked(PLAN, tmp_path, sharp=False)
 
 
-@pytest.mark.parametrize("length", [2.0, 3.0, 5.0])
-@pytest.mark.parametrize("axis", [0, 1])
-def test_blur_is_found_in_pixels(length, axis):
+@pytest.fixture(scope="module")
+def sharp():
+    """Twelve pictures, their tiles and their sharpness."""
     pictures = [texture(k).astype(np.float32) for k in range(12)]
     squares = [tiles(p) for p in pictures]
-    found = [sharpness(s) for s in squares]
+    return pictures, squares, [sharpness(s) for s in squares]
+
+
+@pytest.mark.parametrize("length", [2.0, 3.0, 5.0])
+@pytest.mark.parametrize("axis", [0, 1])
+def test_blur_is_found_in_pixels(length, axis, sharp):
+    pictures, squares, found = sharp
+    found = list(found)
     found[5] = sharpness(tiles(blurred(pictures[5], length, axis)))
     blur = blur_of(found, squares[:3])
     assert blur.other.tolist() == [k == 5 for k in range(12)]

@@ -8,7 +8,7 @@ from tests.missions.cases import CAMERA, LEVEL, PLACE, mission, wish
 
 from raybundle.missions.mission import exposures
 from raybundle.missions.patterns import patterns
-from raybundle.missions.report import Spread, beside, mission_facts, warnings
+from raybundle.missions.report import Spread, beside, mission_facts, overlaps, warnings
 
 GROUND = 100.0
 HALF = CAMERA.width_px / 2 / CAMERA.c_px, CAMERA.height_px / 2 / CAMERA.c_px
@@ -63,7 +63,7 @@ def own_overlaps(m):
 @pytest.mark.parametrize("pattern", ["nadir", "double-grid", "oblique-grid"])
 def test_across_is_what_footprints_on_the_ground_have_in_common(pattern, tilt, overlap):
     m = mission(pattern, more={"tilt": np.radians(tilt), "overlap": overlap})
-    across = mission_facts(m, LEVEL).across
+    _, across = overlaps(m, exposures(m), LEVEL)
     own = own_overlaps(m)
     assert len(own) > 20
     np.testing.assert_allclose(own, overlap[1], atol=0.002)  # the own computation is of the middle row alone

@@ -116,17 +116,17 @@ def test_a_product_of_more_members_and_bytes_than_16_and_32_bits_count(tmp_path,
 
 
 def test_a_slice_of_a_large_product_takes_no_more_memory_than_it_is(store):
-    """A process that maps 160 MB and sums a part of it, by its own memory (what is mapped from files apart)."""
+    """A process that maps 40 MB and sums a part of it, by its own memory (what is mapped from files apart)."""
     resource = pytest.importorskip("resource")
     del resource
     if not os.path.exists("/proc/self/status"):  # noqa: PTH110
         pytest.skip("memory is told by /proc")
-    store.store(KEY, {"a": np.ones((20_000_000,))})
+    store.store(KEY, {"a": np.ones((5_000_000,))})
     program = (
         "import sys; from pathlib import Path; from raybundle.pipeline.store import Folder\n"
         "own = lambda: int(next(l for l in open('/proc/self/status') if l.startswith('RssAnon')).split()[1])\n"
         "store = Folder(Path(sys.argv[1])); before = own()\n"
-        "total = store.mapped(sys.argv[2], ['a'])['a'][5_000_000:5_100_000].sum()\n"
+        "total = store.mapped(sys.argv[2], ['a'])['a'][2_000_000:2_100_000].sum()\n"
         "print(int(total), own() - before)"
     )
     said = subprocess.run(

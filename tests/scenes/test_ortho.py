@@ -20,13 +20,13 @@ from tests.messages import coded
 rasterio = pytest.importorskip("rasterio")
 pytest.importorskip("rasterio.warp")
 UTM = "EPSG:32637"
-SIZE = (700, 600)
+SIZE = (420, 360)
 
 
 @pytest.fixture(scope="module")
 def part(rpc):
-    """A part of the scene of 700 x 600 px, 60 cm on the ground."""
-    return rpc.shifted(np.array([-3600.0, -3200.0])).spread_over(np.array(SIZE))
+    """A part of the scene, 60 cm of the ground a pixel."""
+    return rpc.shifted(np.array(SIZE) / 2 - [3950.0, 3500.0]).spread_over(np.array(SIZE))
 
 
 def texture(x, y):
@@ -54,7 +54,7 @@ def write(path, values, *, crs=UTM, transform=None, **more):
 @pytest.fixture(scope="module")
 def middle(part):
     x, y = Transformer.from_crs("EPSG:4979", UTM, always_xy=True).transform(
-        *part.localise([[350.0, 300.0]], 420.0)[0, :2]
+        *part.localise([np.array(SIZE) / 2], 420.0)[0, :2]
     )
     return np.floor(np.array([x, y]))
 

@@ -11,6 +11,7 @@ from raybundle.measuring.session import latest_block
 from raybundle.studio.app import Studio
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Session
+from tests.once import made_once
 
 PORTAL = Path(__file__).parents[2] / "demo_data" / "portal"
 PORT = 8123
@@ -23,10 +24,11 @@ def oriented(tmp_path_factory):
     """The demonstration's photographs, oriented once."""
     from raybundle.commands.orient import orient
 
-    folder = tmp_path_factory.mktemp("portal")
-    shutil.copytree(PORTAL / "photos", folder / "photos")
-    orient(sorted((folder / "photos").glob("*.jpg"))[:5], folder / "project", precise=False, report=False)
-    return folder
+    def make(folder):
+        shutil.copytree(PORTAL / "photos", folder / "photos")
+        orient(sorted((folder / "photos").glob("*.jpg"))[:5], folder / "project", precise=False, report=False)
+
+    return made_once(tmp_path_factory, "portal", make)
 
 
 @pytest.fixture(scope="session", autouse=True)

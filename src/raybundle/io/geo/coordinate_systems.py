@@ -113,13 +113,10 @@ class LocalFrame:
         xyz = _rows(xyz)
         filled = np.where(np.isnan(xyz) & [False, False, True], self.origin[2], xyz)
         plan, height = _unit(self.crs)
-        columns: list[Array] = []
-        for axis, unit in enumerate((plan, plan, height)):
-            step = np.zeros(3)
-            step[axis] = STEP_M / unit
-            difference = self.local_from_crs(filled + step) - self.local_from_crs(filled - step)
-            columns.append(difference / (2 * step[axis]))
-        return np.stack(columns, axis=2)
+        step = STEP_M / np.array([plan, plan, height])
+        beside = np.array([np.diag(step), -np.diag(step)])[:, :, None] + filled  # side, axis, point, coordinate
+        ahead, behind = self.local_from_crs(beside.reshape(-1, 3)).reshape(beside.shape)
+        return np.moveaxis((ahead - behind) / (2 * step[:, None, None]), 0, 2)
 
     def local_covariance(self, xyz: Array, covariance: Array) -> Array:
         """Covariances (n, 3, 3) in the local frame of covariances (n, 3, 3) in the system, at (n, 3) there.
