@@ -42,3 +42,10 @@ height_drawing-contours = links { NUM($left, digits: 10) }, oben { NUM($top, dig
         [none] (ohne Einheit: Der Maßstab ist frei)
         *[other] { $unit }
     }
+
+height_drawing-volumes = Band: 95 %; signifikante Änderungen: { $n } von { $total }
+
+height_drawing-axis_volume = Volumen { $unit ->
+        [none] (ohne Einheit: Der Maßstab ist frei)
+        *[other] [{ $unit }3]
+    }

@@ -82,3 +82,29 @@ heights-changed_values = { $name } hat andere Werte als geschrieben wurden.
 
 heights-adjusted_since = { $name } wurde nach der Messung dieser Oberfläche erneut ausgeglichen.
     .do = raybundle surface { $name }
+
+heights-series = { $n } von { $total } Volumenänderungen sind signifikant (Irrtumswahrscheinlichkeit aller { PERCENT($significance) } %).
+
+heights-series_region = { $name }: { $volume } am { $date }; { $significant ->
+        [yes] Änderung seit { $start } { $change }
+        *[no] keine signifikante Änderung seit { $start }
+    } (nachweisbar: { $detectable }{ $unit ->
+        [none] {""}
+        *[other] {" "}{ $unit }3
+    }).
+
+heights-series_change = { $name }, { $start } bis { $end }: { $significant ->
+        [yes] { $change }
+        *[no] keine signifikante Änderung
+    }; Auftrag { $fill }, Abtrag { $cut }; nachweisbar { $detectable }{ $unit ->
+        [none] {""}
+        *[other] {" "}{ $unit }3
+    }.
+
+heights-series_rate = { $name }: im Mittel { $rate } am Tag; gleichmäßig: { P($p) }.
+
+heights-series_orientations = { $common ->
+        [known] Alle Tage stammen aus einer Ausgleichung: ihre gemeinsamen Fehler zählen einmal.
+        [unknown] Alle Tage stammen aus einer Ausgleichung, ihre Orientierungen gelten aber als unabhängig.
+        *[independent] Die Orientierungen der Tage gelten als unabhängig; gleiche Passpunkte machen Änderungen genauer.
+    }
