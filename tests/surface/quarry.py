@@ -4,6 +4,7 @@ import json
 from dataclasses import replace
 
 import numpy as np
+from scipy.ndimage import gaussian_filter, map_coordinates
 
 from tests.surface.height_models import folder_of, made, middles
 
@@ -60,8 +61,25 @@ def of_one(models, errors, common, own):
     return found
 
 
+PLACED = (0.15, 4e-4, -3e-4, 0.3, -0.2)
+"""What brings the older model onto the others: up, tilts to the right and upwards, shift right and upwards"""
+
+
+def older(rng, heights=None, own=0.03, common=0.03, reach=6.0):
+    """Heights (rows, columns) of an older model that lies elsewhere, with noise of cells and of neighbours."""
+    up, tilt_right, tilt_up, right, above = PLACED
+    r, c = np.mgrid[: SHAPE[0], : SHAPE[1]].astype(float)
+    at = [r - above / CELL, c + right / CELL]
+    found = map_coordinates(exact(0) if heights is None else heights, at, order=3, mode="nearest")
+    found -= up + tilt_right * (c + 0.5 - SHAPE[1] / 2) * CELL - tilt_up * (r + 0.5 - SHAPE[0] / 2) * CELL
+    smooth = reach / 2
+    shared = gaussian_filter(rng.normal(size=SHAPE), smooth, mode="wrap") * np.sqrt(4 * np.pi) * smooth
+    return found + own * rng.normal(size=SHAPE) + common * shared
+
+
 def written(folder):
-    """Surfaces of all dates and outlines of the piles."""
+    """Surfaces of all dates, outlines of the piles, and an older model."""
+    import rasterio
     from rasterio.crs import CRS
 
     rng, wkt = np.random.default_rng(7), CRS.from_epsg(32633).to_wkt()
@@ -80,3 +98,7 @@ def written(folder):
     system = {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32633"}}
     piles = {"type": "FeatureCollection", "crs": system, "features": features}
     (folder / "piles.geojson").write_text(json.dumps(piles), encoding="utf-8")
+    about = {"driver": "GTiff", "height": SHAPE[0], "width": SHAPE[1], "count": 1, "dtype": "float32", "crs": wkt}
+    transform = rasterio.Affine(CELL, 0, LEFT, 0, -CELL, TOP)
+    with rasterio.open(folder / "dsm-2019.tif", "w", transform=transform, **about) as file:
+        file.write(older(rng).astype(np.float32), 1)

@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.cli.reported import refusal, reported, values_of
-from tests.surface.height_models import folder_of, made
-from tests.surface.quarry import CELL, DATES, SHAPE, exact, measured, of_one, written
 
 from raybundle.surfaces.heights.resampling import difference
 from raybundle.surfaces.heights.time_series import RegionWeights, intervals, risen, time_series
 from raybundle.surfaces.heights.volumes import volume
+from tests.cli.reported import refusal, reported, values_of
+from tests.surface.height_models import folder_of, made
+from tests.surface.quarry import CELL, DATES, SHAPE, exact, measured, of_one, written
 
 rasterio = pytest.importorskip("rasterio")
 SMALL = (40, 48)

@@ -108,3 +108,9 @@ heights-series_orientations = { $common ->
         [unknown] Alle Tage stammen aus einer Ausgleichung, ihre Orientierungen gelten aber als unabhängig.
         *[independent] Die Orientierungen der Tage gelten als unabhängig; gleiche Passpunkte machen Änderungen genauer.
     }
+
+heights-aligned = Älteres Modell eingepasst über { PERCENT($share) } % der Höhen: rechts { $right }, oben im Grundriss { $above }, Höhe { $up }.
+
+heights-aligned_tilts = Neigungen des älteren Modells: { $tilts }.
+
+heights-noise_estimated = Rauschen des älteren Modells (geschätzt): { NUM($sigma, digits: 2) } { $unit }, davon { NUM($common, digits: 2) } { $unit } über { NUM($cells, digits: 2) } Zellen.

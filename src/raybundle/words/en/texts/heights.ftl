@@ -195,3 +195,18 @@ heights-series_orientations = { $common ->
         [unknown] All dates are of one adjustment, but their orientations are taken as independent.
         *[independent] Orientations of the dates are taken as independent; the same control makes changes more precise.
     }
+
+# $share = 0.83
+# $right = "0.31 m (sigma 0.02)"
+# $above = "-0.18 m (sigma 0.02)"
+# $up = "0.11 m (sigma 0.02)"
+heights-aligned = Older model aligned by { PERCENT($share) } % of the heights: right { $right }, up in plan { $above }, height { $up }.
+
+# $tilts = ["0.0002 (sigma 0.001)", "0.0001 (sigma 0.001)"]
+heights-aligned_tilts = Tilts of the older model: { $tilts }.
+
+# $sigma = 0.05
+# $common = 0.03
+# $cells = 6.0
+# $unit = "m"
+heights-noise_estimated = Noise of the older model (estimated): { NUM($sigma, digits: 2) } { $unit }, of which { NUM($common, digits: 2) } { $unit } over { NUM($cells, digits: 2) } cells.

@@ -1,0 +1,27 @@
+# $n = 40
+# $needed = 100
+old_heights-too_few = The alignment needs { $needed } cells that have not moved; there are { $n }.
+    .do = Give a larger area with { OPTION("stable", "FILE") }, or another older model.
+
+# $shift = [120.0, -40.0]
+# $cell = 0.5
+old_heights-not_converged = The older model cannot be aligned: its shift in plan is beyond reach ({ LIST($shift, most: 2) }).
+    .why = Slopes show shifts of some cells of { $cell }.
+    .do = Check its coordinate system, or give an area that has not moved with { OPTION("stable", "FILE") }.
+
+old_heights-not_determined = The stable area does not determine shift and tilts of the older model.
+    .why = It lies along a line, or is even.
+    .do = Give an area with slopes in several directions with { OPTION("stable", "FILE") }.
+
+# $direction_deg = 35.0
+# $sigma = 0.8
+# $limit = 0.5
+old_heights-plan_undetermined = The stable area does not determine the shift in plan towards { NUM($direction_deg, digits: 3) }° (clockwise from up): sigma { NUM($sigma, digits: 2) } (limit { NUM($limit, digits: 2) }).
+    .why = Only slopes across this direction show it; the limit is a cell.
+    .do = Give an area with such slopes with { OPTION("stable", "FILE") }.
+
+old_heights-no_map = An older model needs a surface in a map in metres.
+    .do = Compute the surface with a coordinate system (raybundle surface, control or positions with one).
+
+old_heights-not_needed = { OPTION("stable", "FILE") } is for an older model without photographs.
+    .why = Two surfaces lie in the frame of their control.
