@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from raybundle.errors import InputError, Message, message
 from raybundle.settings import NOT_NEGATIVE, setting
@@ -20,6 +20,14 @@ CELLS_FILLED = 10
 
 MOST_FILLED = 20.0
 """Percent of an area whose heights may be interpolated where nobody states another limit"""
+
+
+def stable_setting() -> Any:
+    """By what an older model is aligned."""
+    return setting(
+        (), "Area that has not moved, by which an older model is aligned: a file or corners X Y, X Y, ...  "
+        "[default: found by the heights; up to 45 % may have moved]", metavar="FILE|CORNERS",
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from raybundle.commands.heights.common import stable_setting
 from raybundle.errors import InputError
 from raybundle.settings import setting
 
@@ -22,10 +23,7 @@ class HeightsDifferenceSettings:
     before: Path
     """folder of `surface` with heights; or an older model without photographs: GeoTIFF of heights, LAS, LAZ"""
     after: Path
-    stable: tuple[str, ...] = setting(
-        (), "Area that has not moved, by which an older model is aligned: a file or corners X Y, X Y, ...  "
-        "[default: found by the heights; up to 45 % may have moved]", metavar="FILE|CORNERS",
-    )  # fmt: skip
+    stable: tuple[str, ...] = stable_setting()
     out: Path | None = setting(None, "New folder.", metavar="FOLDER")
 
 

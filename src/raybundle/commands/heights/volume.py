@@ -6,7 +6,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.commands.heights.common import CELLS_FILLED, MOST_FILLED, HeightsSettings, check_filled, filled_within
+from raybundle.commands.heights.common import (
+    CELLS_FILLED,
+    MOST_FILLED,
+    HeightsSettings,
+    check_filled,
+    filled_within,
+    stable_setting,
+)
 from raybundle.errors import InputError
 from raybundle.settings import ANY, POSITIVE, setting
 
@@ -28,9 +35,11 @@ class HeightsVolumeSettings(HeightsSettings):
         None, "Rectangle instead of an outline.", metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY)
     )
     above: str = setting(
-        RIM, "Base of the volume: a height, the folder of another surface, or rim. rim: the plane that fits the "
-        "heights along the outline best.", metavar="HEIGHT|SURFACE|rim",
+        RIM, "Base of the volume: a height, the folder of another surface, an older model without photographs "
+        "(GeoTIFF, LAS, LAZ) that is aligned, or rim. rim: the plane that fits the heights along the outline best.",
+        metavar="HEIGHT|SURFACE|FILE|rim",
     )  # fmt: skip
+    stable: tuple[str, ...] = stable_setting()
     most_filled: float = setting(
         MOST_FILLED, "Reject a volume with a larger filled share of the area.", metavar="PERCENT", limits=POSITIVE
     )
@@ -53,23 +62,31 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     """The volume that the settings ask for."""
     from raybundle.io.reading.words import number_of
     from raybundle.surfaces.files.input import covered_by, on_same_grid, opened, outlined
+    from raybundle.surfaces.files.older import is_older, read_older
     from raybundle.surfaces.heights.hole_filling import filled
     from raybundle.surfaces.heights.resampling import difference
     from raybundle.surfaces.heights.volumes import volume
 
     s = settings
+    if s.stable and not is_older(Path(s.above)):
+        raise InputError("old_heights.not_needed", file=s.above)
     if s.outline and s.extent is not None:
         raise InputError("option.exclusive", first="outline", second="extent")
     o = opened(s.source)
     level = number_of(s.above)
-    if level is None and s.above != RIM and not Path(s.above).is_dir():
+    older = level is None and is_older(Path(s.above))
+    if level is None and s.above != RIM and not older and not Path(s.above).is_dir():
         raise InputError("volume.base_unknown", value=s.above, rim=RIM)
     everything = not s.outline and s.extent is None
     if level is None and s.above == RIM and everything:
         raise InputError("volume.rim_needs_outline")
     cautions = o.cautions
     model, base = o.model, level
-    if level is None and s.above != RIM:
+    if older:
+        aligned = read_older(Path(s.above), o, s.stable)
+        model, base = difference(aligned.old, aligned.surface), 0.0
+        cautions = (*cautions, *aligned.remarks)
+    elif level is None and s.above != RIM:
         below = opened(Path(s.above))
         model, base = difference(on_same_grid(o, below), o.model), 0.0
         cautions = (*cautions, *below.cautions)

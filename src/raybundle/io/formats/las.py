@@ -107,16 +107,19 @@ def read_las(path: Path) -> Iterator[tuple[Array, str]]:
     """
     laspy = las_library()
     check_regular(path)
+    left, total = 0, 0
     try:
         with laspy.open(str(path)) as file:
-            found = file.header.parse_crs()
+            found, left = file.header.parse_crs(), int(file.header.point_count)
+            total = left
             for points in file.chunk_iterator(AT_ONCE):
                 xyz = np.column_stack([points.x, points.y, points.z]).astype(float)
+                left -= len(xyz)
                 yield xyz[np.isfinite(xyz).all(axis=1)], "" if found is None else str(found.to_wkt())
-    except InputError:
-        raise
     except Exception as error:  # noqa: BLE001  (laspy and its decoders raise what they like on damaged files)
         raise InputError("file.not_readable", detail=quoted(str(error)), file=path) from None
+    if left:
+        raise InputError("old_heights.cloud_cut_off", missing=left, total=total, file=path)
 
 
 def write(export: Export, path: Path) -> Draft:

@@ -1,9 +1,13 @@
 """An older height model without photographs, moved onto a surface by what is stable in both.
 
-Five unknowns: shift upwards, two tilts, shift in plan (Nuth and Kääb 2011, with tilts).  What moved is left out: least
-trimmed squares of 55 % of the heights begin (Rousseeuw 1984), then single cells and means of neighbours beyond three
-standard deviations are left out.  The noise of the older model follows from variances of means over squares of several
-sizes in the stable area, less those that the surface states: a part of each cell, and one that neighbours share.
+Five unknowns: shift upwards, two tilts, shift in plan (Nuth and Kääb 2011, with tilts).  What moved is left out: many
+starts, each improved by the 55 % that it fits best (Rousseeuw 1984), compete by squares that count nine variances of
+neighbours at most (Torr and Zisserman 2000); then cells and means of neighbours beyond chance are left out.  The noise
+of the older model follows from variances of means over squares of several sizes in the stable area, less those that the
+surface states: a part of each cell, and one that neighbours share.
+
+Limits: where nearly half moved alike by little, tilts and a shift in plan may follow it.  Two transformations that fit
+alike are refused.
 
 The surface's own errors of orientation go into the transformation as far as a shift and tilts can follow them, and what
 is left of them is what remains in a difference: both models get the same independent errors.
@@ -13,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import NoReturn
 
 import cv2
 import numpy as np
@@ -30,10 +35,17 @@ from raybundle.surfaces.heights.steps import planes, steps_of
 
 STABLE = 0.55
 """Share of the heights that have not moved at least"""
-BEYOND = 3.0
-"""Standard deviations from which a cell or a mean of neighbours has moved"""
-STARTS, FEW, SAMPLED = 100, 12, 5_000
-"""Starts of the robust fit, cells of each, and cells that judge it"""
+BEYOND, BEYOND_MEAN = 3.0, 3.5
+"""Standard deviations from which a cell, or a mean of neighbours, has moved: without what is so large by chance, the
+noise would be estimated 1 % too small, by large squares more"""
+STARTS, FEW, SAMPLED = 200, 6, 4_000
+"""Starts of the robust fit, cells of every other, and cells that judge it"""
+NEAR, STEPS = 0.2, 6
+"""Half the side, in parts of the grid, of the squares whose cells are the other starts, since what moved hangs
+together; steps of each, half of them with the best 55 %"""
+ALIKE, ELSEWHERE = 1.1, 0.8
+"""How much more another transformation may lose that fits as well: that of 45 % which moved alike loses 1.17 times as
+much; and the share of the heights that differ by less where it is none"""
 SMOOTH, SLOPE = 9, 4
 """Cells along the side of means of neighbours, and from the middle to the side of the planes of slopes"""
 ROUNDS, SETTLED, CLOSE = 20, 6, 0.01
@@ -42,11 +54,15 @@ FEWEST = 100
 """Stable cells"""
 SIDES = (1, 2, 4, 8, 16, 32)
 """Of squares whose means show the noise [cells]"""
+FEWEST_SQUARES = 10
+"""Squares of a size whose means show the noise"""
 ALONE, REWEIGHTED, LOWEST = 3, 5, 0.1
 """Position of the squares whose means are taken as independent; fits of the noise, and the share of a variance that a
 fit has at least"""
 PLAN_CELLS = 1.0
 """Standard deviation of the shift in plan from which it is refused: slopes hold as far"""
+SIGNAL, PLACES = 2.0, 9
+"""Least square sum of slopes, in what noise makes of it, that is no more than noise; places where that is evaluated"""
 SEED = 1
 UP, TILT_RIGHT, TILT_UP, RIGHT, ABOVE = range(5)
 
@@ -109,7 +125,7 @@ def aligned(
         # cells at the limit must not come and go for ever
         if k <= SETTLED:
             d0 = np.where(known, d, 0.0)
-            begin = used & known if k else known if stable is not None else _trimmed(design, d0, known)
+            begin = used & known if k else _begin(design, d0, known)
             used = _stable(design, d0, known, begin, given=stable is not None)
         used = used & known
         x = _solved(design[used], d[used])
@@ -161,7 +177,7 @@ def _stable(design: Array, d: Array, known: Mask, begin: Mask, *, given: bool) -
                 for v in (known.astype(float), np.clip(rest, -2 * limit, 2 * limit))
             )
             mean = total / np.maximum(n, 1e-9)
-            moved = known & (np.abs(mean) > BEYOND * _scale(mean[before]))
+            moved = known & (np.abs(mean) > BEYOND_MEAN * _scale(mean[before]))
             used &= cv2.dilate(moved.astype(np.uint8), np.ones((SMOOTH, SMOOTH), np.uint8)) == 0
         if used.sum() < FEWEST:
             raise InputError("old_heights.too_few", n=int(used.sum()), needed=FEWEST)
@@ -175,24 +191,32 @@ def _scale(values: Array) -> float:
     return float(np.median(np.abs(values)) / ndtri(0.75))
 
 
-def _trimmed(design: Array, d: Array, known: Mask) -> Mask:
-    """The share of the cells that a transformation fits best."""
+def _begin(design: Array, d: Array, known: Mask) -> Mask:
+    """The cells that the best of many transformations fits within three standard deviations of neighbours."""
     rng = np.random.default_rng(SEED)
     at = np.flatnonzero(known)
     at = at if len(at) <= SAMPLED else rng.choice(at, SAMPLED, replace=False)
     A, y = design.reshape(-1, 5)[at], d.ravel()[at]
-    best, least = np.zeros(5), np.inf
-    for _ in range(STARTS):
-        x = _solved(A[few := rng.choice(len(y), FEW, replace=False)], y[few])
-        for _ in range(3):
+    p = planes(np.where(known, d, np.nan), 2 * SLOPE)
+    limit = BEYOND * float(np.sqrt(np.median(p.scatter[known & np.isfinite(p.scatter)])))
+    found = list[tuple[float, Array]]()
+    place = np.stack(np.divmod(at, known.shape[1]), axis=1) / known.shape
+    for k in range(STARTS):
+        few = rng.choice(len(y), FEW, replace=False)
+        if k % 2:
+            few = np.flatnonzero(np.abs(place - place[few[0]]).max(axis=1) < NEAR)
+        x = _solved(A[few], y[few])
+        for step in range(STEPS):
             e = np.abs(y - A @ x)
-            limit = np.quantile(e, STABLE)
-            x = _solved(A[e <= limit], y[e <= limit])
-        limit = float(np.quantile(np.abs(y - A @ x), STABLE))
-        if limit < least:
-            best, least = x, limit
-    e = np.where(known, np.abs(d - np.nan_to_num(design) @ best), np.inf)
-    return e <= least
+            near = e <= (np.quantile(e, STABLE) if step < STEPS / 2 else limit)
+            if near.sum() > FEW:
+                x = _solved(A[near], y[near])
+        found.append((float(np.mean(np.minimum(np.abs(y - A @ x), limit) ** 2)), x))
+    least, best = min(found, key=lambda f: f[0])
+    for lost, x in found:
+        if lost < ALIKE * least and np.quantile(np.abs(A @ (x - best)), ELSEWHERE) > limit:
+            raise InputError("old_heights.ambiguous")
+    return known & (np.abs(d - np.nan_to_num(design) @ best) <= limit)
 
 
 def _noise(rest: Array, used: Mask, new: HeightModel) -> Noise:
@@ -207,11 +231,12 @@ def _noise(rest: Array, used: Mask, new: HeightModel) -> Noise:
             + v[:-side:side, :-side:side] for v in (total, n)
         )  # fmt: skip
         full = k >= 0.7 * side**2
-        if full.sum() < 8:
+        if full.sum() < FEWEST_SQUARES:
             break
         sizes.append(side)
         counts.append(int(full.sum()))
-        found.append(float(np.mean(np.square(s[full] / k[full]))))
+        # the transformation follows five of the means at most
+        found.append(float(np.sum(np.square(s[full] / k[full]))) / (int(full.sum()) - 5))
     k0 = float(between(np.zeros(1), np.zeros(1), new.length)[0])
     stated = [
         own / side**2 + step / side**2 + point * (_pairs(side, new.length, exact=False) ** 2 - k0 / side**2)
@@ -274,6 +299,10 @@ def _with_errors(
     normal = (A / size).T @ (A / size)
     if np.linalg.matrix_rank(normal, hermitian=True) < 5:
         raise InputError("old_heights.not_determined")
+    # noise of slopes makes the normal matrix larger than what slopes show
+    by_noise = len(A) * _slope_variance(new, used)
+    _check_slopes(normal * np.outer(size, size), by_noise, float(np.median(new.local[used])), new.cell)
+    normal[RIGHT:, RIGHT:] -= np.diag(by_noise / size[RIGHT:] ** 2)
     solve = np.linalg.solve(normal, (A / size).T) / size[:, None]
     rows = [np.zeros(new.shape) for _ in range(5)]
     for w, one in zip(rows, solve, strict=True):
@@ -303,10 +332,43 @@ def _with_errors(
     return each @ each.T, (replace(old, heights=heights, moved=moved, errors=name), surface)
 
 
+def _slope_variance(new: HeightModel, used: Mask) -> float:
+    """Variance of the slopes of planes by the noise of the surface."""
+    n = 2 * SLOPE + 1
+    inside = cv2.erode(used.astype(np.uint8), np.ones((n, n), np.uint8), borderValue=0) > 0
+    at = np.argwhere(inside)
+    if not len(at):
+        return 0.0
+    x = np.arange(-SLOPE, SLOPE + 1.0)
+    window = np.broadcast_to(x / (n * (x**2).sum() * new.cell), (n, n))
+    found = list[float]()
+    for r, c in at[np.linspace(0, len(at) - 1, PLACES).astype(int)].tolist():
+        w = np.zeros(new.shape)
+        w[r - SLOPE : r + SLOPE + 1, c - SLOPE : c + SLOPE + 1] = window
+        found.append(new.sum_of(w).local ** 2)
+    return float(np.mean(found))
+
+
+def _check_slopes(normal: Array, by_noise: float, sigma: float, cell: float) -> None:
+    """Raise InputError, with the direction, where slopes in a direction are no more than noise."""
+    others = normal[:RIGHT, RIGHT:]
+    values, vectors = np.linalg.eigh(
+        normal[RIGHT:, RIGHT:] - others.T @ np.linalg.solve(normal[:RIGHT, :RIGHT], others)
+    )
+    least, by_slopes = float(values[0]), float(values[0]) - by_noise
+    if least < SIGNAL * by_noise:
+        worst = sigma * float(np.sqrt(max(least, 0.0))) / max(by_slopes, 0.01 * by_noise)
+        _undetermined(vectors[:, 0], max(worst, PLAN_CELLS * cell), cell)
+
+
+def _undetermined(direction: Array, sigma: float, cell: float) -> NoReturn:
+    angle = float(np.degrees(np.arctan2(direction[0], direction[1])) % 180)
+    raise InputError("old_heights.plan_undetermined", direction_deg=angle, sigma=sigma, limit=PLAN_CELLS * cell)
+
+
 def _check(covariance: Array, cell: float) -> None:
     """Raise InputError, with the direction, where the shift in plan is not determined."""
     values, vectors = np.linalg.eigh(covariance[RIGHT:, RIGHT:])
     worst = float(np.sqrt(values[1]))
     if worst > PLAN_CELLS * cell:
-        angle = float(np.degrees(np.arctan2(vectors[0, 1], vectors[1, 1])) % 180)
-        raise InputError("old_heights.plan_undetermined", direction_deg=angle, sigma=worst, limit=PLAN_CELLS * cell)
+        _undetermined(vectors[:, 1], worst, cell)

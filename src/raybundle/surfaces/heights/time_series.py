@@ -208,7 +208,7 @@ def _region(
     weights, less, bent = [{k: w} for k in range(dates)], np.zeros(w.shape), [0.0]
     ground = np.zeros(w.shape)
     for part, rests_on in r.parts if below is None else []:
-        rests = base_of(first, rests_on if isinstance(rests_on, float) else list(rests_on))
+        rests = base_of(first, rests_on if isinstance(rests_on, int | float) else list(rests_on))
         ground += rests.plane * part
         less -= rests.spread(part * first.cell**2)
         bent.append(rests.bent(part * first.cell**2))

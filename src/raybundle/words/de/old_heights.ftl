@@ -18,3 +18,10 @@ old_heights-no_map = Ein älteres Modell braucht eine Oberfläche in einer Karte
 
 old_heights-not_needed = { OPTION("stable", "FILE") } gilt einem älteren Modell ohne Fotos.
     .why = Zwei Oberflächen liegen im Rahmen ihrer Passpunkte.
+
+old_heights-cloud_cut_off = Die Punktwolke ist abgeschnitten: { $missing } von { $total } Punkten fehlen.
+    .do = Die Datei erneut kopieren.
+
+old_heights-ambiguous = Zwei Einpassungen des älteren Modells passen gleich gut: Was stabil ist, ist nicht sicher.
+    .why = Ein großer Teil hat sich gleich bewegt, so wenig, dass Neigungen und eine Verschiebung in der Lage ihm folgen.
+    .do = Das stabile Gebiet mit { OPTION("stable", "FILE") } angeben.

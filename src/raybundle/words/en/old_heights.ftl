@@ -25,3 +25,12 @@ old_heights-no_map = An older model needs a surface in a map in metres.
 
 old_heights-not_needed = { OPTION("stable", "FILE") } is for an older model without photographs.
     .why = Two surfaces lie in the frame of their control.
+
+# $missing = 1200
+# $total = 19200
+old_heights-cloud_cut_off = The point cloud is cut off: { $missing } of { $total } points are missing.
+    .do = Copy the file again.
+
+old_heights-ambiguous = Two alignments of the older model fit equally well: what is stable is not certain.
+    .why = A large part moved alike, by so little that tilts and a shift in plan follow it.
+    .do = Give the stable area with { OPTION("stable", "FILE") }.

@@ -9,3 +9,7 @@ old_heights-plan_undetermined = La zone stable ne détermine pas le décalage en
 old_heights-no_map = Un modèle ancien demande une surface dans une carte en mètres.
 
 old_heights-not_needed = { OPTION("stable", "FILE") } vaut pour un modèle ancien sans photos.
+
+old_heights-cloud_cut_off = Le nuage de points est tronqué : { $missing } points sur { $total } manquent.
+
+old_heights-ambiguous = Deux ajustements du modèle ancien conviennent également : la zone stable n'est pas certaine.
