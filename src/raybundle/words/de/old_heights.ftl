@@ -23,5 +23,5 @@ old_heights-cloud_cut_off = Die Punktwolke ist abgeschnitten: { $missing } von {
     .do = Die Datei erneut kopieren.
 
 old_heights-ambiguous = Zwei Einpassungen des älteren Modells passen gleich gut: Was stabil ist, ist nicht sicher.
-    .why = Ein großer Teil hat sich gleich bewegt, so wenig, dass Neigungen und eine Verschiebung in der Lage ihm folgen.
+    .why = Fast die Hälfte hat sich gleich bewegt.
     .do = Das stabile Gebiet mit { OPTION("stable", "FILE") } angeben.

@@ -32,5 +32,5 @@ old_heights-cloud_cut_off = The point cloud is cut off: { $missing } of { $total
     .do = Copy the file again.
 
 old_heights-ambiguous = Two alignments of the older model fit equally well: what is stable is not certain.
-    .why = A large part moved alike, by so little that tilts and a shift in plan follow it.
+    .why = Nearly half moved alike.
     .do = Give the stable area with { OPTION("stable", "FILE") }.
