@@ -90,7 +90,8 @@ def _aligned(a: Alignment, unit: str) -> list[Message]:
         for k, (v, s) in enumerate(zip(a.values.tolist(), a.sigma.tolist(), strict=True))
     )
     return [
-        note("heights.aligned", share=a.share, right=right, above=above, up=up),
+        note("heights.aligned", share=a.share, up=up),
+        note("heights.aligned_plan", right=right, above=above),
         note("heights.aligned_tilts", tilts=tilts),
         note("heights.noise_estimated", sigma=a.noise.sigma, common=a.noise.common, cells=a.noise.reach, unit=unit),
     ]

@@ -51,12 +51,15 @@ def _summary(found: MeasuredTimeSeries) -> Summary:
     done, more = list[Message](), list[Message]()
     for r, t in zip(s.regions, s.rates, strict=True):
         last = measured(float(r.volumes[-1]), float(r.sigma[-1]), s.unit, 3)
-        done.append(note("heights.series_region", name=r.name, date=s.dates[-1], volume=last,
-                         **_change(r.changes[-1], s.dates, s.unit)))  # fmt: skip
+        total = _change(r.changes[-1], s.dates, s.unit)
+        done.append(note("heights.series_region", name=r.name, volume=last, **total))
         for c in r.changes:
-            more.append(note("heights.series_change", name=r.name, **_change(c, s.dates, s.unit),
-                             fill=measured(c.fill.value, c.fill.sigma, s.unit, 3),
-                             cut=measured(c.cut.value, c.cut.sigma, s.unit, 3)))  # fmt: skip
+            ends = {"start": s.dates[c.begin], "end": s.dates[c.end]}
+            fill, cut = (measured(q.value, q.sigma, s.unit, 3) for q in (c.fill, c.cut))
+            more += [
+                note("heights.series_change", name=r.name, end=ends["end"], **_change(c, s.dates, s.unit)),
+                note("heights.series_parts", name=r.name, fill=fill, cut=cut, **ends),
+            ]
         if t is not None:
             sigma = float(t.velocity_covariance[0, 0]) ** 0.5
             more.append(note("heights.series_rate", name=r.name, p=t.p_constant,
@@ -76,6 +79,6 @@ def _summary(found: MeasuredTimeSeries) -> Summary:
 def _change(c: Change, dates: tuple[str, ...], unit: str) -> dict[str, Any]:
     """What a sentence takes of a change."""
     return {
-        "start": dates[c.begin], "end": dates[c.end], "change": measured(c.net.value, c.net.sigma, unit, 3),
+        "start": dates[c.begin], "change": measured(c.net.value, c.net.sigma, unit, 3),
         "significant": c.significant(c.net), "detectable": two_digits(c.detectable), "unit": unit or "none",
     }  # fmt: skip

@@ -6,8 +6,8 @@ neighbours at most (Torr and Zisserman 2000); then cells and means of neighbours
 of the older model follows from variances of means over squares of several sizes in the stable area, less those that the
 surface states: a part of each cell, and one that neighbours share.
 
-Limits: where nearly half moved alike by little, and the ground is gentle, tilts and a shift in plan may follow it without
-notice.  Two transformations that fit alike are refused.
+Limits: where nearly half moved alike by little on gentle ground, tilts and a shift in plan may follow it unnoticed.
+Two transformations that fit alike are refused.
 
 The surface's own errors of orientation go into the transformation as far as a shift and tilts can follow them, and what
 is left of them is what remains in a difference: both models get the same independent errors.

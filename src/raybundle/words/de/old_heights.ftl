@@ -9,8 +9,8 @@ old_heights-not_determined = Das stabile Gebiet bestimmt Verschiebung und Neigun
     .why = Es liegt entlang einer Linie oder ist eben.
     .do = Ein Gebiet mit Hängen in mehreren Richtungen mit { OPTION("stable", "FILE") } angeben.
 
-old_heights-plan_undetermined = Das stabile Gebiet bestimmt die Verschiebung in Richtung { NUM($direction_deg, digits: 3) }° (im Uhrzeigersinn von oben) nicht: Sigma { NUM($sigma, digits: 2) } (Grenze { NUM($limit, digits: 2) }).
-    .why = Nur Hänge quer zu dieser Richtung zeigen sie; die Grenze ist eine Zelle.
+old_heights-plan_undetermined = Das stabile Gebiet bestimmt die Verschiebung in Richtung { NUM($direction_deg, digits: 3) }° nicht: Sigma { NUM($sigma, digits: 2) } (Grenze { NUM($limit, digits: 2) }).
+    .why = Der Winkel zählt im Uhrzeigersinn von oben. Nur Hänge in dieser Richtung zeigen sie; die Grenze ist eine Zelle.
     .do = Ein Gebiet mit solchen Hängen mit { OPTION("stable", "FILE") } angeben.
 
 old_heights-no_map = Ein älteres Modell braucht eine Oberfläche in einer Karte in Metern.

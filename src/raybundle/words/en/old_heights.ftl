@@ -16,8 +16,8 @@ old_heights-not_determined = The stable area does not determine shift and tilts 
 # $direction_deg = 35.0
 # $sigma = 0.8
 # $limit = 0.5
-old_heights-plan_undetermined = The stable area does not determine the shift in plan towards { NUM($direction_deg, digits: 3) }° (clockwise from up): sigma { NUM($sigma, digits: 2) } (limit { NUM($limit, digits: 2) }).
-    .why = Only slopes across this direction show it; the limit is a cell.
+old_heights-plan_undetermined = The stable area does not determine the shift in plan towards { NUM($direction_deg, digits: 3) }°: sigma { NUM($sigma, digits: 2) } (limit { NUM($limit, digits: 2) }).
+    .why = The angle is clockwise from up. Only slopes along it show this shift; the limit is a cell.
     .do = Give an area with such slopes with { OPTION("stable", "FILE") }.
 
 old_heights-no_map = An older model needs a surface in a map in metres.

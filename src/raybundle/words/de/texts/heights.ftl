@@ -85,21 +85,23 @@ heights-adjusted_since = { $name } wurde nach der Messung dieser Oberfläche ern
 
 heights-series = { $n } von { $total } Volumenänderungen sind signifikant (Irrtumswahrscheinlichkeit aller { PERCENT($significance) } %).
 
-heights-series_region = { $name }: { $volume } am { $date }; { $significant ->
-        [yes] Änderung seit { $start } { $change }
-        *[no] keine signifikante Änderung seit { $start }
-    } (nachweisbar: { $detectable }{ $unit ->
+heights-series_region = { $name }: { $volume }; seit { $start } { $significant ->
+        [yes] { $change }
+        *[no] keine signifikante Änderung
+    }, nachweisbar { $detectable }{ $unit ->
         [none] {""}
         *[other] {" "}{ $unit }3
-    }).
+    }.
 
 heights-series_change = { $name }, { $start } bis { $end }: { $significant ->
         [yes] { $change }
         *[no] keine signifikante Änderung
-    }; Auftrag { $fill }, Abtrag { $cut }; nachweisbar { $detectable }{ $unit ->
+    }, nachweisbar { $detectable }{ $unit ->
         [none] {""}
         *[other] {" "}{ $unit }3
     }.
+
+heights-series_parts = { $name }, { $start } bis { $end }: Auftrag { $fill }, Abtrag { $cut }.
 
 heights-series_rate = { $name }: im Mittel { $rate } am Tag; gleichmäßig: { P($p) }.
 
@@ -109,7 +111,9 @@ heights-series_orientations = { $common ->
         *[independent] Die Orientierungen der Tage gelten als unabhängig; gleiche Passpunkte machen Änderungen genauer.
     }
 
-heights-aligned = Älteres Modell eingepasst über { PERCENT($share) } % der Höhen: rechts { $right }, oben im Grundriss { $above }, Höhe { $up }.
+heights-aligned = Älteres Modell eingepasst über { PERCENT($share) } % der Höhen: Höhe { $up }.
+
+heights-aligned_plan = Verschiebung des älteren Modells in der Lage: rechts { $right }, oben { $above }.
 
 heights-aligned_tilts = Neigungen des älteren Modells: { $tilts }.
 

@@ -151,21 +151,19 @@ heights-adjusted_since = { $name } was adjusted again after this surface was mea
 heights-series = { $n } of { $total } volume changes are significant (false-alarm rate of all { PERCENT($significance) } %).
 
 # $name = "pile A"
-# $date = "2026-07-01"
 # $volume = "312.4 m3 (sigma 2.1)"
 # $start = "2026-05-01"
-# $end = "2026-07-01"
 # $change = "40.2 m3 (sigma 2.5)"
 # $significant = true
 # $detectable = "8.4"
 # $unit = "m"
-heights-series_region = { $name }: { $volume } at { $date }; { $significant ->
-        [yes] change since { $start } { $change }
-        *[no] no significant change since { $start }
-    } (detectable: { $detectable }{ $unit ->
+heights-series_region = { $name }: { $volume }; since { $start } { $significant ->
+        [yes] { $change }
+        *[no] no significant change
+    }, detectable { $detectable }{ $unit ->
         [none] {""}
         *[other] {" "}{ $unit }3
-    }).
+    }.
 
 # $name = "pile A"
 # $start = "2026-05-01"
@@ -174,15 +172,20 @@ heights-series_region = { $name }: { $volume } at { $date }; { $significant ->
 # $significant = true
 # $detectable = "8.4"
 # $unit = "m"
-# $fill = "22.0 m3 (sigma 2.2)"
-# $cut = "1.9 m3 (sigma 1.1)"
 heights-series_change = { $name }, { $start } to { $end }: { $significant ->
         [yes] { $change }
         *[no] no significant change
-    }; fill { $fill }, cut { $cut }; detectable { $detectable }{ $unit ->
+    }, detectable { $detectable }{ $unit ->
         [none] {""}
         *[other] {" "}{ $unit }3
     }.
+
+# $name = "pile A"
+# $start = "2026-05-01"
+# $end = "2026-06-01"
+# $fill = "22.0 m3 (sigma 2.2)"
+# $cut = "1.9 m3 (sigma 1.1)"
+heights-series_parts = { $name }, { $start } to { $end }: fill { $fill }, cut { $cut }.
 
 # $name = "pile A"
 # $rate = "0.66 m3 (sigma 0.04)"
@@ -197,10 +200,12 @@ heights-series_orientations = { $common ->
     }
 
 # $share = 0.83
+# $up = "0.11 m (sigma 0.02)"
+heights-aligned = Older model aligned by { PERCENT($share) } % of the heights: height { $up }.
+
 # $right = "0.31 m (sigma 0.02)"
 # $above = "-0.18 m (sigma 0.02)"
-# $up = "0.11 m (sigma 0.02)"
-heights-aligned = Older model aligned by { PERCENT($share) } % of the heights: right { $right }, up in plan { $above }, height { $up }.
+heights-aligned_plan = Shift of the older model in plan: right { $right }, up { $above }.
 
 # $tilts = ["0.0002 (sigma 0.001)", "0.0001 (sigma 0.001)"]
 heights-aligned_tilts = Tilts of the older model: { $tilts }.
