@@ -54,7 +54,7 @@ def _summary(found: MeasuredTimeSeries) -> Summary:
         total = _change(r.changes[-1], s.dates, s.unit)
         done.append(note("heights.series_region", name=r.name, volume=last, **total))
         for c in r.changes:
-            ends = {"start": s.dates[c.begin], "end": s.dates[c.end]}
+            ends: dict[str, Any] = {"start": s.dates[c.begin], "end": s.dates[c.end]}
             fill, cut = (measured(q.value, q.sigma, s.unit, 3) for q in (c.fill, c.cut))
             more += [
                 note("heights.series_change", name=r.name, end=ends["end"], **_change(c, s.dates, s.unit)),

@@ -54,7 +54,7 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     from raybundle.io.folders import check_new_folder
     from raybundle.surfaces.files.displacements import write_movements
     from raybundle.surfaces.files.input import on_same_grid, opened
-    from raybundle.surfaces.files.older import is_older, read_older
+    from raybundle.surfaces.files.older import align_older, is_older
     from raybundle.surfaces.heights.displacement import movements
     from raybundle.surfaces.heights.resampling import difference
 
@@ -62,7 +62,7 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     if s.out is not None:
         check_new_folder(s.out)
     after = opened(s.after)
-    older = read_older(s.before, after, s.stable) if is_older(s.before) else None
+    older = align_older(s.before, after, s.stable) if is_older(s.before) else None
     if older is None and s.stable:
         raise InputError("old_heights.not_needed", file=s.before)
     # cells are those of the earlier surface, or of the only one

@@ -62,7 +62,7 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     """The volume that the settings ask for."""
     from raybundle.io.reading.words import number_of
     from raybundle.surfaces.files.input import covered_by, on_same_grid, opened, outlined
-    from raybundle.surfaces.files.older import is_older, read_older
+    from raybundle.surfaces.files.older import align_older, is_older
     from raybundle.surfaces.heights.hole_filling import filled
     from raybundle.surfaces.heights.resampling import difference
     from raybundle.surfaces.heights.volumes import volume
@@ -83,7 +83,7 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     cautions = o.cautions
     model, base = o.model, level
     if older:
-        aligned = read_older(Path(s.above), o, s.stable)
+        aligned = align_older(Path(s.above), o, s.stable)
         model, base = difference(aligned.old, aligned.surface), 0.0
         cautions = (*cautions, *aligned.remarks)
     elif level is None and s.above != RIM:

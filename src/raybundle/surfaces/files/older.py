@@ -38,7 +38,7 @@ def is_older(path: Path) -> bool:
     return path.suffix.lower() in RASTERS | CLOUDS and not path.is_dir()
 
 
-def read_older(path: Path, o: Opened, stable: Sequence[str]) -> Aligned:
+def align_older(path: Path, o: Opened, stable: Sequence[str]) -> Aligned:
     """A model aligned to a surface.
 
     stable  outlines of what has not moved; none: it is found
