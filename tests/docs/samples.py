@@ -198,8 +198,16 @@ def heights(folder):
     folder_of(made(wall, sigma=4e-4, common=1e-3, rng=rng), folder / "october/surface")
 
 
+def quarry(folder):
+    """Surfaces of a quarry at three dates, whose piles grow and shrink, their outlines, and an older model."""
+    from tests.surface.quarry import written
+
+    written(folder)
+
+
 SAMPLES = {
     "heights": heights,
+    "quarry": quarry,
     "dates": dates,
     "specimen": specimen,
     "facade": facade,

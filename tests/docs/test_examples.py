@@ -96,7 +96,7 @@ LONG = {
     "plan-a-facade", "plan-a-flight", "plan-photographs", "predict-a-flight", "read-the-report", "recipes",
     "recording-sheet", "rectify", "results-in-python", "rtk-flight", "satellite-pair", "satellite-rpc",
     "scale-bars", "strain", "studio", "surface", "surface-products", "surface-test", "targets", "uav", "uav-precision",
-    "video", "without-a-compiler",
+    "video", "volumes-over-time", "without-a-compiler",
 }  # fmt: skip
 """Pages whose examples take more than five seconds; others of more than 1.5 stand in tests/slow.txt"""
 RUN_PAGES = [pytest.param(p, marks=pytest.mark.long if p.stem in LONG else (), id=p.stem) for p in PAGES]

@@ -28,9 +28,9 @@ class Series:
     days: Array
     """(k,) since the first date"""
     displacement: Array
-    """(k, 3) [m]"""
+    """(k, axes) [m], or whatever changes"""
     covariance: Array
-    """(3 k, 3 k) [m^2]"""
+    """(axes k, axes k)"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,17 +39,17 @@ class Trend:
 
     series: Series
     velocity: Array
-    """(3,) best constant velocity [m/day]"""
+    """(axes,) best constant velocity [m/day]"""
     velocity_covariance: Array
-    """(3, 3)"""
+    """(axes, axes)"""
     p_none: float
     """probability of the velocity without motion"""
     p_constant: float
     """probability of the residuals at a constant velocity"""
     start: Array
-    """(3,) velocity at the first date, at a constant acceleration [m/day]"""
+    """(axes,) velocity at the first date, at a constant acceleration [m/day]"""
     acceleration: Array
-    """(3,) [m/day^2]"""
+    """(axes,) [m/day^2]"""
     acceleration_covariance: Array
     p_accelerated: float
     """probability of the residuals at a constant acceleration; NaN: three dates leave none"""
@@ -70,17 +70,18 @@ def trend(series: Series, freedom: float) -> Trend:
     F tests of what is left.
     """
     t = np.asarray(series.days, float)
-    linear = np.kron(t[:, None], np.eye(3))
-    squares = np.hstack([linear, np.kron(t[:, None] ** 2 / 2, np.eye(3))])
+    axes = series.displacement.shape[1]
+    linear = np.kron(t[:, None], np.eye(axes))
+    squares = np.hstack([linear, np.kron(t[:, None] ** 2 / 2, np.eye(axes))])
     v, Cv, rest = _solved(linear, series)
     x, C, left = _solved(squares, series)
-    n = 3 * len(t)
+    n, free = axes * len(t), axes * (len(t) - 2)
     speed = float(v @ np.linalg.solve(Cv, v))
     return Trend(
-        series=series, velocity=v, velocity_covariance=Cv, p_none=fisher_tail(speed / 3, 3, freedom),
-        p_constant=fisher_tail(rest / (n - 3), n - 3, freedom), start=x[:3], acceleration=x[3:],
-        acceleration_covariance=C[3:, 3:],
-        p_accelerated=fisher_tail(left / (n - 6), n - 6, freedom) if n > 6 else float("nan"),
+        series=series, velocity=v, velocity_covariance=Cv, p_none=fisher_tail(speed / axes, axes, freedom),
+        p_constant=fisher_tail(rest / (n - axes), n - axes, freedom), start=x[:axes], acceleration=x[axes:],
+        acceleration_covariance=C[axes:, axes:],
+        p_accelerated=fisher_tail(left / free, free, freedom) if free else float("nan"),
     )  # fmt: skip
 
 

@@ -55,6 +55,22 @@ def read_a_raster(folder: Path) -> list[str]:
     return [w for g in grids for w in not_finite(place=[*g.origin, *g.column, *g.row])]
 
 
+def cloud_seeds(top: Path) -> None:
+    import laspy
+
+    header = laspy.LasHeader(point_format=3, version="1.4")
+    header.offsets, header.scales = [500000.0, 5300000.0, 400.0], [1e-3] * 3
+    cloud = laspy.LasData(header)
+    cloud.x, cloud.y, cloud.z = 500000.0 + np.arange(40.0), 5300000.0 + np.arange(40.0), 400.0 + np.arange(40.0)
+    cloud.write(str(place(top) / "c.las"))
+
+
+def read_a_cloud(folder: Path) -> list[str]:
+    from raybundle.io.formats.las import read_las
+
+    return [w for xyz, _ in read_las(only(folder)) for w in not_finite(xyz=xyz)]
+
+
 def read_a_mesh(folder: Path) -> list[str]:
     from raybundle.io.meshes import read_mesh
 
@@ -117,6 +133,7 @@ def read_an_archive(folder: Path) -> list[str]:
 
 target("heights", height_seeds, read_the_heights, slow=True)
 target("heights-raster", raster_seeds, read_a_raster, slow=True)
+target("cloud", cloud_seeds, read_a_cloud)
 target("mesh", texts({"m.obj": MESH}, {"m.ply": PLY}), read_a_mesh)
 target("plane", texts({"p.toml": PLANE}), read_a_plane)
 target("scene-picture", picture_seeds, read_a_picture)

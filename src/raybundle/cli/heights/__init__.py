@@ -8,6 +8,7 @@ from raybundle.cli.lazy import LazyGroup
 
 SUBCOMMANDS = {
     "volume": "Volume above and below a base, area in plan and true area.",
+    "time-series": "Volumes of several dates, and significant changes between them.",
     "section": "Profiles along lines, as table, picture or drawing.",
     "contours": "Contour lines, without the wiggles that are noise.",
     "ground": "Separate the ground from what stands on it: a terrain model.",

@@ -18,6 +18,7 @@ from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.commands.heights.difference import MeasuredDifference
+    from raybundle.surfaces.heights.alignment import Alignment
     from raybundle.surfaces.heights.displacement import Region
 
 UNSURE = 2.0
@@ -31,16 +32,20 @@ UNSURE = 2.0
 def command(before: Path, after: Path, **given: Any) -> None:
     """Detect significant movements between two surfaces.
 
+    BEFORE may be an older model without photographs: a GeoTIFF of heights, LAS or LAZ. It is aligned to AFTER by what
+    is stable. The precision of the alignment is included; the noise of the older model is estimated.
+
     Errors of the two orientations displace large parts alike. Therefore a movement of the whole is separated from
     movements relative to the rest. For the latter, the probability of any false alarm on the whole surface is 5 %.
     FOLDER gets difference.tif (difference, movement relative to the rest, both with sigma, significance, region),
     moved.csv and moved.geojson. If a region has moved, moved.gpkg lists area, mean movement, movement of the inner part
-    (amount) and volume of each region. smallest.csv has the smallest detectable movements; difference.png shows the
-    differences.
+    (amount) and volume of each region. detectable.tif and detectable.png show the smallest detectable movement at each
+    place, smallest.csv its median; difference.png shows the differences.
 
     \b
     Example:
       raybundle heights difference may/surface october/surface --out moved
+      raybundle heights difference dsm-2019.tif pit/surface --stable road.geojson --out moved
     """
     asked = {"before": before, "after": after, **values_of(HeightsDifferenceSettings, given)}
     found = run_difference(made(HeightsDifferenceSettings, asked))
@@ -62,9 +67,34 @@ def command(before: Path, after: Path, **given: Any) -> None:
             for r in m.regions
         ],
         smallest=[{"side": s.side, "amount": _or_none(s.amount), "best": _or_none(s.best)} for s in found.smallest],
-        files=[str(f) for f in found.files],
+        files=[str(f) for f in found.files], **_alignment_facts(found.alignment),
     )  # fmt: skip
     report(_summary(found))
+
+
+def _alignment_facts(a: Alignment | None) -> dict[str, Any]:
+    if a is None:
+        return {}
+    values = dict(zip(("up", "tilt_right", "tilt_up", "right", "above"), a.values.tolist(), strict=True))
+    return {"alignment": {
+        **values, **{f"{k}_sigma": s for k, s in zip(values, a.sigma.tolist(), strict=True)},
+        "covariance": a.covariance.tolist(), "stable": a.share, "noise_own": a.noise.own,
+        "noise_common": a.noise.common, "noise_reach_cells": a.noise.reach,
+    }}  # fmt: skip
+
+
+def _aligned(a: Alignment, unit: str) -> list[Message]:
+    """How an older model was moved."""
+    up, *tilts, right, above = (
+        measured(v, s, "" if k in {1, 2} else unit)
+        for k, (v, s) in enumerate(zip(a.values.tolist(), a.sigma.tolist(), strict=True))
+    )
+    return [
+        note("heights.aligned", share=a.share, up=up),
+        note("heights.aligned_plan", right=right, above=above),
+        note("heights.aligned_tilts", tilts=tilts),
+        note("heights.noise_estimated", sigma=a.noise.sigma, common=a.noise.common, cells=a.noise.reach, unit=unit),
+    ]
 
 
 def _or_none(value: float) -> float | None:
@@ -102,7 +132,10 @@ def _summary(found: MeasuredDifference) -> Summary:
     return Summary(
         done=[
             note("heights.moved", n=len(m.regions), limit=float(m.limit)), *least,
-            note("heights.whole", shift=shift, chi2=w.chi2, limit=w.limit, significant=bool(w.significant)),
+            *(
+                [note("heights.whole", shift=shift, chi2=w.chi2, limit=w.limit, significant=bool(w.significant))]
+                if found.alignment is None else _aligned(found.alignment, unit)
+            ),
             *free_scale(unit),
         ],
         details=more, files=found.files,

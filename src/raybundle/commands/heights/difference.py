@@ -6,10 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from raybundle.commands.heights.common import stable_setting
 from raybundle.errors import InputError
 from raybundle.settings import setting
 
 if TYPE_CHECKING:
+    from raybundle.surfaces.heights.alignment import Alignment
     from raybundle.surfaces.heights.displacement import Movements
     from raybundle.surfaces.heights.level_of_detection import SmallestMovement
 
@@ -19,8 +21,9 @@ class HeightsDifferenceSettings:
     """Two surfaces."""
 
     before: Path
-    """folder of `surface` with heights"""
+    """folder of `surface` with heights; or an older model without photographs: GeoTIFF of heights, LAS, LAZ"""
     after: Path
+    stable: tuple[str, ...] = stable_setting()
     out: Path | None = setting(None, "New folder.", metavar="FOLDER")
 
 
@@ -41,6 +44,8 @@ class MeasuredDifference:
     """of one adjustment: "known", what both have in common; "unknown"; empty: they are independent"""
     cautions: tuple[str, ...]
     """what is to be reported of the surfaces themselves, a sentence each"""
+    alignment: Alignment | None
+    """of an older model without photographs"""
     files: tuple[Path, ...]
 
 
@@ -49,28 +54,36 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     from raybundle.io.folders import check_new_folder
     from raybundle.surfaces.files.displacements import write_movements
     from raybundle.surfaces.files.input import on_same_grid, opened
+    from raybundle.surfaces.files.older import align_older, is_older
     from raybundle.surfaces.heights.displacement import movements
     from raybundle.surfaces.heights.resampling import difference
 
     s = settings
     if s.out is not None:
         check_new_folder(s.out)
-    before, after = opened(s.before), opened(s.after)
-    model = difference(before.model, on_same_grid(before, after))
+    after = opened(s.after)
+    older = align_older(s.before, after, s.stable) if is_older(s.before) else None
+    if older is None and s.stable:
+        raise InputError("old_heights.not_needed", file=s.before)
+    # cells are those of the earlier surface, or of the only one
+    first = opened(s.before) if older is None else after
+    a, b = (first.model, on_same_grid(first, after)) if older is None else (older.old, older.surface)
+    model = difference(a, b)
     if not model.known.any():
         raise InputError("height_grid.no_common_cell", other=str(s.before), file=s.after)
     if not (model.known & (model.local > 0)).any():
         raise InputError("height_grid.identical", other=str(s.before), file=s.after)
-    a, b = before.model, after.model
     orientations = ""
     if a.adjustment and a.adjustment == b.adjustment:
         orientations = "known" if model.errors else "unknown"
     found = movements(model)
     smallest = found.smallest(model)
-    files = write_movements(before, model, found, smallest, s.out) if s.out is not None else ()
+    files = write_movements(first, model, found, smallest, s.out) if s.out is not None else ()
     return MeasuredDifference(
-        movements=found, unit=before.unit, compared=float(model.known.sum() / before.model.known.sum()),
+        movements=found, unit=first.unit, compared=float(model.known.sum() / a.known.sum()),
         same=float((model.known & (model.local == 0)).sum() / model.known.sum()), smallest=smallest,
-        in_map=bool(before.file.wkt), orientations=orientations,
-        cautions=(*before.cautions, *after.cautions), files=files,
+        in_map=bool(first.file.wkt), orientations=orientations,
+        cautions=tuple(dict.fromkeys([*first.cautions, *after.cautions, *(older.remarks if older else ())])),
+        files=files,
+        alignment=None if older is None else older.alignment,
     )  # fmt: skip

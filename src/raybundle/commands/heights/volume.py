@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.commands.heights.common import CELLS_FILLED, HeightsSettings
-from raybundle.errors import InputError, Message, message
+from raybundle.commands.heights.common import (
+    CELLS_FILLED,
+    MOST_FILLED,
+    HeightsSettings,
+    check_filled,
+    filled_within,
+    stable_setting,
+)
+from raybundle.errors import InputError
 from raybundle.settings import ANY, POSITIVE, setting
 
 if TYPE_CHECKING:
-    from raybundle.numerics.arrays import Array
-    from raybundle.surfaces.files.input import Opened
-    from raybundle.surfaces.heights.height_model import HeightModel
     from raybundle.surfaces.heights.volumes import Volume
 
 RIM = "rim"
@@ -32,13 +35,14 @@ class HeightsVolumeSettings(HeightsSettings):
         None, "Rectangle instead of an outline.", metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY)
     )
     above: str = setting(
-        RIM, "Base of the volume: a height, the folder of another surface, or rim. rim: the plane that fits the "
-        "heights along the outline best.", metavar="HEIGHT|SURFACE|rim",
+        RIM, "Base of the volume: a height, the folder of another surface, an older model without photographs "
+        "(GeoTIFF, LAS, LAZ) that is aligned, or rim. rim: the plane that fits the heights along the outline best.",
+        metavar="HEIGHT|SURFACE|FILE|rim",
     )  # fmt: skip
+    stable: tuple[str, ...] = stable_setting()
     most_filled: float = setting(
-        20.0, "Reject a volume with a larger filled share of the area.", metavar="PERCENT",
-        limits=POSITIVE,
-    )  # fmt: skip
+        MOST_FILLED, "Reject a volume with a larger filled share of the area.", metavar="PERCENT", limits=POSITIVE
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,68 +62,46 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     """The volume that the settings ask for."""
     from raybundle.io.reading.words import number_of
     from raybundle.surfaces.files.input import covered_by, on_same_grid, opened, outlined
+    from raybundle.surfaces.files.older import align_older, is_older
     from raybundle.surfaces.heights.hole_filling import filled
     from raybundle.surfaces.heights.resampling import difference
     from raybundle.surfaces.heights.volumes import volume
 
     s = settings
+    if s.stable and not is_older(Path(s.above)):
+        raise InputError("old_heights.not_needed", file=s.above)
     if s.outline and s.extent is not None:
         raise InputError("option.exclusive", first="outline", second="extent")
     o = opened(s.source)
     level = number_of(s.above)
-    if level is None and s.above != RIM and not Path(s.above).is_dir():
+    older = level is None and is_older(Path(s.above))
+    if level is None and s.above != RIM and not older and not Path(s.above).is_dir():
         raise InputError("volume.base_unknown", value=s.above, rim=RIM)
     everything = not s.outline and s.extent is None
     if level is None and s.above == RIM and everything:
         raise InputError("volume.rim_needs_outline")
     cautions = o.cautions
     model, base = o.model, level
-    if level is None and s.above != RIM:
+    if older:
+        aligned = align_older(Path(s.above), o, s.stable)
+        model, base = difference(aligned.old, aligned.surface), 0.0
+        cautions = (*cautions, *aligned.remarks)
+    elif level is None and s.above != RIM:
         below = opened(Path(s.above))
         model, base = difference(on_same_grid(o, below), o.model), 0.0
         cautions = (*cautions, *below.cautions)
     areas = outlined(o, s.outline, s.extent)
     covered = None if everything else covered_by(o, areas)
     widest = CELLS_FILLED * o.file.cell if s.fill is None else s.fill
-    before = model
-    if widest:
-        model = filled(before, widest / o.file.cell / 2, None if covered is None else covered > 0)
     if covered is None:
+        model = filled(model, widest / o.file.cell / 2) if widest else model
         covered = model.known.astype(float)
-    elif ((covered > 0) & ~model.known).any():
-        raise InputError(_no_height(o, before, model, covered), file=s.source)
+    else:
+        model = filled_within(o, model, covered, widest, s.source)
     found = volume(model, covered, [r for rings in areas for r in rings] if base is None else base)
     if s.above != RIM and level is None:
         # what was filled below a surface, as the ground is, is no part of the surface that is missing
         own = ~o.model.known if o.model.holes is None else ~o.model.known | o.model.holes.filled
         found = replace(found, filled=float(covered[own].sum() / covered.sum()))
-    if 100 * found.filled > s.most_filled:
-        raise InputError(
-            "volume.filled_share",
-            share=found.filled,
-            limit_percent=float(s.most_filled),
-            file=s.source,
-        )
+    check_filled(found.filled, s.most_filled, s.source)
     return MeasuredVolume(volume=found, unit=o.unit, base=s.above if level is None else f"{level:g}", cautions=cautions)
-
-
-def _no_height(o: Opened, before: HeightModel, model: HeightModel, covered: Array) -> Message:
-    """That cells within an outline have no height, where the widest hole is, and what to do."""
-    import numpy as np
-
-    from raybundle.surfaces.heights.hole_filling import depths
-
-    lost = (covered > 0) & ~model.known
-    depth = np.where(lost, depths(before), 0.0)
-    row, column = np.unravel_index(int(depth.argmax()), depth.shape)
-    (x, y), far = o.places(np.array([[column + 0.5, row + 0.5]]))[0].tolist(), float(depth.max()) * o.file.cell
-    return message(
-        "volume.no_height", share=float(covered[lost].sum() / covered.sum()), n=int(lost.sum()), x=x, y=y,
-        distance=far, unit=o.unit, fill=_upwards(2 * far),
-    )  # fmt: skip
-
-
-def _upwards(value: float) -> str:
-    """A number with two digits that is no smaller."""
-    power = 10.0 ** (math.floor(math.log10(value)) - 1)
-    return f"{math.ceil(value / power * (1 - 1e-9)) * power:.6g}"

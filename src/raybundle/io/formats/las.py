@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,6 +13,8 @@ import numpy as np
 from raybundle.errors import InputError, phrase
 from raybundle.io.formats.base import Draft, Export, Format, register
 from raybundle.io.formats.surveyed import Surveyed, surveyed
+from raybundle.io.reading.files import check_regular
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array, Index
 
 if TYPE_CHECKING:
@@ -22,6 +24,8 @@ STEP_M = 1e-4
 """LAS holds whole multiples of this."""
 STEP_DEG = 1e-9
 """The same of longitude and latitude: 0.1 mm on the ground."""
+AT_ONCE = 1_000_000
+"""Points that are read together"""
 MOST = 2e9
 """Multiples that fit its whole numbers of 32 bits, counted from the least coordinate."""
 SIGMAS = ("sigma_x", "sigma_y", "sigma_z")
@@ -94,6 +98,28 @@ def write_las(
     finally:
         if writer is not None:
             writer.close()
+
+
+def read_las(path: Path) -> Iterator[tuple[Array, str]]:
+    """Coordinates (n, 3) of the points of a LAS or LAZ file, some at a time, and its system; empty: it states none.
+
+    raises  InputError for a file that is damaged or none of this kind
+    """
+    laspy = las_library()
+    check_regular(path)
+    left, total = 0, 0
+    try:
+        with laspy.open(str(path)) as file:
+            found, left = file.header.parse_crs(), int(file.header.point_count)
+            total = left
+            for points in file.chunk_iterator(AT_ONCE):
+                xyz = np.column_stack([points.x, points.y, points.z]).astype(float)
+                left -= len(xyz)
+                yield xyz[np.isfinite(xyz).all(axis=1)], "" if found is None else str(found.to_wkt())
+    except Exception as error:  # noqa: BLE001  (laspy and its decoders raise what they like on damaged files)
+        raise InputError("file.not_readable", detail=quoted(str(error)), file=path) from None
+    if left:
+        raise InputError("old_heights.cloud_cut_off", missing=left, total=total, file=path)
 
 
 def write(export: Export, path: Path) -> Draft:

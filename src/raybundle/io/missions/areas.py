@@ -20,6 +20,7 @@ from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.reading.xml import Element, xml_of
 from raybundle.numerics.arrays import Array
+from raybundle.readable import readable
 
 if TYPE_CHECKING:
     from pyproj import CRS
@@ -29,6 +30,8 @@ GEOGRAPHIC = "EPSG:4326"
 NAMED = "OGC:CRS84"
 """The same, longitude first, where a file names it"""
 CORNERS = 100_000
+NAMES = ("name", "Name", "NAME", "id", "ID")
+"""Properties that name a feature, the first of them that it has"""
 _SHAPES = {"Polygon": "area", "LineString": "line", "Point": "place"}
 _WKB = {1: "place", 2: "line", 3: "area"}
 
@@ -44,6 +47,7 @@ class Shape:
     crs: str = GEOGRAPHIC
     typed: bool = False
     """whether it was given as coordinates, so that what they are follows from what they are for"""
+    name: str = ""
 
 
 def read_shapes(given: str, crs: str = "") -> tuple[Shape, ...]:
@@ -71,11 +75,13 @@ def read_shapes(given: str, crs: str = "") -> tuple[Shape, ...]:
     return shapes
 
 
-def _shape(kind: Kind, xy: Array, holes: Sequence[Array], crs: str) -> Shape:
+def _shape(kind: Kind, xy: Array, holes: Sequence[Array], crs: str, name: str = "") -> Shape:
     def open_ring(ring: Array) -> Array:
         return ring[:-1] if kind == "area" and len(ring) > 1 and (ring[0] == ring[-1]).all() else ring
 
-    return Shape(kind=kind, xy=open_ring(xy), holes=tuple(open_ring(h) for h in holes), crs=crs or GEOGRAPHIC)
+    return Shape(
+        kind=kind, xy=open_ring(xy), holes=tuple(open_ring(h) for h in holes), crs=crs or GEOGRAPHIC, name=name
+    )
 
 
 def _typed(text: str) -> Array | None:
@@ -96,7 +102,7 @@ def _geojson(top: Json, crs: str) -> Iterator[Shape]:
     if isinstance(named, dict) and top.get("crs").has("properties") and top.get("crs").get("properties").has("name"):
         own = top.get("crs").get("properties").get("name").text()
         own = NAMED if "CRS84" in own else re.sub(r"^urn:ogc:def:crs:EPSG:[^:]*:", "EPSG:", own)
-    for geometry in _geometries(top):
+    for geometry, name in _geometries(top):
         kind = geometry.get("type").text()
         parts = geometry.get("coordinates")
         single = kind.removeprefix("Multi")
@@ -106,26 +112,34 @@ def _geojson(top: Json, crs: str) -> Iterator[Shape]:
             if single == "Polygon":
                 rings = [_pairs(r) for r in one.items()]
                 if rings:
-                    yield _shape("area", rings[0], rings[1:], own)
+                    yield _shape("area", rings[0], rings[1:], own, name)
             elif single == "LineString":
-                yield _shape("line", _pairs(one), (), own)
+                yield _shape("line", _pairs(one), (), own, name)
             else:
-                yield _shape("place", _pair(one)[None], (), own)
+                yield _shape("place", _pair(one)[None], (), own, name)
 
 
-def _geometries(value: Json) -> Iterator[Json]:
+def _geometries(value: Json, name: str = "") -> Iterator[tuple[Json, str]]:
+    """Geometries, each with the name of its feature."""
     kind = value.get("type").text()
     if kind == "FeatureCollection":
         for feature in value.get("features").items():
             yield from _geometries(feature)
     elif kind == "Feature":
         if value.has("geometry"):
-            yield from _geometries(value.get("geometry"))
+            yield from _geometries(value.get("geometry"), _name_in(value.value.get("properties")))
     elif kind == "GeometryCollection":
         for geometry in value.get("geometries").items():
-            yield from _geometries(geometry)
+            yield from _geometries(geometry, name)
     else:
-        yield value
+        yield value, name
+
+
+def _name_in(properties: Any) -> str:
+    """The name among the properties of a feature; empty: there is none."""
+    known = properties if isinstance(properties, dict) else {}
+    texts = (str(v).strip() for k in NAMES if isinstance(v := known.get(k), str | int | float))
+    return next((readable(t) for t in texts if t), "")
 
 
 def _pairs(value: Json) -> Array:
@@ -163,17 +177,20 @@ def _unpacked(path: Path) -> bytes:
         raise InputError("archive.not_unpacked", detail=str(error), file=path) from None
 
 
-def _kml(element: Element) -> Iterator[Shape]:
+def _kml(element: Element, name: str = "") -> Iterator[Shape]:
     """Polygons, lines and points anywhere in a document; KML is in longitude and latitude, always."""
     for child in element.children:
         if child.name == "Polygon":
             holes = [_coordinates(i.get("LinearRing", "coordinates")) for i in child.all("innerBoundaryIs")]
-            yield _shape("area", _coordinates(child.get("outerBoundaryIs", "LinearRing", "coordinates")), holes, "")
+            outer = _coordinates(child.get("outerBoundaryIs", "LinearRing", "coordinates"))
+            yield _shape("area", outer, holes, "", name)
         elif child.name in {"LineString", "Point"}:
             kind: Kind = "line" if child.name == "LineString" else "place"
-            yield _shape(kind, _coordinates(child.get("coordinates")), (), "")
+            yield _shape(kind, _coordinates(child.get("coordinates")), (), "", name)
+        elif child.name == "Placemark":
+            yield from _kml(child, next((readable(c.content.strip()) for c in child.children if c.name == "name"), ""))
         else:
-            yield from _kml(child)
+            yield from _kml(child, name)
 
 
 def _coordinates(element: Element) -> Array:
@@ -197,7 +214,7 @@ def _ogr(path: Path, crs: str) -> Iterator[Shape]:
             file=path,
         ) from None
     try:
-        about, _, geometry, _ = reader.read(path, columns=[], force_2d=True)
+        about, _, geometry, columns = reader.read(path, columns=list(NAMES), force_2d=True)
     except Exception as error:  # noqa: BLE001  (GDAL's drivers raise what they like on damaged files)
         found = str(error).splitlines()[0] if path.suffix.lower() not in {".wkt", ".txt", ".csv"} else ""
         raise InputError(
@@ -206,9 +223,11 @@ def _ogr(path: Path, crs: str) -> Iterator[Shape]:
             file=path,
         ) from None
     own = str(about.get("crs") or crs)
-    for data in geometry:
+    for k, data in enumerate(geometry):
         if data is not None:
-            yield from _wkb(_Bytes(bytes(data)), path, own)
+            name = _name_in({field: values[k] for field, values in zip(about["fields"], columns, strict=True)})
+            for shape in _wkb(_Bytes(bytes(data)), path, own):
+                yield replace(shape, name=name)
 
 
 class _Bytes:

@@ -39,8 +39,8 @@ def write_picture(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Sheet:
-    """Where the surface lies on it."""
+class Sheet:
+    """A picture, and where the surface lies on it."""
 
     image: Image.Image
     draw: ImageDraw.ImageDraw
@@ -49,7 +49,21 @@ class _Sheet:
     right: int
     bottom: int
 
+    @classmethod
+    def of(cls, shape: tuple[int, int]) -> Sheet:
+        """An empty one for a surface of so many rows and columns."""
+        scale = SHOWN_PX / max(shape)
+        rows, columns = (max(1, round(n * scale)) for n in shape)
+        image = Image.new("RGB", (max(LEFT + columns + RIGHT, LEAST_PX), TOP + rows + BOTTOM), (255, 255, 255))
+        return cls(image=image, draw=ImageDraw.Draw(image), scale=scale, right=LEFT + columns, bottom=TOP + rows)
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Columns and rows of the surface [px]."""
+        return self.right - LEFT, self.bottom - TOP
+
     def text(self, x: float, y: float, text: str, size: int = 14, anchor: str = "la", halo: int = 0) -> None:
+        """Write."""
         self.draw.text(
             (x, y), text, fill=INK, font=ImageFont.load_default(size), anchor=anchor, stroke_width=halo,
             stroke_fill=(255, 255, 255),
@@ -59,18 +73,13 @@ class _Sheet:
 def picture(o: Opened, model: HeightModel, found: Movements, smallest: tuple[SmallestMovement, ...]) -> Image.Image:
     """Regions that have moved in the colours of their movement, what is within chance pale, holes hatched."""
     size = _size(found, smallest)
-    scale = SHOWN_PX / max(model.shape)
-    rows, columns = (max(1, round(n * scale)) for n in model.shape)
-    image = Image.new("RGB", (max(LEFT + columns + RIGHT, LEAST_PX), TOP + rows + BOTTOM), (255, 255, 255))
-    image.paste(_surface(model, found, size, (columns, rows)), (LEFT, TOP))
-    sheet = _Sheet(
-        image=image, draw=ImageDraw.Draw(image), scale=scale, right=LEFT + columns, bottom=TOP + rows
-    )  # fmt: skip
+    sheet = Sheet.of(model.shape)
+    sheet.image.paste(_surface(model, found, size, sheet.size), (LEFT, TOP))
     sheet.text(LEFT, TOP - 12, _title(found), 18, "ls")
     _outlines(sheet, found, o.unit)
-    _axes(sheet, o)
+    axes(sheet, o)
     _legend(sheet, o, size, smallest)
-    return image
+    return sheet.image
 
 
 def _title(found: Movements) -> str:
@@ -120,17 +129,17 @@ def _surface(model: HeightModel, found: Movements, size: float, shape: tuple[int
     how = cv2.INTER_NEAREST if shape[0] >= model.shape[1] else cv2.INTER_AREA
     image = cv2.resize(np.clip(colours, 0, 255).astype(np.uint8), shape, interpolation=how)
     hole = cv2.resize((~model.known & ~moved).astype(np.uint8), shape, interpolation=cv2.INTER_NEAREST) > 0
-    image[hole] = _hatched(*image.shape[:2])[hole]
+    image[hole] = hatched(*image.shape[:2])[hole]
     return Image.fromarray(image)
 
 
-def _hatched(rows: int, columns: int) -> Array:
-    """(rows, columns, 3) of what was not measured."""
+def hatched(rows: int, columns: int) -> Array:
+    """(rows, columns, 3) uint8 of what was not measured."""
     r, c = np.mgrid[:rows, :columns]
     return np.where(((r + c) % 8 < 2)[..., None], HATCH, UNMEASURED).astype(np.uint8)
 
 
-def _outlines(sheet: _Sheet, found: Movements, unit: str) -> None:
+def _outlines(sheet: Sheet, found: Movements, unit: str) -> None:
     """Outlines of what has moved, with their numbers and amounts."""
     for n, r in enumerate(found.regions, 1):
         lines = [line * sheet.scale + (LEFT, TOP) for line in ring_lines(r.cells)]
@@ -155,7 +164,7 @@ def signed(value: float, sigma: float) -> str:
     return f"{value:+.{places}f}"
 
 
-def _axes(sheet: _Sheet, o: Opened) -> None:
+def axes(sheet: Sheet, o: Opened) -> None:
     """Coordinates along the left and lower edge."""
     sheet.draw.rectangle((LEFT - 1, TOP - 1, sheet.right, sheet.bottom), outline=(110, 110, 110))
     f = o.file
@@ -175,17 +184,22 @@ def _axes(sheet: _Sheet, o: Opened) -> None:
     sheet.text(6, TOP - 14, f"{names[1]}{unit}", 13, "ls")
 
 
-def _legend(sheet: _Sheet, o: Opened, size: float, smallest: tuple[SmallestMovement, ...]) -> None:
-    """A scale bar, what colours are, and how small a movement would have been found."""
+def scale_bar(sheet: Sheet, o: Opened) -> int:
+    """A bar of a round length of about a fifth of the sheet; where a scale of colours begins beside it."""
     y, draw = sheet.bottom + 56, sheet.draw
-    unit = o.unit or "none"
-    # a round length of about a fifth of the sheet
     length, digits = ticks(0, max(sheet.right - LEFT, 200) / 4 / sheet.scale * o.file.cell, 2)
     bar = float(length[-1]) / o.file.cell * sheet.scale
     draw.rectangle((8, y + 4, 8 + bar / 2, y + 10), fill=INK)
     draw.rectangle((8 + bar / 2, y + 4, 8 + bar, y + 10), fill=(255, 255, 255), outline=INK)
     sheet.text(8 + bar + 8, y + 7, f"{length[-1]:.{digits}f} {o.unit}", 13, "lm")
-    left, wide = max(LEFT, round(8 + bar + 110)), 260
+    return max(LEFT, round(8 + bar + 110))
+
+
+def _legend(sheet: Sheet, o: Opened, size: float, smallest: tuple[SmallestMovement, ...]) -> None:
+    """A scale bar, what colours are, and how small a movement would have been found."""
+    y, draw = sheet.bottom + 56, sheet.draw
+    unit = o.unit or "none"
+    left, wide = scale_bar(sheet, o), 260
     share = np.linspace(-1, 1, wide)[None].repeat(14, axis=0)
     sheet.image.paste(Image.fromarray(np.round(_coloured(share)).astype(np.uint8)), (left, y))
     draw.rectangle((left - 1, y - 1, left + wide, y + 14), outline=(110, 110, 110))
@@ -197,7 +211,7 @@ def _legend(sheet: _Sheet, o: Opened, size: float, smallest: tuple[SmallestMovem
         text = phrase("height_drawing.swatch", state=state)
         box = (round(x), y + 66, round(x) + 22, y + 80)
         if colour == HATCH:
-            sheet.image.paste(Image.fromarray(_hatched(14, 22)), box[:2])
+            sheet.image.paste(Image.fromarray(hatched(14, 22)), box[:2])
         draw.rectangle(box, fill=colour if colour == MUTED else None, outline=INK, width=1 if colour else 2)
         sheet.text(x + 28, y + 73, text, 13, "lm")
         x += 28 + draw.textlength(text, font=ImageFont.load_default(13)) + 22

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -9,15 +10,18 @@ import numpy as np
 from raybundle.io.drawings import Drawn, write_geojson, write_gpkg
 from raybundle.io.folders import new_folder
 from raybundle.numerics.arrays import Array
+from raybundle.surfaces.files.detection_picture import detection_picture
 from raybundle.surfaces.files.displacement_picture import write_picture
 from raybundle.surfaces.files.input import Opened
 from raybundle.surfaces.heights.contours import ring_lines
 from raybundle.surfaces.heights.displacement import Movements, Region
 from raybundle.surfaces.heights.height_model import HeightModel
-from raybundle.surfaces.heights.level_of_detection import SmallestMovement
+from raybundle.surfaces.heights.level_of_detection import DetectionMap, SmallestMovement
 
 RASTER, TABLE, LINES, LAYER, PICTURE = "difference.tif", "moved.csv", "moved.geojson", "moved.gpkg", "difference.png"
-SMALLEST = "smallest.csv"
+SMALLEST, DETECTABLE, DETECTABLE_PICTURE = "smallest.csv", "detectable.tif", "detectable.png"
+MOSTLY = 0.8
+"""Share of a surface on which movements are detected by the picture"""
 BANDS = ("difference", "sigma", "movement against the rest", "sigma of that", "significance", "region")
 COLUMNS = (
     "region", "x", "y", "area", "area_sigma", "mean", "mean_sigma", "amount", "amount_sigma", "volume", "volume_sigma",
@@ -63,7 +67,19 @@ def write_movements(
             names.remove(LAYER)
         (new / SMALLEST).write_text("\n".join([*lines[:1], *_would(smallest)]) + "\n", encoding="utf-8")
         write_picture(str(new / PICTURE), o, model, found, smallest)
+        maps = found.detectable(model)
+        if maps:
+            sides = tuple(f"detectable over {m.side:.3g} x {m.side:.3g} {o.unit}".rstrip() for m in maps)
+            with o.file.new(new / DETECTABLE, sides) as write:
+                write(0, 0, np.stack([m.amount for m in maps], axis=2).astype(np.float32))
+            detection_picture(o, _shown(maps)).save(new / DETECTABLE_PICTURE)
+            names += [DETECTABLE, DETECTABLE_PICTURE]
     return tuple(out / n for n in names)
+
+
+def _shown(maps: Sequence[DetectionMap]) -> DetectionMap:
+    """That of the smallest squares of which a movement is detected on most of the surface, else of the largest."""
+    return next((m for m in maps if np.isfinite(m.amount).sum() > MOSTLY * (~np.isnan(m.amount)).sum()), maps[-1])
 
 
 def _would(smallest: tuple[SmallestMovement, ...]) -> list[str]:

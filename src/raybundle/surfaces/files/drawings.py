@@ -21,7 +21,8 @@ WIDTH, PANEL, LEFT, RIGHT, TOP, BOTTOM = 900.0, 300.0, 84.0, 24.0, 40.0, 56.0
 STYLE = (
     "text{font:13px system-ui,sans-serif;fill:#333}.small{font-size:11px;fill:#666}.grid{stroke:#e4e4e4;stroke-width:1}"
     ".axis{stroke:#888;stroke-width:1;fill:none}.band{fill:#4a7fb5;fill-opacity:.28;stroke:none}"
-    ".line{stroke:#12365c;stroke-width:1.4;fill:none;stroke-linejoin:round}.corner{stroke:#b55;stroke-dasharray:3 3}"
+    ".line{stroke:#12365c;stroke-width:1.4;fill:none;stroke-linejoin:round}.bar{stroke:#12365c;stroke-width:1.4}"
+    ".dot{fill:#12365c}.corner{stroke:#b55;stroke-dasharray:3 3}"
     ".thin{stroke:#8a6d4b;stroke-width:.7;fill:none}.thick{stroke:#6b4f2c;stroke-width:1.4;fill:none}"
     ".name{font-size:10px;fill:#6b4f2c;paint-order:stroke;stroke:#fff;stroke-width:3px}"
 )
@@ -58,8 +59,8 @@ def ticks(low: float, high: float, count: int) -> tuple[Array, int]:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Frame:
-    """From distance and height to the sheet."""
+class Frame:
+    """From distance and height to the sheet, of one panel."""
 
     low: float
     high: float
@@ -67,9 +68,11 @@ class _Frame:
     top: float
 
     def x(self, distance: Array) -> Array:
+        """On the sheet."""
         return LEFT + (WIDTH - LEFT - RIGHT) * np.asarray(distance) / max(self.length, 1e-300)
 
-    def y(self, height: Array) -> Array:
+    def y(self, height: Array | float) -> Array:
+        """On the sheet."""
         inner = PANEL - TOP - BOTTOM
         return self.top + TOP + inner * (self.high - np.asarray(height)) / (self.high - self.low)
 
@@ -77,7 +80,7 @@ class _Frame:
 def sections_svg(sections: Sequence[Section], names: Sequence[str], unit: str) -> str:
     """Profiles below each other, each with the band in which 95 % of the surface lies."""
     parts = [_panel(s, name, unit, k * PANEL) for k, (s, name) in enumerate(zip(sections, names, strict=True))]
-    return _sheet(WIDTH, PANEL * len(sections), "".join(parts))
+    return sheet(WIDTH, PANEL * len(sections), "".join(parts))
 
 
 def _panel(s: Section, name: str, unit: str, top: float) -> str:
@@ -91,13 +94,9 @@ def _panel(s: Section, name: str, unit: str, top: float) -> str:
     span = float(np.ptp(s.height[known]))
     reach = max(0.25 * span, float(3 * BAND * np.median(s.sigma[known])), 1e-9)
     low, high = max(low, float(s.height[known].min()) - reach), min(high, float(s.height[known].max()) + reach)
-    f = _Frame(low=low - 0.04 * (high - low), high=high + 0.04 * (high - low), length=length, top=top)
+    f = Frame(low=low - 0.04 * (high - low), high=high + 0.04 * (high - low), length=length, top=top)
     out = [f'<text x="{LEFT}" y="{top + 22:.0f}">{escape(name)}</text>']
-    levels, digits = ticks(f.low, f.high, 6)
-    for v in levels.tolist():
-        y = float(f.y(v))
-        out.append(f'<line class="grid" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{y:.1f}" y2="{y:.1f}"/>')
-        out.append(f'<text class="small" x="{LEFT - 8}" y="{y + 4:.1f}" text-anchor="end">{v:.{digits}f}</text>')
+    out += level_lines(f)
     bottom = top + PANEL - BOTTOM
     places, digits = ticks(0, length, 9)
     for v in places.tolist():
@@ -111,8 +110,8 @@ def _panel(s: Section, name: str, unit: str, top: float) -> str:
     for part in runs(known):
         x, h, q = f.x(s.distance[part]), s.height[part], BAND * s.sigma[part]
         up, down = (np.clip(f.y(h + k * q), top + TOP, bottom) for k in (1, -1))
-        edge = _points(np.concatenate([x, x[::-1]]), np.concatenate([up, down[::-1]]))
-        out.append(f'<polygon class="band" points="{edge}"/><polyline class="line" points="{_points(x, f.y(h))}"/>')
+        edge = points(np.concatenate([x, x[::-1]]), np.concatenate([up, down[::-1]]))
+        out.append(f'<polygon class="band" points="{edge}"/><polyline class="line" points="{points(x, f.y(h))}"/>')
     right = WIDTH - RIGHT
     out.append(f'<rect class="axis" x="{LEFT}" y="{top + TOP}" width="{right - LEFT}" height="{bottom - top - TOP}"/>')
     across, along = (
@@ -128,6 +127,16 @@ def _panel(s: Section, name: str, unit: str, top: float) -> str:
     entries = escape(phrase("height_drawing.band", factor=BAND, stretch=stretch))
     out.append(f'<text class="small" x="{right}" y="{top + 22:.0f}" text-anchor="end">{entries}</text>')
     return "".join(out)
+
+
+def level_lines(f: Frame) -> list[str]:
+    """Lines at round heights, with these."""
+    out, (levels, digits) = list[str](), ticks(f.low, f.high, 6)
+    for v in levels.tolist():
+        y = float(f.y(v))
+        out.append(f'<line class="grid" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{y:.1f}" y2="{y:.1f}"/>')
+        out.append(f'<text class="small" x="{LEFT - 8}" y="{y + 4:.1f}" text-anchor="end">{v:.{digits}f}</text>')
+    return out
 
 
 def runs(known: Array) -> list[slice]:
@@ -152,7 +161,7 @@ def contours_svg(
     for c in found:
         main = round(c.height / interval) % EVERY == 0
         for line in c.lines:
-            (thick if main else thin).append(f"M{_points(line[:, 0] * scale, line[:, 1] * scale, 'L')}")
+            (thick if main else thin).append(f"M{points(line[:, 0] * scale, line[:, 1] * scale, 'L')}")
             place = label_of(line, 60 / scale) if main else None
             if place is not None:
                 (x, y), angle = place
@@ -170,7 +179,7 @@ def contours_svg(
         f'<rect class="axis" width="{WIDTH}" height="{height:.1f}"/>'
         f'<text class="small" x="4" y="{height + 18:.0f}">{escape(entries)}</text>'
     )
-    return _sheet(WIDTH, height + 28, body)
+    return sheet(WIDTH, height + 28, body)
 
 
 def decimals_of(values: Sequence[float]) -> int:
@@ -191,11 +200,13 @@ def label_of(line: Array, least: float) -> tuple[Array, float] | None:
     return (a + b) / 2, (angle + np.pi / 2) % np.pi - np.pi / 2
 
 
-def _points(x: Array, y: Array, between: str = " ") -> str:
+def points(x: Array, y: Array, between: str = " ") -> str:
+    """Coordinates on the sheet as a path or polygon takes them."""
     return between.join(f"{a:.1f},{b:.1f}" for a, b in zip(x.tolist(), y.tolist(), strict=True))
 
 
-def _sheet(width: float, height: float, body: str) -> str:
+def sheet(width: float, height: float, body: str) -> str:
+    """The text of an SVG file, with the styles that programs without style sheets need."""
     body = re.sub(r'class="(\w+)"', lambda found: f"{found[0]} {ATTRIBUTES[found[1]]}", body)
     body = re.sub(r"<text (?!class=)", f"<text {PLAIN} ", body)
     return (

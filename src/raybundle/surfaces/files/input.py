@@ -87,6 +87,20 @@ def outlined(o: Opened, outlines: Sequence[str], extent: Sequence[float] | None)
     return [[o.cells(r) for r in rings] for rings in areas_in(o.file.wkt, outlines, extent)]
 
 
+def named_areas(o: Opened, outlines: Sequence[str]) -> dict[str, list[Array]]:
+    """Areas by outlines with their names: rings in columns and rows; without a name their number.
+
+    Several areas of one name, as of a MultiPolygon, get a number behind it.
+    """
+    found = dict[str, list[Array]]()
+    for given in outlines:
+        for name, rings in _areas(o.file.wkt, given):
+            own = name or str(len(found) + 1)
+            number = next(k for k in range(1, len(found) + 2) if (own if k == 1 else f"{own} {k}") not in found)
+            found[own if number == 1 else f"{own} {number}"] = [o.cells(r) for r in rings]
+    return found
+
+
 def covered_by(o: Opened, areas: Sequence[Sequence[Array]]) -> Array:
     """(rows, columns) share of each cell within areas, each by its rings in columns and rows.
 
@@ -132,7 +146,7 @@ def areas_in(wkt: str, outlines: Sequence[str], extent: Sequence[float] | None) 
     raises  InputError for an outline that crosses itself, a file without areas, and an extent that is empty
     """
     if extent is None:
-        return [rings for given in outlines for rings in _areas(wkt, given)]
+        return [rings for given in outlines for _, rings in _areas(wkt, given)]
     left, bottom, right, top = extent
     if not (left < right and bottom < top):
         raise InputError("outline.extent_empty", left=left, bottom=bottom, right=right, top=top)
@@ -153,22 +167,22 @@ def _shapes(given: str, name: str) -> tuple[Shape, ...]:
     return read_shapes(given)
 
 
-def _areas(wkt: str, given: str) -> list[list[Array]]:
-    """The rings of each area, the outer one first, in coordinates of the plane."""
+def _areas(wkt: str, given: str) -> list[tuple[str, list[Array]]]:
+    """The name of each area and its rings, the outer one first, in coordinates of the plane."""
     path = Path(given)
     if path.suffix.lower() in TEXT and path.is_file():
-        return [[checked_ring(read_outline(path), name=path.name)]]
+        return [(path.stem, [checked_ring(read_outline(path), name=path.name)])]
     shapes = [s for s in _shapes(given, "outline") if s.kind == "area"]
     if not shapes:
         if path.exists():
             raise InputError("outline.no_area_in_file", file=path)
         raise InputError("outline.too_few_corners", name="outline", given=given)
-    found = list[list[Array]]()
+    found = list[tuple[str, list[Array]]]()
     for s in shapes:
         rings = [_in_plane(wkt, r, s.crs, typed=s.typed, path=path) for r in (s.xy, *s.holes)]
         checked = [checked_ring(r) for r in rings]
         _check_holes(checked)
-        found.append(checked)
+        found.append((s.name, checked))
     return found
 
 

@@ -23,7 +23,14 @@ from raybundle.surfaces.heights.grids import filtered
 from raybundle.surfaces.heights.height_model import HeightModel, SumOfHeights
 from raybundle.surfaces.heights.heights import between
 from raybundle.surfaces.heights.hole_filling import parts_of
-from raybundle.surfaces.heights.level_of_detection import OrientationFit, SmallestMovement, Windows, smallest_movements
+from raybundle.surfaces.heights.level_of_detection import (
+    DetectionMap,
+    OrientationFit,
+    SmallestMovement,
+    Windows,
+    detection_maps,
+    smallest_movements,
+)  # fmt: skip
 from raybundle.surfaces.heights.nodes import at_cells, information, splat, variances
 from raybundle.surfaces.heights.steps import step_length
 
@@ -118,6 +125,10 @@ class Movements:
     def smallest(self, model: HeightModel) -> tuple[SmallestMovement, ...]:
         """That would have been found, of squares of some sizes."""
         return smallest_movements(model, _most(model), self.sizes, self.limit, self.fit)
+
+    def detectable(self, model: HeightModel) -> tuple[DetectionMap, ...]:
+        """The same at each place."""
+        return detection_maps(model, _most(model), self.sizes, self.limit, self.fit)
 
 
 def movements(model: HeightModel) -> Movements:

@@ -31,6 +31,8 @@ PLACES, CELLS, SEED = (48, 128), 1 << 17, 1
 """Squares of one size that are looked at: fewest and most, cells of all; what they are drawn by"""
 ALIKE = 2.5
 """How much larger or smaller than a square its windows are at most."""
+MAPPED, FEWEST_SQUARES, MOST_SQUARES, HALVINGS = 1 << 18, 64, 600, 7
+"""Of a map: cells of all squares of a size, fewest and most squares, halvings of the range of amounts: to 6 %"""
 LEAST, TRIED = 1e-3, 18
 """Of the largest amount that can matter, the smallest that is tried; how many are, each by the same factor larger"""
 
@@ -64,6 +66,17 @@ class SmallestMovement:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class DetectionMap:
+    """What of a square would have been found at each place."""
+
+    side: float
+    """of the square, in the unit of the heights"""
+    amount: Array
+    """(rows, columns) of a square with its middle there, found with a chance of 80 %; infinite: none is, however large;
+    NaN: less than half of the square can be tested, or the cell has no height"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class OrientationFit:
     """How the errors of orientation were estimated."""
 
@@ -94,6 +107,59 @@ def smallest_movements(
             half, quarter = _amounts(squares, (0.5, 0.25), wanted, fit.huber).tolist()
             found.append(SmallestMovement(side=side * model.cell, amount=half, best=quarter))
     return tuple(found)
+
+
+def detection_maps(
+    model: HeightModel, most: Array, windows: Sequence[Windows], limit: float, fit: OrientationFit
+) -> tuple[DetectionMap, ...]:
+    """Of squares of the sides of `smallest_movements`, with the same arguments; between squares linear."""
+    wanted, known, found = limit + float(ndtri(FOUND)), most > 0, list[DetectionMap]()
+    for side in _sides(model):
+        count = int(np.clip(MAPPED // side**2, FEWEST_SQUARES, MOST_SQUARES))
+        free = [n - side + 1 for n in model.shape]
+        step = max(1.0, np.sqrt(free[0] * free[1] / count))
+        rows, columns = (np.unique(np.linspace(0, n - 1, max(2, round(n / step))).astype(int)) for n in free)
+        total = cv2.integral(known.astype(np.uint8))
+        amount = np.full((len(rows), len(columns)), np.nan)
+        for i, r in enumerate(rows.tolist()):
+            for j, c in enumerate(columns.tolist()):
+                n = total[r + side, c + side] - total[r, c + side] - total[r + side, c] + total[r, c]
+                if n >= side**2 / 2 and len((q := _square(model, most, windows, fit, (r, c, side))).spread):
+                    amount[i, j] = _least(q, wanted, fit.huber)
+        # steps between numbers and none are no slopes: there the nearest counts
+        at = [(np.arange(n) + 0.5 - side / 2) for n in model.shape]
+        whole = _interpolated(
+            amount, [np.interp(a, k, np.arange(len(k))) for a, k in zip(at, (rows, columns), strict=True)]
+        )
+        found.append(DetectionMap(side=side * model.cell, amount=np.where(known, whole, np.nan)))
+    return tuple(found)
+
+
+def _interpolated(values: Array, at: Sequence[Array]) -> Array:
+    """(rows, columns) linear at places along both axes; beside what is not finite the nearest."""
+    x, y = (a.astype(np.float32) for a in np.meshgrid(at[1], at[0]))
+    # how a square lies to the windows, which differs from one to the next, is no matter of its place
+    finite = np.isfinite(values)
+    mean, n = (
+        cv2.blur(v, (3, 3), borderType=cv2.BORDER_REPLICATE) for v in (np.where(finite, values, 0.0), finite * 1.0)
+    )
+    values = np.where(finite, mean / np.maximum(n, 1e-9), values)
+    linear = cv2.remap(np.where(np.isfinite(values), values, 0.0), x, y, cv2.INTER_LINEAR)
+    share = cv2.remap(np.isfinite(values).astype(float), x, y, cv2.INTER_LINEAR)
+    nearest = values[np.round(y).astype(int), np.round(x).astype(int)]
+    return np.where(share > 1 - 1e-6, linear, nearest)
+
+
+def _least(q: _Square, wanted: float, huber: float) -> float:
+    """The amount at which the mean of a window is what is wanted; infinite: none is."""
+    high = 2 * float(q.most.max()) * q.usual
+    if q.best(high, huber) < wanted:
+        return float("inf")
+    low = LEAST * high
+    for _ in range(HALVINGS):
+        middle = float(np.sqrt(low * high))
+        low, high = (low, middle) if q.best(middle, huber) >= wanted else (middle, high)
+    return high
 
 
 def _sides(model: HeightModel) -> list[int]:

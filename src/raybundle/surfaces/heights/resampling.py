@@ -93,7 +93,7 @@ def difference(before: HeightModel, after: HeightModel) -> HeightModel:
     """
     a, b = before.heights, after.heights
     both = np.isfinite(a.height) & np.isfinite(b.height)
-    one = both & (a.height == b.height) & (a.local == b.local) & (a.image == b.image)
+    one = one_measurement(before, after)
 
     def together(name: str) -> Array:
         found = np.where(one, 0.0, np.hypot(getattr(a, name), getattr(b, name)))
@@ -120,6 +120,13 @@ def difference(before: HeightModel, after: HeightModel) -> HeightModel:
         holes=_holes_of(before, after, both), blocks=_blocks_of(before, after, both & ~one),
         errors=before.errors if same else "", adjustment=before.adjustment if same else "",
     )  # fmt: skip
+
+
+def one_measurement(before: HeightModel, after: HeightModel) -> Mask:
+    """Which cells two surfaces on one grid have from one measurement."""
+    a, b = before.heights, after.heights
+    known = np.isfinite(a.height) & np.isfinite(b.height)
+    return known & (a.height == b.height) & (a.local == b.local) & (a.image == b.image)
 
 
 def _blocks_of(before: HeightModel, after: HeightModel, both: Mask) -> Blocks | None:

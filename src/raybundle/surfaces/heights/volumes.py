@@ -59,7 +59,7 @@ def volume(model: HeightModel, covered: Array, base: float | Sequence[Array]) ->
     used = covered > 0
     if not used.any():
         raise InputError("outline.no_cell")
-    b = _level(model, float(base)) if isinstance(base, int | float) else _rim_plane(model, base)
+    b = base_of(model, base)
     area = model.cell**2
     d = np.where(used, np.nan_to_num(model.heights.height.astype(float)) - b.plane, 0.0)
 
@@ -82,7 +82,7 @@ def volume(model: HeightModel, covered: Array, base: float | Sequence[Array]) ->
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Base:
+class Base:
     """From where heights count."""
 
     plane: Array
@@ -93,12 +93,14 @@ class _Base:
     """standard deviation of such a sum as heights along the outline are those between cells"""
 
 
-def _level(model: HeightModel, base: float) -> _Base:
-    """A level base, which is exact."""
-    return _Base(plane=np.full(model.shape, base), spread=np.zeros_like, bent=lambda w: 0.0 * w.size)
+def base_of(model: HeightModel, base: float | Sequence[Array]) -> Base:
+    """A level, which is exact, or the plane by the heights along the rings of an outline; as of `volume`."""
+    if isinstance(base, int | float):
+        return Base(plane=np.full(model.shape, float(base)), spread=np.zeros_like, bent=lambda w: 0.0 * w.size)
+    return _rim_plane(model, base)
 
 
-def _rim_plane(model: HeightModel, rings: Sequence[Array]) -> _Base:
+def _rim_plane(model: HeightModel, rings: Sequence[Array]) -> Base:
     """The plane by the heights along an outline."""
     place = np.concatenate([_along(r) for r in rings])
     cells, weights, height = _heights_at(model, place)
@@ -125,7 +127,7 @@ def _rim_plane(model: HeightModel, rings: Sequence[Array]) -> _Base:
         """By how much the base is off where the surface bends along the whole outline."""
         return abs(float(np.einsum("rc,rck->k", w, every) @ solve @ bends))
 
-    return _Base(plane=plane, spread=spread, bent=bent)
+    return Base(plane=plane, spread=spread, bent=bent)
 
 
 def _bends(model: HeightModel) -> Array:

@@ -42,3 +42,20 @@ height_drawing-contours = links { NUM($left, digits: 10) }, oben { NUM($top, dig
         [none] (ohne Einheit: Der Maßstab ist frei)
         *[other] { $unit }
     }
+
+height_drawing-volumes = Band: 95 %; signifikante Änderungen: { $n } von { $total }
+
+height_drawing-axis_volume = Volumen { $unit ->
+        [none] (ohne Einheit: Der Maßstab ist frei)
+        *[other] [{ $unit }3]
+    }
+
+height_drawing-detectable = Kleinste nachweisbare Bewegung (Macht 80 %) auf { $side } x { $side } { $unit ->
+        [none] (ohne Einheit: Der Maßstab ist frei)
+        *[other] { $unit }
+    }
+
+height_drawing-detectable_swatch = { $state ->
+        [none] keine Bewegung nachweisbar
+        *[untested] schraffiert: nicht getestet, nicht in beiden eine Höhe
+    }

@@ -82,3 +82,39 @@ heights-changed_values = { $name } hat andere Werte als geschrieben wurden.
 
 heights-adjusted_since = { $name } wurde nach der Messung dieser Oberfläche erneut ausgeglichen.
     .do = raybundle surface { $name }
+
+heights-series = { $n } von { $total } Volumenänderungen sind signifikant (Irrtumswahrscheinlichkeit aller { PERCENT($significance) } %).
+
+heights-series_region = { $name }: { $volume }; seit { $start } { $significant ->
+        [yes] { $change }
+        *[no] keine signifikante Änderung
+    }, nachweisbar { $detectable }{ $unit ->
+        [none] {""}
+        *[other] {" "}{ $unit }3
+    }.
+
+heights-series_change = { $name }, { $start } bis { $end }: { $significant ->
+        [yes] { $change }
+        *[no] keine signifikante Änderung
+    }, nachweisbar { $detectable }{ $unit ->
+        [none] {""}
+        *[other] {" "}{ $unit }3
+    }.
+
+heights-series_parts = { $name }, { $start } bis { $end }: Auftrag { $fill }, Abtrag { $cut }.
+
+heights-series_rate = { $name }: im Mittel { $rate } am Tag; gleichmäßig: { P($p) }.
+
+heights-series_orientations = { $common ->
+        [known] Alle Tage stammen aus einer Ausgleichung: ihre gemeinsamen Fehler zählen einmal.
+        [unknown] Alle Tage stammen aus einer Ausgleichung, ihre Orientierungen gelten aber als unabhängig.
+        *[independent] Die Orientierungen der Tage gelten als unabhängig; gleiche Passpunkte machen Änderungen genauer.
+    }
+
+heights-aligned = Älteres Modell eingepasst über { PERCENT($share) } % der Höhen: Höhe { $up }.
+
+heights-aligned_plan = Verschiebung des älteren Modells in der Lage: rechts { $right }, oben { $above }.
+
+heights-aligned_tilts = Neigungen des älteren Modells: { $tilts }.
+
+heights-noise_estimated = Rauschen des älteren Modells (geschätzt): { NUM($sigma, digits: 2) } { $unit }, davon { NUM($common, digits: 2) } { $unit } über { NUM($cells, digits: 2) } Zellen.

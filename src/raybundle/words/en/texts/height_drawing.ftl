@@ -58,3 +58,26 @@ height_drawing-contours = left { NUM($left, digits: 10) }, top { NUM($top, digit
         [none] (no unit: the scale is free)
         *[other] { $unit }
     }
+
+# $n = 2
+# $total = 3
+height_drawing-volumes = band: 95 %; significant changes: { $n } of { $total }
+
+# $unit = "m"
+height_drawing-axis_volume = volume { $unit ->
+        [none] (no unit: the scale is free)
+        *[other] [{ $unit }3]
+    }
+
+# $side = 0.5
+# $unit = "m"
+height_drawing-detectable = Smallest detectable movement (80 % power) over { $side } x { $side } { $unit ->
+        [none] (no unit: the scale is free)
+        *[other] { $unit }
+    }
+
+# $state = "none"
+height_drawing-detectable_swatch = { $state ->
+        [none] no movement is detected
+        *[untested] hatched: not tested, no height in both
+    }

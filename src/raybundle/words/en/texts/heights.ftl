@@ -144,3 +144,74 @@ heights-changed_values = { $name } has other values than were written.
 # $name = "r"
 heights-adjusted_since = { $name } was adjusted again after this surface was measured.
     .do = raybundle surface { $name }
+
+# $n = 3
+# $total = 6
+# $significance = 0.05
+heights-series = { $n } of { $total } volume changes are significant (false-alarm rate of all { PERCENT($significance) } %).
+
+# $name = "pile A"
+# $volume = "312.4 m3 (sigma 2.1)"
+# $start = "2026-05-01"
+# $change = "40.2 m3 (sigma 2.5)"
+# $significant = true
+# $detectable = "8.4"
+# $unit = "m"
+heights-series_region = { $name }: { $volume }; since { $start } { $significant ->
+        [yes] { $change }
+        *[no] no significant change
+    }, detectable { $detectable }{ $unit ->
+        [none] {""}
+        *[other] {" "}{ $unit }3
+    }.
+
+# $name = "pile A"
+# $start = "2026-05-01"
+# $end = "2026-06-01"
+# $change = "20.1 m3 (sigma 2.5)"
+# $significant = true
+# $detectable = "8.4"
+# $unit = "m"
+heights-series_change = { $name }, { $start } to { $end }: { $significant ->
+        [yes] { $change }
+        *[no] no significant change
+    }, detectable { $detectable }{ $unit ->
+        [none] {""}
+        *[other] {" "}{ $unit }3
+    }.
+
+# $name = "pile A"
+# $start = "2026-05-01"
+# $end = "2026-06-01"
+# $fill = "22.0 m3 (sigma 2.2)"
+# $cut = "1.9 m3 (sigma 1.1)"
+heights-series_parts = { $name }, { $start } to { $end }: fill { $fill }, cut { $cut }.
+
+# $name = "pile A"
+# $rate = "0.66 m3 (sigma 0.04)"
+# $p = 0.31
+heights-series_rate = { $name }: { $rate } a day on average; constant rate: { P($p) }.
+
+# $common = "known"
+heights-series_orientations = { $common ->
+        [known] All dates are of one adjustment: their common errors count once.
+        [unknown] All dates are of one adjustment, but their orientations are taken as independent.
+        *[independent] Orientations of the dates are taken as independent; the same control makes changes more precise.
+    }
+
+# $share = 0.83
+# $up = "0.11 m (sigma 0.02)"
+heights-aligned = Older model aligned by { PERCENT($share) } % of the heights: height { $up }.
+
+# $right = "0.31 m (sigma 0.02)"
+# $above = "-0.18 m (sigma 0.02)"
+heights-aligned_plan = Shift of the older model in plan: right { $right }, up { $above }.
+
+# $tilts = ["0.0002 (sigma 0.001)", "0.0001 (sigma 0.001)"]
+heights-aligned_tilts = Tilts of the older model: { $tilts }.
+
+# $sigma = 0.05
+# $common = 0.03
+# $cells = 6.0
+# $unit = "m"
+heights-noise_estimated = Noise of the older model (estimated): { NUM($sigma, digits: 2) } { $unit }, of which { NUM($common, digits: 2) } { $unit } over { NUM($cells, digits: 2) } cells.

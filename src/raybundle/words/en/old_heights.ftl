@@ -1,0 +1,36 @@
+# $n = 40
+# $needed = 100
+old_heights-too_few = The alignment needs { $needed } cells that have not moved; there are { $n }.
+    .do = Give a larger area with { OPTION("stable", "FILE") }, or another older model.
+
+# $shift = [120.0, -40.0]
+# $cell = 0.5
+old_heights-not_converged = The older model cannot be aligned: its shift in plan is beyond reach ({ LIST($shift, most: 2) }).
+    .why = Slopes show shifts of some cells of { $cell }.
+    .do = Check its coordinate system, or give an area that has not moved with { OPTION("stable", "FILE") }.
+
+old_heights-not_determined = The stable area does not determine shift and tilts of the older model.
+    .why = It lies along a line, or is even.
+    .do = Give an area with slopes in several directions with { OPTION("stable", "FILE") }.
+
+# $direction_deg = 35.0
+# $sigma = 0.8
+# $limit = 0.5
+old_heights-plan_undetermined = The stable area does not determine the shift in plan towards { NUM($direction_deg, digits: 3) }°: sigma { NUM($sigma, digits: 2) } (limit { NUM($limit, digits: 2) }).
+    .why = The angle is clockwise from up. Only slopes along it show this shift; the limit is a cell.
+    .do = Give an area with such slopes with { OPTION("stable", "FILE") }.
+
+old_heights-no_map = An older model needs a surface in a map in metres.
+    .do = Compute the surface with a coordinate system (raybundle surface, control or positions with one).
+
+old_heights-not_needed = { OPTION("stable", "FILE") } is for an older model without photographs.
+    .why = Two surfaces lie in the frame of their control.
+
+# $missing = 1200
+# $total = 19200
+old_heights-cloud_cut_off = The point cloud is cut off: { $missing } of { $total } points are missing.
+    .do = Copy the file again.
+
+old_heights-ambiguous = Two alignments of the older model fit equally well: what is stable is not certain.
+    .why = Nearly half moved alike.
+    .do = Give the stable area with { OPTION("stable", "FILE") }.

@@ -1,0 +1,15 @@
+old_heights-too_few = L'ajustement demande { $needed } cellules immobiles ; il y en a { $n }.
+
+old_heights-not_converged = Le modèle ancien ne s'ajuste pas : décalage en plan trop grand ({ LIST($shift, most: 2) }).
+
+old_heights-not_determined = La zone stable ne détermine pas le décalage et les inclinaisons du modèle ancien.
+
+old_heights-plan_undetermined = La zone stable ne détermine pas le décalage en plan vers { NUM($direction_deg, digits: 3) }° : sigma { NUM($sigma, digits: 2) } (limite { NUM($limit, digits: 2) }).
+
+old_heights-no_map = Un modèle ancien demande une surface dans une carte en mètres.
+
+old_heights-not_needed = { OPTION("stable", "FILE") } vaut pour un modèle ancien sans photos.
+
+old_heights-cloud_cut_off = Le nuage de points est tronqué : { $missing } points sur { $total } manquent.
+
+old_heights-ambiguous = Deux ajustements du modèle ancien conviennent également : la zone stable n'est pas certaine.
