@@ -30,7 +30,7 @@ LIKELY, TIMES, CERTAIN = 0.3, 2.0, 5.0
 the scene has with its own mirror image.  `benchmarks/mirrored.py`."""
 COMPARED, TRIED, LOOKED = 64, 2, 1000
 """Pairs of a part that are compared, by so many features, and those of them that are matched."""
-FEW_PARTS, PAIRS_EACH = 8, 32
+FEW_PARTS, PAIRS_EACH = 8, 100
 """Parts that are compared at most, the weakest first; and one more for so many pairs of photographs."""
 
 
