@@ -345,6 +345,11 @@ def test_unknown_and_absent_files(tmp_path):
         "gdal-json",
         "orthority",
         "optical_bar",
+        "iceye-hdf5",
+        "cosmo",
+        "capella",
+        "radarsat1",
+        "nisar",
     }
 
 

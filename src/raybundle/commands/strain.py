@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from raybundle.commands.strain_results import StrainImage, Strains, StrainSettings, state_counts
 from raybundle.errors import InputError, Message, Severity, note, warning
-from raybundle.io.reading.words import number_of
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import keywords, made
 
@@ -163,6 +162,8 @@ def _image(s: StrainSettings, name: str, grid: SubsetGrid, f: Followed) -> Strai
 
 def areas_of(given: Sequence[str]) -> dict[str, tuple[float, float, float, float]]:
     """Rectangles by their names; raises InputError for a text that is none."""
+    from raybundle.io.reading.words import number_of
+
     found: dict[str, tuple[float, float, float, float]] = {}
     for text in given:
         name, _, corners = text.partition(":")

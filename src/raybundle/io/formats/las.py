@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -24,6 +25,8 @@ STEP_M = 1e-4
 """LAS holds whole multiples of this."""
 STEP_DEG = 1e-9
 """The same of longitude and latitude: 0.1 mm on the ground."""
+HEAD_BYTES, RECORD_BYTES = 375, (54, 60)
+"""Of the header, and of the heads of its variable length records and the extended ones"""
 AT_ONCE = 1_000_000
 """Points that are read together"""
 MOST = 2e9
@@ -107,6 +110,7 @@ def read_las(path: Path) -> Iterator[tuple[Array, str]]:
     """
     laspy = las_library()
     check_regular(path)
+    _check_header(path)
     left, total = 0, 0
     try:
         with laspy.open(str(path)) as file:
@@ -120,6 +124,21 @@ def read_las(path: Path) -> Iterator[tuple[Array, str]]:
         raise InputError("file.not_readable", detail=quoted(str(error)), file=path) from None
     if left:
         raise InputError("old_heights.cloud_cut_off", missing=left, total=total, file=path)
+
+
+def _check_header(path: Path) -> None:
+    """Refuse more variable records than the file has room for: laspy reads on behind its end for each."""
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        head = file.read(HEAD_BYTES).ljust(HEAD_BYTES, b"\0")
+    header, points, records = struct.unpack_from("<HII", head, 94)
+    begin, extended = struct.unpack_from("<QI", head, 235) if head[24:26] >= b"\x01\x04" else (size, 0)
+    room = min(points, size) - header, size - min(begin, size)
+    for n, least, free in zip((records, extended), RECORD_BYTES, room, strict=True):
+        if n * least > max(free, 0):
+            raise InputError(
+                "value.count", n=max(free, 0) // least, needed=n, file=path, column="variable length records"
+            )
 
 
 def write(export: Export, path: Path) -> Draft:
