@@ -15,10 +15,11 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.commands.epochs import (
     Epochs,
     EpochsSettings,
-    _stated,
+    _with_warnings,
     epochs,
     groups_of,
     messages_of,
+    sources_of,
     trends_of,
     with_movements,
 )
@@ -27,7 +28,6 @@ from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
 from raybundle.metrology.congruence import STRAINED
 from raybundle.numerics.progress import silent
-from raybundle.report.moved import reported
 from raybundle.results.displacements import read_displacements
 from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.adjust import adjust
@@ -262,10 +262,20 @@ def test_without_a_scale_no_length_is_printed(done):
 def test_what_is_warned_of_stands_in_the_report_too(done):
     gone = warning("epochs.photographs_left_out", date=DAYS[0], n=1, total=4, whole=False, copies=0, unusable=1,
                    lost=0, names=["a.jpg"])  # fmt: skip
-    made = Epochs(orientation=_Oriented(done[0].adjustment), movements=done[0], left_out=(gone,))
-    stated = _stated(done[0], made, EpochsSettings(out=Path("dam")))
-    assert {"epochs.photographs_left_out", "epochs.no_scale"} <= {n.data.code for n in stated.reported}
-    assert any("1 of 4 photographs take no part" in text for _, text in reported(stated))
+    first = _Oriented(done[0].adjustment)
+    written = _with_warnings(first, done[0], Epochs(orientation=first, movements=done[0], left_out=(gone,)),
+                             EpochsSettings(out=Path("dam")))  # fmt: skip
+    codes = [n.data.code for n in written.adjustment.notices]
+    assert {"epochs.photographs_left_out", "epochs.no_scale"} <= set(codes)
+    assert codes[len(codes) - len(first.adjustment.notices) :] == [n.data.code for n in first.adjustment.notices]
+
+
+def test_dates_that_are_given_again_replace_those_of_before(tmp_path):
+    (tmp_path / "project.toml").write_text(
+        f"[epochs]\nphotographs = [['{tmp_path}/a', '2026-06-01'], ['b', '2026-07-01']]\n"
+    )
+    given = EpochsSettings(out=tmp_path, add=(tmp_path / "a",), date=("2026-05-01",))
+    assert [(s.path.name, s.date) for s in sources_of(given)] == [("a", "2026-05-01"), ("b", "2026-07-01")]
 
 
 def test_groups_name_points_or_an_outline(tmp_path):

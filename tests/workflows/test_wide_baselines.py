@@ -183,10 +183,19 @@ def test_nothing_is_done_where_all_photographs_are_oriented():
     photos = [SimpleNamespace(name=n) for n in "abc"]
     options = SimpleNamespace(options=OrientOptions())
     state = SimpleNamespace(
-        photos=photos, repeats={}, lost=(), scenes=None, asked=options, ties=(None,), notices=(), oriented=3
+        photos=photos,
+        repeats={},
+        mirrored=(),
+        lost=(),
+        scenes=None,
+        asked=options,
+        ties=(None,),
+        notices=(),
+        oriented=3,
     )
     assert not STAGE.when(state)
     assert not STAGE.when(SimpleNamespace(**{**vars(state), "lost": (("c", "the same picture"),), "repeats": {2: 0}}))
+    assert not STAGE.when(SimpleNamespace(**{**vars(state), "lost": (("c", "mirrored"),), "mirrored": (2,)}))
     assert STAGE.when(SimpleNamespace(**{**vars(state), "lost": (("c", "apart"),)}))
     assert STAGE.when(SimpleNamespace(**{**vars(state), "ties": (None, None)}))
     apart = {**vars(state), "ties": (None, None)}

@@ -147,16 +147,17 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     changes = None if found is None or before is None else _changes(found, before)
     over = () if found is None or limit is None else _exceeded(found, limit)
     made = Epochs(orientation=done, movements=found, changes=changes, exceeded=over, left_out=tuple(less))
+    written = done if found is None else _with_warnings(done, found, made, settings)
     record = record_of(orienting).over(record_in(out))
     if found is not None and not record.date:
         record = replace(record, date=", ".join(found.dates.names))
     with report_stage(out, done.stages), replacing(out, EPOCHS, marks=False) as stated:
         write_orientation(
-            done, result, report="html" if orienting.report else "none", progress=progress,
+            written, result, report="html" if orienting.report else "none", progress=progress,
             settings={n: str(v) for n, v in other_than_usual(settings).items() if n not in {"photos", "out"}},
             wanted=accuracy_class(orienting.accuracy_class), record=record,
             pdf=orienting.pdf, appendix=orienting.appendix, language=orienting.language, additions=stated.as_addition(),
-            findings=() if found is None else (_stated(found, made, settings), trends_of(found, settings.significance)),
+            findings=() if found is None else (_stated(found, made.changes), trends_of(found, settings.significance)),
             outcomes=() if found is None else _outcomes(found, settings, limit, over),
             more=lambda folder: _write(found, folder, limit, changes, settings.significance),
         )  # fmt: skip
@@ -195,6 +196,8 @@ def sources_of(settings: EpochsSettings) -> list[Source]:
             known = [Source(path=Path(str(p))) for p in photos]
     there = {s.path.resolve() for s in known}
     dates = settings.date or ("",) * len(settings.add)
+    anew = {p.resolve(): given_date(d) for p, d in zip(settings.add, dates, strict=True) if d}
+    known = [replace(s, date=anew.get(s.path.resolve(), s.date)) for s in known]
     new = [
         Source(path=path, date=given_date(date) if date else "")
         for path, date in zip(settings.add, dates, strict=True) if path.resolve() not in there
@@ -375,15 +378,23 @@ def _delivered(result: Path) -> Any:
     return read_displacements(file) if file.is_file() else None
 
 
-def _stated(found: Movements, made: Epochs, settings: EpochsSettings) -> Congruence:
-    """The test with what the report states beside it: untested points, earlier displacements, warnings."""
+def _stated(found: Movements, changes: Changes | None) -> Congruence:
+    """The test with what the report states of untested points and of earlier displacements."""
+    stated = [m for m in (_untested(found), None if changes is None else _changed(changes)) if m is not None]
+    notices = (*found.stability.congruence.reported, *_notices(stated))
+    return replace(found.stability.congruence, reported=notices)
+
+
+def _with_warnings(done: Orientation, found: Movements, made: Epochs, settings: EpochsSettings) -> Orientation:
+    """The orientation as it is written: with the warnings that the terminal shows beside its own."""
+    more = _notices([m for m in _warnings(found, made, settings) if m.code not in ON_FIRST_PAGE])
+    return replace(done, adjustment=replace(done.adjustment, notices=(*more, *done.adjustment.notices)))
+
+
+def _notices(stated: Sequence[Message]) -> tuple[Notice, ...]:
     from raybundle.adjustment.records.notice import Notice
 
-    changed = None if made.changes is None else _changed(made.changes)
-    stated = [m for m in (_untested(found), changed) if m is not None]
-    stated += [m for m in _warnings(found, made, settings) if m.code not in ON_FIRST_PAGE]
-    notices = tuple(Notice(code=m.code, values=m.values, measured=m.severity, details=m.details) for m in stated)
-    return replace(found.stability.congruence, reported=(*found.stability.congruence.reported, *notices))
+    return tuple(Notice(code=m.code, values=m.values, measured=m.severity, details=m.details) for m in stated)
 
 
 def _untested(found: Movements) -> Message | None:

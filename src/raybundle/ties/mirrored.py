@@ -18,7 +18,7 @@ from raybundle.adjustment.records.severity import Severity
 from raybundle.io.photos.photo import Photo
 from raybundle.matching import pairs as choice
 from raybundle.matching.features import Described, FeatureMethod
-from raybundle.matching.verify import FEWEST, VerifiedPair, verify
+from raybundle.matching.verify import FEWEST, STRONG, VerifiedPair, verify
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rows import rows_of_each
 from raybundle.ties.points import FeatureStore
@@ -105,13 +105,15 @@ def mirrored_among(ends: Index, count: Index, n: int, alike: Alike, flipped: Fli
         candidates = _candidates(mine, part, ends, count)
         ranked = sorted(((alike(i, j), i, j) for i, j in candidates.tolist()), reverse=True)[:TRIED]
         m, i, j = max((flipped(i, j), i, j) for _, i, j in ranked)
-        if m < max(LIKELY * usual, TIMES * join[g]):
+        if m < max(LIKELY * usual if join[g] else STRONG, TIMES * join[g], STRONG):
             continue
         found = True
         own = max(flipped(j, k) for k in [j, *_strongest(j, part, ends, count)])
         between = (part[ends[across]] == g).any(axis=1) & (part[ends[across]] == part[j]).any(axis=1)
         plain = int(count[across[between]].max(initial=0))
-        shown = Mirrored(photographs=(), pair=(i, j), matches=m, plain=plain, certain=m >= CERTAIN * max(plain, own))
+        shown = Mirrored(
+            photographs=(), pair=(i, j), matches=m, plain=plain, certain=m >= CERTAIN * max(plain, own, STRONG)
+        )
         edges.append(_Edge(parts=(g, int(part[j])), matches=m, shown=shown))
     return _minority(edges, of_part)
 

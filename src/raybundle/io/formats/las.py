@@ -136,9 +136,7 @@ def _check_header(path: Path) -> None:
     room = min(points, size) - header, size - min(begin, size)
     for n, least, free in zip((records, extended), RECORD_BYTES, room, strict=True):
         if n * least > max(free, 0):
-            raise InputError(
-                "value.count", n=max(free, 0) // least, needed=n, file=path, column="variable length records"
-            )
+            raise InputError("value.count", n=max(free, 0) // least, needed=n, file=path, column="VLR")
 
 
 def write(export: Export, path: Path) -> Draft:

@@ -115,6 +115,8 @@ def _steps(o: Occasion) -> tuple[tuple[str, str], ...]:
     found = [(n.severity, _step(n, o.language)) for n in sorted_notices(o.view.adjustment.notices, many=1)]
     next_ = [("next", _advice(q, o.language)) for q in o.qualities if q.advice]
     faults, warnings = ([(s.value, w) for s, w in found if s is of] for of in (Severity.FAULT, Severity.WARNING))
+    if o.view.adjustment.free_scale and not o.qualities:
+        next_.append(("next", Localised(o.language.text(Text.of(note("summary.next_scale"))))))
     return (*faults, *next_, *warnings)
 
 

@@ -92,14 +92,14 @@ summary-next_scale = Für einen wahren Maßstab eine Maßstabsstrecke ({ OPTION(
 summary-oriented = Orientiert: { $oriented } von { $of } { $of ->
         [one] Aufnahme
         *[other] Aufnahmen
-    }, { $points } Objektpunkte.
+    }, { $points } Objektpunkte{ $lost ->
+        [0] {""}
+        *[other] ; nicht orientiert: { LIST($names, most: 2) }
+    }.
     .why = { $parts ->
             [0] {""}
             [one] Ein weiterer Teil ist nicht damit verbunden.
             *[other] { $parts } weitere Teile sind nicht damit verbunden.
-        }{ $lost ->
-            [0] {""}
-            *[other] { " " }Nicht orientiert: { LIST($names, most: 4) }.
         }
 
 summary-image_points = Standardabweichung einer Bildkoordinate: { NUM($sigma_px, decimals: 3) } px (aus Verbesserungen).

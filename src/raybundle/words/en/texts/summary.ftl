@@ -159,14 +159,14 @@ summary-next_scale = Give a scale bar ({ OPTION("scale_bar", "A", "B", "LENGTH",
 summary-oriented = Oriented: { $oriented } of { $of } { $of ->
         [one] photograph
         *[other] photographs
-    }, { $points } object points.
+    }, { $points } object points{ $lost ->
+        [0] {""}
+        *[other] ; not oriented: { LIST($names, most: 2) }
+    }.
     .why = { $parts ->
             [0] {""}
             [one] One further part is not connected to it.
             *[other] { $parts } further parts are not connected to it.
-        }{ $lost ->
-            [0] {""}
-            *[other] { " " }Not oriented: { LIST($names, most: 4) }.
         }
 
 # $sigma_px = 0.21

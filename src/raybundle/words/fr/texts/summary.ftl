@@ -60,7 +60,10 @@ summary-next_surface = raybundle surface { $project } calcule la surface.
 
 summary-next_scale = Donner une base d'échelle ({ OPTION("scale_bar", "A", "B", "LONGUEUR", "SIGMA") }) ou des points d'appui.
 
-summary-oriented = Orientées : { $oriented } photographies sur { $of }, { $points } points objet.
+summary-oriented = Orientées : { $oriented } photographies sur { $of }, { $points } points objet{ $lost ->
+        [0] {""}
+        *[other] ; non orientées : { LIST($names, most: 2) }
+    }.
 
 summary-image_points = Écart-type d'une coordonnée image : { NUM($sigma_px, decimals: 3) } px (résidus).
 
