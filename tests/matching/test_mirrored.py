@@ -1,12 +1,14 @@
 """Mirrored photographs: descriptors without a new detection, groups, symmetrical things, what is reported."""
 
+from types import SimpleNamespace
+
 import cv2
 import numpy as np
 import pytest
 from scipy.spatial import KDTree
 
 from raybundle.matching.methods import feature_method
-from raybundle.ties.mirrored import mirrored_among
+from raybundle.ties.mirrored import mirrored_among, stored_mirrored
 from tests.matching.test_features import texture
 
 
@@ -73,3 +75,10 @@ def test_of_two_halves_neither_is_left_out():
     m = found(*row(), (0, 1, 2, 3, 4))
     assert not m.certain
     assert len(m.photographs) == 5
+
+
+def test_photographs_that_are_stored_mirrored_are_named():
+    photos = [SimpleNamespace(name=str(k), orientation=k) for k in range(1, 9)]
+    (notice,) = stored_mirrored(photos)
+    assert notice.values["names"] == ["2", "4", "5", "7"]
+    assert not stored_mirrored([photos[0], photos[5]])

@@ -25,9 +25,11 @@ from raybundle.ties.points import FeatureStore
 
 WEAK = 0.5
 """Share of the median of the strongest pairs of all photographs below which a pair is weak."""
-LIKELY, TIMES, CERTAIN = 0.3, 2.0, 5.0
+LIKELY, TIMES, CERTAIN = 0.3, 2.0, 8.0
 """Matches of a mirrored part: as a share of that median, for one as it is, and where it is left out also for one that
 the scene has with its own mirror image.  `benchmarks/mirrored.py`."""
+MIRRORING = (2, 4, 5, 7)
+"""Orientations in EXIF of pictures that are stored mirrored"""
 COMPARED, TRIED, LOOKED = 64, 2, 1000
 """Pairs of a part that are compared, by so many features, and those of them that are matched."""
 FEW_PARTS, PAIRS_EACH = 8, 100
@@ -105,7 +107,7 @@ def mirrored_among(ends: Index, count: Index, n: int, alike: Alike, flipped: Fli
         candidates = _candidates(mine, part, ends, count)
         ranked = sorted(((alike(i, j), i, j) for i, j in candidates.tolist()), reverse=True)[:TRIED]
         m, i, j = max((flipped(i, j), i, j) for _, i, j in ranked)
-        if m < max(LIKELY * usual if join[g] else STRONG, TIMES * join[g], STRONG):
+        if m < (max(LIKELY * usual, TIMES * join[g], STRONG) if join[g] else CERTAIN * STRONG):
             continue
         found = True
         own = max(flipped(j, k) for k in [j, *_strongest(j, part, ends, count)])
@@ -216,6 +218,13 @@ class _Look:
             assert found is not None
             self._last = i, found
         return self._last[1]
+
+
+def stored_mirrored(photos: Sequence[Photo]) -> list[Notice]:
+    """A warning of photographs that are stored mirrored, as their EXIF orientation states; measured as they are."""
+    names = [p.name for p in photos if p.orientation in MIRRORING]
+    return [Notice(code="mirrored_photographs.stored", ids=tuple(names), values={"n": len(names), "names": names},
+                   measured=Severity.WARNING)] if names else []  # fmt: skip
 
 
 def mirrored_notice(m: Mirrored, photos: Sequence[Photo]) -> Notice:

@@ -21,5 +21,14 @@ mirrored_photographs-possible = { $n } { $n ->
         [one] photograph may be
         *[other] photographs may be
     } mirrored against the others: { LIST($names, most: 3) }.
-    .why = { $photograph } has { $matches } matches with { $other } if left and right are exchanged, and at most { $plain } unchanged. A symmetrical object explains it as well; the photographs take part.
+    .why = { $photograph } has { $matches } matches with { $other } if left and right are exchanged, and at most { $plain } unchanged. A symmetrical object explains it as well, so they are not left out.
     .do = Compare the photographs with the object. Exchange left and right of those that are mirrored, and run again.
+
+# $n = 2
+# $names = ["IMG_4", "IMG_5"]
+mirrored_photographs-stored = { $n } { $n ->
+        [one] photograph is
+        *[other] photographs are
+    } stored mirrored, by EXIF orientation: { LIST($names, most: 3) }.
+    .why = Pixels are measured as stored, so the object is mirrored.
+    .do = Save the photographs the right way round, as they were exposed.

@@ -16,7 +16,7 @@ from raybundle.matching.features import FeatureMethod
 from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.stage import Means, Stage
-from raybundle.ties.mirrored import mirrored_notice, mirrored_photographs
+from raybundle.ties.mirrored import mirrored_notice, mirrored_photographs, stored_mirrored
 from raybundle.ties.pairs import Round, pairs_of
 from raybundle.ties.points import FeatureStore, match_pairs
 from raybundle.ties.same_picture import same_picture_notice, same_pictures
@@ -67,7 +67,7 @@ def match(i: Inputs, means: Means) -> Matched:
         raise NoOrientation(
             replace(first, details=(*first.details, other)), images=error.images, undetermined=error.undetermined
         ) from error
-    notices: list[Notice] = []
+    notices = stored_mirrored(i.photos)
     if _stands_still(pairs):
         still = static_background(i.photos, i.features, i.method)
         notices += [] if still is None else [still.notice(masked=i.masked)]
