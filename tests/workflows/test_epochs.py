@@ -28,6 +28,7 @@ from raybundle.io.block.folder import read_block, write_block
 from raybundle.measuring.joint import Joint
 from raybundle.metrology.congruence import STRAINED
 from raybundle.numerics.progress import silent
+from raybundle.report.sections.metrology import displacements
 from raybundle.results.displacements import read_displacements
 from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.adjust import adjust
@@ -268,6 +269,16 @@ def test_what_is_warned_of_stands_in_the_report_too(done):
     codes = [n.data.code for n in written.adjustment.notices]
     assert {"epochs.photographs_left_out", "epochs.no_scale"} <= set(codes)
     assert codes[len(codes) - len(first.adjustment.notices) :] == [n.data.code for n in first.adjustment.notices]
+
+
+def test_without_a_scale_the_report_has_no_millimetres(done):
+    o = SimpleNamespace(delivery=SimpleNamespace(findings=(done[0].stability.congruence,)),
+                        view=SimpleNamespace(adjustment=SimpleNamespace(free_scale=True)))  # fmt: skip
+    (section,) = displacements(o)
+    assert " mm" not in str(section)
+    assert "'mm'" not in str(section)
+    o.view.adjustment.free_scale = False
+    assert "'mm'" in str(displacements(o))
 
 
 def test_dates_that_are_given_again_replace_those_of_before(tmp_path):

@@ -118,16 +118,26 @@ def _document(done: Congruence, about: MovedFacts, language: Language) -> Docume
 
 
 def displacement_section(
-    done: Congruence, stated: Sequence[Part] = (), rest: str = "points.csv", *, joint: bool = False
+    done: Congruence,
+    stated: Sequence[Part] = (),
+    rest: str = "points.csv",
+    *,
+    joint: bool = False,
+    unit: tuple[float, str] = (MM, "mm"),
 ) -> Section:
-    """What moved, by how much, and what could have been found; rest: the file of all displacements."""
+    """What moved, by how much, and what could have been found.
+
+    rest  the file of all displacements
+    unit  factor from that of the block, and name, of displacements
+    """
+    size, name = unit
     largest = np.linalg.norm(done.displacement, axis=2)
     epoch = largest.argmax(axis=0)
     d = done.displacement[epoch, np.arange(len(done.ids))]
     moved = np.asarray(done.moved, bool)
     untested = ~moved & ~done.stayed
-    views = displacement_views(done.ids, done.xyz, d, moved, (MM, "mm"), "displacements")
-    least = MM * np.quantile(done.detectable[np.isfinite(done.detectable)], [0.5, 1.0])
+    views = displacement_views(done.ids, done.xyz, d, moved, unit, "displacements")
+    least = size * np.quantile(done.detectable[np.isfinite(done.detectable)], [0.5, 1.0])
     facts = (
         Fact(
             label=phrase("report_moved.points_moved"), value=grouped(int(moved.sum())),
@@ -139,17 +149,17 @@ def displacement_section(
             if untested.any() else ()
         ),
         Fact(
-            label=phrase("report_moved.largest"), value=f"{significant(MM * float(largest.max()), 3)} mm",
+            label=phrase("report_moved.largest"), value=f"{significant(size * float(largest.max()), 3)} {name}",
             remark=phrase("report_moved.at_point", name=done.ids[int(largest.max(axis=0).argmax())]),
         ),
         Fact(
-            label=phrase("report_moved.detectable"), value=f"{significant(least[0], 2)} mm",
-            remark=phrase("report_moved.power", power=POWER, worst_mm=least[1]),
+            label=phrase("report_moved.detectable"), value=f"{significant(least[0], 2)} {name}",
+            remark=phrase("report_moved.power", power=POWER, worst=least[1], unit=name),
         ),
     )  # fmt: skip
     parts: list[Part] = [
         *stated, Facts(facts=facts), Figures(figures=tuple(Figure(drawing=x, caption=c) for x, c in views)),
-        *(_points(done, k, rest) for k in range(len(done.displacement))),
+        *(_points(done, k, rest, unit) for k in range(len(done.displacement))),
     ]  # fmt: skip
     return Section(anchor="moved", title=phrase("report_moved.displacements"), parts=tuple(parts))
 
@@ -173,24 +183,25 @@ def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
     return displacement_section(done, [Statements(statements=tuple((word, words) for word, words in stated if words))])
 
 
-def _points(done: Congruence, k: int, rest: str) -> Table:
-    std = MM * np.sqrt(np.maximum(np.diagonal(done.covariance[k], axis1=1, axis2=2), 0))
+def _points(done: Congruence, k: int, rest: str, unit: tuple[float, str]) -> Table:
+    size, name = unit
+    std = size * np.sqrt(np.maximum(np.diagonal(done.covariance[k], axis1=1, axis2=2), 0))
     order = np.array(natural_order(done.ids))
-    d, fine = MM * done.displacement[k], column_decimals(std)
+    d, fine = size * done.displacement[k], column_decimals(std)
     words, untested = ("", phrase("label.yes"), phrase("report_moved.untested")), ~done.moved & ~done.stayed
     return table(
         (
             whole(phrase("label.point")), text(phrase("report_moved.column_moved")),
-            *(number(f"d{a}", "mm") for a in "XYZ"),
-            *(number(phrase("label.sigma_of", symbol=f"d{a}"), "mm") for a in "XYZ"),
-            number(phrase("label.length"), "mm"), number("p"), number(phrase("report_moved.detectable"), "mm"),
+            *(number(f"d{a}", name) for a in "XYZ"),
+            *(number(phrase("label.sigma_of", symbol=f"d{a}"), name) for a in "XYZ"),
+            number(phrase("label.length"), name), number("p"), number(phrase("report_moved.detectable"), name),
         ),
         (
             pick(order, done.ids), [words[int(done.moved[i]) + 2 * int(untested[i])] for i in order],
             *(cells(d[order, a].tolist(), fine) for a in range(3)),
             *(cells(std[order, a].tolist(), fine) for a in range(3)),
             cells(np.linalg.norm(d[order], axis=1).tolist(), fine),
-            [probability(float(done.p_value[i])) for i in order], cells((MM * done.detectable[order]).tolist(), fine),
+            [probability(float(done.p_value[i])) for i in order], cells((size * done.detectable[order]).tolist(), fine),
         ),
         caption=phrase("report_moved.difference", epoch=done.epochs[k + 1], first=done.epochs[0]),
         note=phrase("report_moved.p_meaning"),

@@ -41,6 +41,7 @@ from raybundle.report.text.numbers import (
     probability,
     significant,
 )
+from raybundle.report.view import FREE_UNIT
 
 MM = 1000.0
 MOST_LENGTHS = 500
@@ -62,7 +63,8 @@ def displacements(o: Occasion) -> tuple[Section, ...]:
     if done is None:
         return ()
     stated = [Statements(statements=tuple(reported(done)))] if done.reported else []
-    return (displacement_section(done, stated, rest="displacements.csv", joint=True),)
+    unit = (1.0, FREE_UNIT) if o.view.adjustment.free_scale else (MM, "mm")
+    return (displacement_section(done, stated, rest="displacements.csv", joint=True, unit=unit),)
 
 
 @chapter("deviations", after="result")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from raybundle import words
 from raybundle.adjustment.records.figures import InteriorResult
 from raybundle.adjustment.statistics.network import FEW
 from raybundle.errors import Text, note, phrase
@@ -175,20 +176,10 @@ def _left_out(facts: PhotographFacts) -> list[Part]:
     """Files and photographs that took no part, with reason and remedy."""
     if not (facts.refused or facts.not_oriented):
         return []
-    lost = [
-        *(
-            (
-                f,
-                phrase("report_photographs.refused"),
-                r,
-                phrase("report_photographs.refused_remedy"),
-            )
-            for f, r in facts.refused
-        ),
-        *(
-            (f, phrase("report_photographs.not_oriented"), r, phrase("report_photographs.not_oriented_remedy"))
-            for f, r in facts.not_oriented
-        ),
+    refused, lost = phrase("report_photographs.refused_remedy"), phrase("report_photographs.not_oriented_remedy")
+    rows = [
+        *((f, phrase("report_photographs.refused"), r, _remedy(r, refused)) for f, r in facts.refused),
+        *((f, phrase("report_photographs.not_oriented"), r, _remedy(r, lost)) for f, r in facts.not_oriented),
     ]
     return [
         Heading(text=phrase("report_photographs.excluded_heading")),
@@ -199,11 +190,17 @@ def _left_out(facts: PhotographFacts) -> list[Part]:
                 text(phrase("label.reason")),
                 text(phrase("label.remedy")),
             ),
-            list(zip(*lost, strict=True)),
+            list(zip(*rows, strict=True)),
             rest="result.json",
             most=400,
         ),
     ]
+
+
+def _remedy(reason: str, usual: str) -> str:
+    """The usual one, where the reason states none of its own."""
+    own = reason.messages if isinstance(reason, Text) else ()
+    return "" if any(words.action(m.code, m.values, words.reader()) for m in own) else usual
 
 
 def connection_section(view: View, facts: PhotographFacts, plan: Plan, images: Index, common: csr_array) -> Section:

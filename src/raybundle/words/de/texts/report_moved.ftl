@@ -26,7 +26,7 @@ report_moved-at_point = Punkt { $name }
 
 report_moved-detectable = nachweisbar ab
 
-report_moved-power = mit einer Wahrscheinlichkeit von { PERCENT($power) } %, Median; { NUM($worst_mm, digits: 2) } mm am schlechtesten Punkt
+report_moved-power = mit einer Wahrscheinlichkeit von { PERCENT($power) } %, Median; { NUM($worst, digits: 2) } { $unit } am schlechtesten Punkt
 
 report_moved-measurements = Messungen
 

@@ -37,8 +37,9 @@ report_moved-at_point = point { $name }
 report_moved-detectable = detectable from
 
 # $power = 0.8
-# $worst_mm = 1.2
-report_moved-power = with a probability of { PERCENT($power) } %, median; { NUM($worst_mm, digits: 2) } mm at the worst point
+# $worst = 1.2
+# $unit = "mm"
+report_moved-power = with a probability of { PERCENT($power) } %, median; { NUM($worst, digits: 2) } { $unit } at the worst point
 
 report_moved-measurements = Measurements
 
