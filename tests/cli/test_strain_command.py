@@ -97,7 +97,7 @@ def test_areas_have_their_mean_displacement_and_strain(series, tmp_path, capsys)
         assert float(r["rotation_deg"]) == pytest.approx(3.0, abs=0.1)
         assert float(r["misfit"]) < 1.3
     for text, code in (("left", "area_text"), ("a:1,2,3", "area_text"), ("a:1,2,x,4", "area_text"),
-                       ("a:9,2,3,4", "empty_extent")):  # fmt: skip
+                       ("a:9,2,3,4", "empty_extent"), ("a:9,2,9999,40", "area_outside")):  # fmt: skip
         with pytest.raises(InputError, match=rf"strain\.{code}"):
             rb.strain(names[0], names[1], tmp_path / "p", area=(text,))
 

@@ -72,6 +72,7 @@ def run_strain(settings: StrainSettings, progress: Progress = silent) -> Strains
     areas_of(s.area)
     photos = [read_photo(p) for p in (s.reference, *s.deformed)]
     _check(photos)
+    _check_areas(s, photos[0])
     reference = read_grey(photos[0])
     window = window_options(s.window // 2, quadratic=s.shape == "quadratic")
     free = _free(s, photos[0])
@@ -175,6 +176,13 @@ def areas_of(given: Sequence[str]) -> dict[str, tuple[float, float, float, float
             raise InputError("strain.empty_extent", extent=[left, top, right, bottom])
         found[name] = (left, top, right, bottom)
     return found
+
+
+def _check_areas(s: StrainSettings, photo: Photo) -> None:
+    """Raise InputError for an area that is not within the image."""
+    for name, (left, top, right, bottom) in areas_of(s.area).items():
+        if left < 0 or top < 0 or right > photo.width_px or bottom > photo.height_px:
+            raise InputError("strain.area_outside", area=name, width_px=photo.width_px, height_px=photo.height_px)
 
 
 def _inside(grid: SubsetGrid, corners: tuple[float, float, float, float]) -> Mask:

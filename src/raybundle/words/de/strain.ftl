@@ -77,3 +77,6 @@ strain-area_uneven = Die Dehnung ist in { $n } { $n ->
 
 strain-area_empty = Der Bereich { $area } hat in { LIST($names, most: 3) } zu wenige Subsets.
     .do = Einen größeren Bereich oder kleineres { OPTION("step", "PX") } wählen.
+
+strain-area_outside = Der Bereich { $area } liegt nicht im Bild von { $width_px } x { $height_px } px.
+    .do = Links, oben, rechts und unten in Pixeln des Referenzbildes angeben.

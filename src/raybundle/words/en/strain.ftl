@@ -137,3 +137,9 @@ strain-area_uneven = Strain is not the same everywhere in { $n } { $n ->
 # $names = ["load-07.tif"]
 strain-area_empty = Area { $area } has too few subsets in { LIST($names, most: 3) }.
     .do = Choose a larger area or a smaller { OPTION("step", "PX") }.
+
+# $area = "web"
+# $width_px = 400
+# $height_px = 300
+strain-area_outside = Area { $area } is not within the image of { $width_px } x { $height_px } px.
+    .do = Give left, top, right and bottom in pixels of the reference.

@@ -46,3 +46,5 @@ strain-area_text = { $text } n'est pas une zone.
 strain-area_uneven = La déformation n'est pas uniforme dans { $n } zones, surtout dans { $area } ({ $name }).
 
 strain-area_empty = La zone { $area } a trop peu de subsets dans { LIST($names, most: 3) }.
+
+strain-area_outside = La zone { $area } n'est pas dans l'image de { $width_px } x { $height_px } px.
