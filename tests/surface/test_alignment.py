@@ -102,15 +102,18 @@ def test_a_raster_is_compared_with_a_surface(quarry, tmp_path, capsys):
     printed = values_of(found)
     assert {"heights.aligned", "heights.noise_estimated"} <= printed.keys()
     assert "heights.whole" not in printed
+    aligned_lines = {k: v for k, v in printed.items() if k.startswith(("heights.aligned", "heights.noise"))}
+    assert len(aligned_lines) == 4
     with rasterio.open(tmp_path / "old/detectable.tif") as file:
         assert file.descriptions[0].startswith("detectable over")
         assert file.shape == SHAPE
     for name in ("detectable.png", "difference.png"):
         assert (tmp_path / "old" / name).stat().st_size > 5000
     pile = f"{LEFT + 11} {TOP - 39}, {LEFT + 33} {TOP - 39}, {LEFT + 33} {TOP - 17}, {LEFT + 11} {TOP - 17}"
-    volume = reported(
-        capsys, "heights", "volume", surface, "--outline", pile, "--above", quarry / "dsm-2019.tif"
-    )["net"]  # fmt: skip
+    found = reported(capsys, "heights", "volume", surface, "--outline", pile, "--above", quarry / "dsm-2019.tif")
+    assert {k: v for k, v in values_of(found).items() if k in aligned_lines} == aligned_lines
+    assert found["alignment"] == a
+    volume = found["net"]
     inside = (np.abs((C + 0.5) * CELL - 22) < 11) & (np.abs((SHAPE[0] - R - 0.5) * CELL - 32) < 11)
     true = float((exact(2) - exact(0))[inside].sum()) * CELL**2
     assert volume["value"] == pytest.approx(true, abs=4 * volume["sigma"])
