@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.errors import phrase
 from raybundle.surfaces.heights.cut_and_fill import Signs
 from raybundle.surfaces.heights.resampling import difference
 from raybundle.surfaces.heights.time_series import RegionWeights, intervals, time_series
@@ -205,12 +206,33 @@ def test_bases_and_dates(quarry, capsys):
     assert reported(capsys, *series(quarry, *given))["dates"] == given[1::2]
 
 
+def test_fill_and_cut_that_balance_are_no_missing_change(quarry, tmp_path, capsys):
+    """A region of both piles, of which one grew and one shrank; its name is that of the sum."""
+    piles = json.loads((quarry / "piles.geojson").read_text())
+    piles["features"][0]["properties"]["name"] = "all"
+    path = tmp_path / "piles.geojson"
+    path.write_text(json.dumps(piles))
+    days = [quarry / d / "surface" for d in (DATES[0], DATES[2])]
+    found = reported(capsys, "heights", "time-series", *days, "--outline", path)
+    assert [r["name"] for r in found["regions"]] == ["all", "sand", "all regions"]
+    (change,) = found["regions"][2]["changes"]
+    assert change["fill"]["significant"]
+    assert change["cut"]["significant"]
+    values = values_of(found)["heights.series_region"]
+    assert values["parts"] == "both"
+    text = phrase("heights.series_region", **values)
+    assert f"no significant net change; fill {values['fill']}, cut {values['cut']} significant" in text
+
+
 def test_what_makes_no_time_series_is_refused(quarry, tmp_path, capsys):
     surface = quarry / DATES[0] / "surface"
     outline = ("--outline", quarry / "piles.geojson")
     assert refusal(capsys, "heights", "time-series", surface, *outline)[0] == "time_series.one_surface"
     assert refusal(capsys, *series(quarry)[:-2])[0] == "time_series.no_outline"
     assert refusal(capsys, *series(quarry, "--date", DATES[0]))[0] == "time_series.dates_not_paired"
+    old = quarry / "dsm-2019.tif"
+    assert refusal(capsys, "heights", "time-series", old, surface, *outline)[0] == "time_series.older_model"
+    assert refusal(capsys, *series(quarry, "--above", old))[0] == "time_series.older_model"
     back = [w for d in DATES[::-1] for w in ("--date", d)]
     assert refusal(capsys, *series(quarry, *back))[0] == "time_series.dates_not_ascending"
     assert refusal(capsys, "heights", "time-series", surface, surface, *outline)[0] == "height_grid.identical"
