@@ -28,7 +28,9 @@ COLUMNS = (
     "outline_sigma", "peak",
 )  # fmt: skip
 SMALLEST_LINE = "# of squares: the smallest movement found with a chance of 80 %, in the median and in the best quarter"
-NOT_KNOWN_LINE = "# empty, or no row: not known for squares of this size; windows of other sizes may find movements of them"
+NOT_KNOWN_LINE = (
+    "# empty, or no row: not known for squares of this size; windows of other sizes may find movements of them"
+)
 COLUMNS_LINE = "# mean: volume / area; amount: movement of the inner part, where the outline does not count"
 
 
