@@ -404,6 +404,7 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     with (tmp_path / "moved/smallest.csv").open(encoding="utf-8") as file:
         assert next(file) == "# lengths in m\n"
         assert next(file).startswith("# of squares: ")
+        assert next(file).startswith("# empty, or no row: not known")
         rows = list(csv.DictReader(file))
     assert [float(r["side"]) for r in rows] == pytest.approx([0.05, 0.1, 0.2])
     assert [float(r["amount"]) for r in rows] == pytest.approx([s["amount"] for s in found["smallest"]], rel=1e-3)

@@ -1,9 +1,12 @@
 """Older models without photographs: aligned by what is stable, or refused; their noise; files through the door."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.ndimage import map_coordinates
 
+from raybundle.cli.heights.alignment import alignment_warnings
 from raybundle.surfaces.heights.alignment import aligned
 from raybundle.surfaces.heights.displacement import movements
 from raybundle.surfaces.heights.resampling import difference
@@ -54,6 +57,10 @@ def test_nearly_half_may_have_moved():
     *_, a = aligned(moved_by(older(rng)), measured(0, rng, later))
     assert np.abs((a.values - PLACED) / a.sigma).max() < 4
     assert not a.stable[:, : int(0.4 * SHAPE[1])].any()
+    (narrow,) = alignment_warnings(a)
+    assert narrow.code == "old_heights.narrow"
+    assert not alignment_warnings(replace(a, given=True))
+    assert not alignment_warnings(replace(a, share=0.8))
 
 
 def test_halves_of_which_either_may_be_stable_are_refused():
@@ -102,19 +109,53 @@ def test_a_raster_is_compared_with_a_surface(quarry, tmp_path, capsys):
     printed = values_of(found)
     assert {"heights.aligned", "heights.noise_estimated"} <= printed.keys()
     assert "heights.whole" not in printed
+    aligned_lines = {k: v for k, v in printed.items() if k.startswith(("heights.aligned", "heights.noise"))}
+    assert len(aligned_lines) == 4
     with rasterio.open(tmp_path / "old/detectable.tif") as file:
         assert file.descriptions[0].startswith("detectable over")
         assert file.shape == SHAPE
     for name in ("detectable.png", "difference.png"):
         assert (tmp_path / "old" / name).stat().st_size > 5000
     pile = f"{LEFT + 11} {TOP - 39}, {LEFT + 33} {TOP - 39}, {LEFT + 33} {TOP - 17}, {LEFT + 11} {TOP - 17}"
-    volume = reported(
-        capsys, "heights", "volume", surface, "--outline", pile, "--above", quarry / "dsm-2019.tif"
-    )["net"]  # fmt: skip
+    found = reported(capsys, "heights", "volume", surface, "--outline", pile, "--above", quarry / "dsm-2019.tif")
+    assert {k: v for k, v in values_of(found).items() if k in aligned_lines} == aligned_lines
+    assert found["alignment"] == a
+    volume = found["net"]
     inside = (np.abs((C + 0.5) * CELL - 22) < 11) & (np.abs((SHAPE[0] - R - 0.5) * CELL - 32) < 11)
     true = float((exact(2) - exact(0))[inside].sum()) * CELL**2
     assert volume["value"] == pytest.approx(true, abs=4 * volume["sigma"])
     assert volume["sigma"] < 10
+
+
+def changed(quarry, path, change, dtype="float32"):
+    """The older model with other heights."""
+    with rasterio.open(quarry / "dsm-2019.tif") as file:
+        about, heights = file.profile, file.read(1)
+    with rasterio.open(path, "w", **(about | {"dtype": dtype})) as file:
+        file.write(change(heights).astype(dtype), 1)
+    return path
+
+
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+def test_infinite_heights_are_void_and_a_wrong_datum_is_reported(quarry, tmp_path, capsys):
+    hole = (slice(60, 66), slice(70, 76))
+
+    def change(heights):
+        heights[hole] = np.inf
+        return heights - 150
+
+    old = changed(quarry, tmp_path / "old.tif", change)
+    volume = ("heights", "volume", quarry / DATES[0] / "surface", "--above", old, "--fill", 0, "--extent")
+    found = values_of(reported(capsys, *volume, LEFT + 2, TOP - 20, LEFT + 20, TOP - 2))
+    assert found["old_heights.far"]["up"] == pytest.approx(150 + PLACED[0], abs=0.2)
+    assert refusal(capsys, *volume, LEFT + 30, TOP - 40, LEFT + 50, TOP - 20)[0] == "volume.no_height"
+
+
+@pytest.mark.parametrize("dtype", ["int16", "float32"])
+def test_heights_rounded_to_whole_units_are_refused(quarry, tmp_path, capsys, dtype):
+    old = changed(quarry, tmp_path / "old.tif", np.round, dtype)
+    surface = quarry / DATES[0] / "surface"
+    assert refusal(capsys, "heights", "difference", old, surface)[0] == "old_heights.whole_units"
 
 
 def test_a_point_cloud_is_compared_with_a_surface(quarry, tmp_path, capsys):

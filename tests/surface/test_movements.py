@@ -9,7 +9,8 @@ from raybundle.surfaces.heights.displacement import movements
 from raybundle.surfaces.heights.height_model import Holes
 from raybundle.surfaces.heights.nodes import variances
 from raybundle.surfaces.heights.resampling import difference, resampled
-from tests.surface.height_models import made, middles
+from tests.cli.reported import reported
+from tests.surface.height_models import folder_of, made, middles
 
 SHAPE = (64, 96)
 PAIRS = 60
@@ -241,6 +242,24 @@ def test_single_differences_tell_of_no_movement_however_large():
     assert np.isnan(smallest[0].amount)
     assert np.isfinite(smallest[-1].amount)
     assert smallest[-1].best <= smallest[-1].amount
+
+
+def test_where_single_differences_show_nothing_the_level_of_detection_is_not_known(tmp_path, capsys):
+    rasterio = pytest.importorskip("rasterio")
+    rng = np.random.default_rng(27)
+    two = [
+        folder_of(made(np.zeros((24, 32)), rng=rng, length=3.0, cell=0.0166), tmp_path / name) for name in ("a", "b")
+    ]
+    found = reported(capsys, "heights", "difference", *two, "--out", tmp_path / "d")
+    assert found["smallest"][0]["amount"] is None
+    with rasterio.open(tmp_path / "d/detectable.tif") as file:
+        bands = file.read()
+    assert not np.isinf(bands).any()
+    assert np.isnan(bands[0]).all()
+    rows = (tmp_path / "d/smallest.csv").read_text().splitlines()
+    assert rows[2].startswith("# empty, or no row: not known")
+    known = [s for s in found["smallest"] if s["best"] is not None]
+    assert len(rows) == 4 + len(known) < 4 + len(found["smallest"])
 
 
 def test_the_smallest_detectable_movement_at_each_place_is_larger_where_heights_are_worse():

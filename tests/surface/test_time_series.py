@@ -7,8 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.errors import phrase
+from raybundle.surfaces.heights.cut_and_fill import Signs
 from raybundle.surfaces.heights.resampling import difference
-from raybundle.surfaces.heights.time_series import RegionWeights, intervals, risen, time_series
+from raybundle.surfaces.heights.time_series import RegionWeights, intervals, time_series
 from raybundle.surfaces.heights.volumes import volume
 from tests.cli.reported import refusal, reported, values_of
 from tests.surface.height_models import folder_of, made
@@ -88,16 +90,38 @@ def test_what_did_not_change_is_neither_cut_nor_filled():
         for name, found in z.items():
             q = getattr(c, name)
             found.append(q.value / q.sigma)
+        assert min(c.fill.value, c.cut.value) >= 0
+        assert c.fill.value - c.cut.value == pytest.approx(c.net.value)
     for found in z.values():
-        assert abs(np.mean(found)) < 0.7
-        assert 0.5 < np.mean(np.square(found)) < 1.8
+        assert abs(np.mean(found)) < 1
+        assert np.mean(np.square(found)) < 1.8
+
+
+def test_volumes_against_another_surface_are_not_too_large_where_both_coincide():
+    rng, z = np.random.default_rng(8), []
+    for _ in range(20):
+        d = difference(*dated(rng, 2, common=None))
+        v = volume(d, INNER, 0.0, Signs.of(d.heights.height.astype(float), d.local, d.length))
+        assert v.above.value - v.below.value == pytest.approx(v.net.value)
+        z += [v.above.value / v.above.sigma, v.below.value / v.below.sigma]
+    assert abs(np.mean(z)) < 1
+
+
+def test_neither_cut_nor_fill_is_certain_to_be_none():
+    d = np.full(SMALL, 0.5)
+    a, b = dated(np.random.default_rng(9), 2, common=None)
+    higher = replace(b, heights=replace(b.heights, height=(b.heights.height + d).astype(np.float32)))
+    (c,) = one([a, higher]).changes
+    assert c.cut.value == 0
+    assert 0 < c.cut.sigma < c.fill.sigma
+    assert not c.significant(c.cut)
 
 
 def test_signs_are_those_of_the_surroundings_unless_certain():
     d, sigma = np.full(SMALL, -0.01), np.full(SMALL, 0.02)
     d[:, 24:] = 0.01
     d[20, 5], d[20, 6], d[3, 3] = 0.05, 0.2, np.nan
-    found = risen(d, sigma, 0.8)
+    found = Signs.of(d, sigma, 0.8).risen
     assert not found[20, 5]
     assert found[20, 6]
     assert not found[:, :14][np.arange(40) != 20].any()
@@ -182,12 +206,33 @@ def test_bases_and_dates(quarry, capsys):
     assert reported(capsys, *series(quarry, *given))["dates"] == given[1::2]
 
 
+def test_fill_and_cut_that_balance_are_no_missing_change(quarry, tmp_path, capsys):
+    """A region of both piles, of which one grew and one shrank; its name is that of the sum."""
+    piles = json.loads((quarry / "piles.geojson").read_text())
+    piles["features"][0]["properties"]["name"] = "all"
+    path = tmp_path / "piles.geojson"
+    path.write_text(json.dumps(piles))
+    days = [quarry / d / "surface" for d in (DATES[0], DATES[2])]
+    found = reported(capsys, "heights", "time-series", *days, "--outline", path)
+    assert [r["name"] for r in found["regions"]] == ["all", "sand", "all regions"]
+    (change,) = found["regions"][2]["changes"]
+    assert change["fill"]["significant"]
+    assert change["cut"]["significant"]
+    values = values_of(found)["heights.series_region"]
+    assert values["parts"] == "both"
+    text = phrase("heights.series_region", **values)
+    assert f"no significant net change; fill {values['fill']}, cut {values['cut']} significant" in text
+
+
 def test_what_makes_no_time_series_is_refused(quarry, tmp_path, capsys):
     surface = quarry / DATES[0] / "surface"
     outline = ("--outline", quarry / "piles.geojson")
     assert refusal(capsys, "heights", "time-series", surface, *outline)[0] == "time_series.one_surface"
     assert refusal(capsys, *series(quarry)[:-2])[0] == "time_series.no_outline"
     assert refusal(capsys, *series(quarry, "--date", DATES[0]))[0] == "time_series.dates_not_paired"
+    old = quarry / "dsm-2019.tif"
+    assert refusal(capsys, "heights", "time-series", old, surface, *outline)[0] == "time_series.older_model"
+    assert refusal(capsys, *series(quarry, "--above", old))[0] == "time_series.older_model"
     back = [w for d in DATES[::-1] for w in ("--date", d)]
     assert refusal(capsys, *series(quarry, *back))[0] == "time_series.dates_not_ascending"
     assert refusal(capsys, "heights", "time-series", surface, surface, *outline)[0] == "height_grid.identical"

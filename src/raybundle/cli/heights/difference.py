@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts
+from raybundle.cli.heights.alignment import alignment_facts, alignment_lines, alignment_warnings
 from raybundle.cli.heights.words import free_scale, measured, two_digits
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, of_texts, report
@@ -18,7 +19,6 @@ from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.commands.heights.difference import MeasuredDifference
-    from raybundle.surfaces.heights.alignment import Alignment
     from raybundle.surfaces.heights.displacement import Region
 
 UNSURE = 2.0
@@ -67,34 +67,9 @@ def command(before: Path, after: Path, **given: Any) -> None:
             for r in m.regions
         ],
         smallest=[{"side": s.side, "amount": _or_none(s.amount), "best": _or_none(s.best)} for s in found.smallest],
-        files=[str(f) for f in found.files], **_alignment_facts(found.alignment),
+        files=[str(f) for f in found.files], **alignment_facts(found.alignment),
     )  # fmt: skip
     report(_summary(found))
-
-
-def _alignment_facts(a: Alignment | None) -> dict[str, Any]:
-    if a is None:
-        return {}
-    values = dict(zip(("up", "tilt_right", "tilt_up", "right", "above"), a.values.tolist(), strict=True))
-    return {"alignment": {
-        **values, **{f"{k}_sigma": s for k, s in zip(values, a.sigma.tolist(), strict=True)},
-        "covariance": a.covariance.tolist(), "stable": a.share, "noise_own": a.noise.own,
-        "noise_common": a.noise.common, "noise_reach_cells": a.noise.reach,
-    }}  # fmt: skip
-
-
-def _aligned(a: Alignment, unit: str) -> list[Message]:
-    """How an older model was moved."""
-    up, *tilts, right, above = (
-        measured(v, s, "" if k in {1, 2} else unit)
-        for k, (v, s) in enumerate(zip(a.values.tolist(), a.sigma.tolist(), strict=True))
-    )
-    return [
-        note("heights.aligned", share=a.share, up=up),
-        note("heights.aligned_plan", right=right, above=above),
-        note("heights.aligned_tilts", tilts=tilts),
-        note("heights.noise_estimated", sigma=a.noise.sigma, common=a.noise.common, cells=a.noise.reach, unit=unit),
-    ]
 
 
 def _or_none(value: float) -> float | None:
@@ -134,14 +109,14 @@ def _summary(found: MeasuredDifference) -> Summary:
             note("heights.moved", n=len(m.regions), limit=float(m.limit)), *least,
             *(
                 [note("heights.whole", shift=shift, chi2=w.chi2, limit=w.limit, significant=bool(w.significant))]
-                if found.alignment is None else _aligned(found.alignment, unit)
+                if found.alignment is None else alignment_lines(found.alignment, unit)
             ),
             *free_scale(unit),
         ],
         details=more, files=found.files,
         notices=[
             *([warning("displacement.unsure", n=unsure, limit=UNSURE)] if unsure else []),
-            *of_texts(found.cautions, Severity.WARNING), *_frame(found),
+            *alignment_warnings(found.alignment), *of_texts(found.cautions, Severity.WARNING), *_frame(found),
         ],
     )  # fmt: skip
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts, significant
 from raybundle.cli.heights.words import free_scale, measured, two_digits
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, of_texts, report
@@ -78,7 +78,10 @@ def _summary(found: MeasuredTimeSeries) -> Summary:
 
 def _change(c: Change, dates: tuple[str, ...], unit: str) -> dict[str, Any]:
     """What a sentence takes of a change."""
+    parts = [name for name, q in (("fill", c.fill), ("cut", c.cut)) if c.significant(q)]
     return {
         "start": dates[c.begin], "change": measured(c.net.value, c.net.sigma, unit, 3),
         "significant": c.significant(c.net), "detectable": two_digits(c.detectable), "unit": unit or "none",
+        "parts": "both" if len(parts) == 2 else (*parts, "none")[0], "fill": significant(c.fill.value, 3),
+        "cut": significant(c.cut.value, 3),
     }  # fmt: skip

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, Command, facts
+from raybundle.cli.heights.alignment import alignment_facts, alignment_lines, alignment_warnings
 from raybundle.cli.heights.words import LEAST_SHARE, free_scale, measured, plain, two_digits
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, of_texts, report
@@ -43,6 +44,7 @@ def command(source: Path, **given: Any) -> None:
             name: {"value": q.value, "sigma": q.sigma, "sigma_local": q.local, "sigma_orientation": q.orientation}
             for name, q in (("above", v.above), ("below", v.below), ("net", v.net))
         },
+        **alignment_facts(found.alignment),
     )  # fmt: skip
     report(_summary(found))
 
@@ -62,7 +64,8 @@ def _summary(found: MeasuredVolume) -> Summary:
         done=[
             note("heights.volume", base=found.base, above=above, below=below), note("heights.net_volume", net=net),
             note("heights.area", area=area, true_area=measured(v.true_area, v.true_area_sigma, unit, 2)),
-            *free_scale(unit),
+            *([] if found.alignment is None else alignment_lines(found.alignment, unit)), *free_scale(unit),
         ],
-        details=more, notices=of_texts(found.cautions, Severity.WARNING),
+        details=more,
+        notices=[*alignment_warnings(found.alignment), *of_texts(found.cautions, Severity.WARNING)],
     )  # fmt: skip

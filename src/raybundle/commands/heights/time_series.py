@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from raybundle.surfaces.files.time_series import DatedVolumes
 
 ALL, OVERLAP = "all", 1e-6
-"""Name of all regions together, and the share of a cell that two have by rounding"""
+"""Name of all regions together, longer if a region has it, and the share of a cell that two have by rounding"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,6 +67,7 @@ def run_time_series(settings: HeightsTimeSeriesSettings) -> MeasuredTimeSeries:
 
     from raybundle.io.folders import check_new_folder
     from raybundle.surfaces.files.input import covered_by, named_areas, on_same_grid, opened
+    from raybundle.surfaces.files.older import is_older
     from raybundle.surfaces.files.time_series import DatedVolumes, write_time_series
     from raybundle.surfaces.heights.resampling import one_measurement
     from raybundle.surfaces.heights.time_series import RegionWeights, time_series
@@ -76,6 +77,9 @@ def run_time_series(settings: HeightsTimeSeriesSettings) -> MeasuredTimeSeries:
         raise InputError("time_series.one_surface")
     if not s.outline:
         raise InputError("time_series.no_outline")
+    for p in (*s.sources, Path(s.above)):
+        if is_older(p) and p.is_file():
+            raise InputError("time_series.older_model", file=p)
     dates = _dates(s)
     if s.out is not None:
         check_new_folder(s.out)
@@ -103,7 +107,10 @@ def run_time_series(settings: HeightsTimeSeriesSettings) -> MeasuredTimeSeries:
         for name, rings in areas.items()
     ]
     if len(regions) > 1 and together.max() <= 1 + OVERLAP:
-        regions.append(RegionWeights(name=ALL, parts=tuple(p for r in regions for p in r.parts)))
+        together_name = ALL
+        while together_name in areas:
+            together_name = f"{together_name} regions"
+        regions.append(RegionWeights(name=together_name, parts=tuple(p for r in regions for p in r.parts)))
     found = time_series(models, regions, s.significance, ground)
     for r in found:
         for share, p in zip(r.filled.tolist(), s.sources, strict=True):

@@ -18,6 +18,7 @@ from raybundle.errors import InputError
 from raybundle.settings import ANY, POSITIVE, setting
 
 if TYPE_CHECKING:
+    from raybundle.surfaces.heights.alignment import Alignment
     from raybundle.surfaces.heights.volumes import Volume
 
 RIM = "rim"
@@ -56,6 +57,8 @@ class MeasuredVolume:
     """a height, the folder of a surface, or "rim": the plane by the heights along the outline"""
     cautions: tuple[str, ...]
     """what is to be reported of the surface itself, a sentence each"""
+    alignment: Alignment | None
+    """of an older model as base"""
 
 
 def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
@@ -63,6 +66,7 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     from raybundle.io.reading.words import number_of
     from raybundle.surfaces.files.input import covered_by, on_same_grid, opened, outlined
     from raybundle.surfaces.files.older import align_older, is_older
+    from raybundle.surfaces.heights.cut_and_fill import Signs
     from raybundle.surfaces.heights.hole_filling import filled
     from raybundle.surfaces.heights.resampling import difference
     from raybundle.surfaces.heights.volumes import volume
@@ -82,8 +86,8 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
         raise InputError("volume.rim_needs_outline")
     cautions = o.cautions
     model, base = o.model, level
-    if older:
-        aligned = align_older(Path(s.above), o, s.stable)
+    aligned = align_older(Path(s.above), o, s.stable) if older else None
+    if aligned is not None:
         model, base = difference(aligned.old, aligned.surface), 0.0
         cautions = (*cautions, *aligned.remarks)
     elif level is None and s.above != RIM:
@@ -98,10 +102,15 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
         covered = model.known.astype(float)
     else:
         model = filled_within(o, model, covered, widest, s.source)
-    found = volume(model, covered, [r for rings in areas for r in rings] if base is None else base)
-    if s.above != RIM and level is None:
+    two = level is None and s.above != RIM
+    signs = Signs.of(model.heights.height.astype(float), model.local, model.length) if two else None
+    found = volume(model, covered, [r for rings in areas for r in rings] if base is None else base, signs)
+    if two:
         # what was filled below a surface, as the ground is, is no part of the surface that is missing
         own = ~o.model.known if o.model.holes is None else ~o.model.known | o.model.holes.filled
         found = replace(found, filled=float(covered[own].sum() / covered.sum()))
     check_filled(found.filled, s.most_filled, s.source)
-    return MeasuredVolume(volume=found, unit=o.unit, base=s.above if level is None else f"{level:g}", cautions=cautions)
+    return MeasuredVolume(
+        volume=found, unit=o.unit, base=s.above if level is None else f"{level:g}", cautions=cautions,
+        alignment=None if aligned is None else aligned.alignment,
+    )  # fmt: skip

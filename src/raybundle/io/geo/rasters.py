@@ -24,6 +24,8 @@ _UNITS = {
 }  # fmt: skip
 MOST_CELLS = 40_000_000
 """That are read at once: 20 km by 20 km of metre cells, 0.3 GB."""
+SAMPLED = 1024
+"""Rows and columns that show whether heights are rounded"""
 LOWEST, HIGHEST = -500.0, 9000.0
 """Heights of the ground of the earth [m], with some room."""
 
@@ -68,6 +70,16 @@ def read_all_heights(path: Path, crs: str = "", *, unit: Unit = "", band: int = 
         return _read(library, source, path, crs, np.array([[left, bottom], [right, top]]), unit, band)
 
 
+def whole_units(path: Path, band: int = 1) -> bool:
+    """Whether all heights of a raster, some of a large one, are whole numbers of its unit."""
+    library = raster_library(path)
+    with raster_errors(path), library.open(path) as source:
+        shape = tuple(min(n, SAMPLED) for n in source.shape)
+        found = source.read(band, out_shape=shape, masked=True).compressed()
+    known = found[np.isfinite(found)]
+    return bool(len(known)) and bool((known == np.round(known)).all())
+
+
 def no_system(path: Path) -> NoReturn:
     """Raise InputError of a raster that does not say where it lies."""
     raise InputError("raster.no_system", file=path)
@@ -90,7 +102,7 @@ def _read(library: Any, source: Any, path: Path, crs: str, box: Array, unit: Uni
         heights, transform = _warped(library, source, path, target, bounds, band)
         system = "degrees" if own.is_geographic else own.name
         remarks.append(phrase("raster.transformed", name=path.name, system=system, target=crs, cell_m=abs(transform.a)))
-    heights = heights * metres
+    heights = np.where(np.isfinite(heights), heights * metres, np.nan)
     check_heights(heights, path)
     return HeightGrid(
         heights=heights, origin=_centre(transform), column=(transform.a, transform.d),

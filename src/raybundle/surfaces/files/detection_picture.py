@@ -11,8 +11,8 @@ from raybundle.surfaces.files.displacement_picture import LEFT, TOP, Sheet, axes
 from raybundle.surfaces.files.input import Opened
 from raybundle.surfaces.heights.level_of_detection import DetectionMap
 
-NONE = (120, 40, 30)
-"""Of places where no movement is detected, however large"""
+UNKNOWN = (150, 150, 150)
+"""Of places where the level of detection is not known for squares of this size"""
 LEAST_RANGE = 3.0
 """Of amounts from one end of the colours to the other: smaller differences look small"""
 CLEAR = 0.02
@@ -20,14 +20,14 @@ CLEAR = 0.02
 
 
 def detection_picture(o: Opened, found: DetectionMap) -> Image.Image:
-    """Dark where small movements are detected, bright where only large ones are; hatched where none can be tested."""
+    """Dark where small movements are detected, bright where large ones are; grey: not known; hatched: not tested."""
     sheet, amount = Sheet.of(found.amount.shape), found.amount
     known = np.isfinite(amount)
     low, high = np.quantile(amount[known], (CLEAR, 1 - CLEAR)).tolist() if known.any() else (1.0, 2.0)
     high = max(high, LEAST_RANGE * low)
     share = np.clip(np.log(np.where(known, amount, low) / low) / np.log(high / low), 0, 1)
     colours = _coloured(share)
-    colours[np.isinf(amount)] = NONE
+    colours[np.isinf(amount)] = UNKNOWN
     how = cv2.INTER_NEAREST if sheet.scale >= 1 else cv2.INTER_AREA
     image = cv2.resize(colours, sheet.size, interpolation=how)
     hole = cv2.resize(np.isnan(amount).astype(np.uint8), sheet.size, interpolation=cv2.INTER_NEAREST) > 0
@@ -43,11 +43,11 @@ def detection_picture(o: Opened, found: DetectionMap) -> Image.Image:
     for k in (0.0, 0.5, 1.0):
         sheet.text(left + k * wide, y + 18, f"{low * (high / low) ** k:.2g} {o.unit}".rstrip(), 13, "ma")
     x = 8.0
-    for state in ("none", "untested"):
+    for state in ("unknown", "untested"):
         box = (round(x), y + 48, round(x) + 22, y + 62)
         if state == "untested":
             sheet.image.paste(Image.fromarray(hatched(14, 22)), box[:2])
-        sheet.draw.rectangle(box, fill=NONE if state == "none" else None, outline=(40, 40, 40))
+        sheet.draw.rectangle(box, fill=UNKNOWN if state == "unknown" else None, outline=(40, 40, 40))
         text = phrase("height_drawing.detectable_swatch", state=state)
         sheet.text(x + 28, y + 55, text, 13, "lm")
         x += 60 + sheet.draw.textlength(text, font_size=13)

@@ -21,13 +21,16 @@ from raybundle.surfaces.heights.level_of_detection import DetectionMap, Smallest
 RASTER, TABLE, LINES, LAYER, PICTURE = "difference.tif", "moved.csv", "moved.geojson", "moved.gpkg", "difference.png"
 SMALLEST, DETECTABLE, DETECTABLE_PICTURE = "smallest.csv", "detectable.tif", "detectable.png"
 MOSTLY = 0.8
-"""Share of a surface on which movements are detected by the picture"""
+"""Share of a surface on which the picture has a level of detection"""
 BANDS = ("difference", "sigma", "movement against the rest", "sigma of that", "significance", "region")
 COLUMNS = (
     "region", "x", "y", "area", "area_sigma", "mean", "mean_sigma", "amount", "amount_sigma", "volume", "volume_sigma",
     "outline_sigma", "peak",
 )  # fmt: skip
 SMALLEST_LINE = "# of squares: the smallest movement found with a chance of 80 %, in the median and in the best quarter"
+NOT_KNOWN_LINE = (
+    "# empty, or no row: not known for squares of this size; windows of other sizes may find movements of them"
+)
 COLUMNS_LINE = "# mean: volume / area; amount: movement of the inner part, where the outline does not count"
 
 
@@ -71,21 +74,23 @@ def write_movements(
         if maps:
             sides = tuple(f"detectable over {m.side:.3g} x {m.side:.3g} {o.unit}".rstrip() for m in maps)
             with o.file.new(new / DETECTABLE, sides) as write:
-                write(0, 0, np.stack([m.amount for m in maps], axis=2).astype(np.float32))
+                amounts = np.stack([m.amount for m in maps], axis=2)
+                write(0, 0, np.where(np.isfinite(amounts), amounts, np.nan).astype(np.float32))
             detection_picture(o, _shown(maps)).save(new / DETECTABLE_PICTURE)
             names += [DETECTABLE, DETECTABLE_PICTURE]
     return tuple(out / n for n in names)
 
 
 def _shown(maps: Sequence[DetectionMap]) -> DetectionMap:
-    """That of the smallest squares of which a movement is detected on most of the surface, else of the largest."""
+    """That of the smallest squares with a known level of detection on most of the surface, else of the largest."""
     return next((m for m in maps if np.isfinite(m.amount).sum() > MOSTLY * (~np.isnan(m.amount)).sum()), maps[-1])
 
 
 def _would(smallest: tuple[SmallestMovement, ...]) -> list[str]:
     """What the table of the smallest movements states."""
-    rows = [",".join("" if np.isnan(v) else f"{v:.4g}" for v in (s.side, s.amount, s.best)) for s in smallest]
-    return [SMALLEST_LINE, "side,amount,amount_best_quarter", *rows]
+    rows = [",".join("" if np.isnan(v) else f"{v:.4g}" for v in (s.side, s.amount, s.best))
+            for s in smallest if np.isfinite(s.best)]  # fmt: skip
+    return [SMALLEST_LINE, NOT_KNOWN_LINE, "side,amount,amount_best_quarter", *rows]
 
 
 def _row(o: Opened, number: int, r: Region) -> list[float]:

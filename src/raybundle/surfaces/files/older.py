@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.io.formats.las import read_las
 from raybundle.io.geo.parsed_systems import plan_of, system_name
-from raybundle.io.geo.rasters import read_heights
+from raybundle.io.geo.rasters import read_heights, whole_units
 from raybundle.numerics.arrays import Array
 from raybundle.objects.heights import HeightGrid
 from raybundle.surfaces.files.input import Opened, covered_by, outlined
@@ -42,11 +42,17 @@ def align_older(path: Path, o: Opened, stable: Sequence[str]) -> Aligned:
     """A model aligned to a surface.
 
     stable  outlines of what has not moved; none: it is found
-    raises  InputError for a surface that is in no map in metres, a file that cannot be read, or no alignment
+    raises  InputError for a surface that is in no map in metres, a file that cannot be read, heights that are rounded
+            to whole units, or no alignment
     """
     if not o.file.wkt or o.unit not in {"m", "metre"}:
         raise InputError("old_heights.no_map", file=o.folder)
-    grid = _cloud(path, o) if path.suffix.lower() in CLOUDS else read_heights(path, o.file.wkt, _box(o))
+    if path.suffix.lower() in CLOUDS:
+        grid = _cloud(path, o)
+    else:
+        grid = read_heights(path, o.file.wkt, _box(o))
+        if whole_units(path):
+            raise InputError("old_heights.whole_units", file=path)
     rows, columns = np.mgrid[: o.file.height, : o.file.width]
     places = o.places(np.stack([columns.ravel() + 0.5, rows.ravel() + 0.5], axis=1))
 
@@ -73,8 +79,9 @@ def _cloud(path: Path, o: Opened) -> HeightGrid:
     shape = f.height + 2 * MARGIN, f.width + 2 * MARGIN
     corner = np.array([f.left - MARGIN * f.cell, f.top + MARGIN * f.cell])
     count, total = np.zeros(shape[0] * shape[1]), np.zeros(shape[0] * shape[1])
-    base = float(np.nanmedian(o.model.heights.height))
+    base, rounded = float(np.nanmedian(o.model.heights.height)), True
     for xyz, system in read_las(path):
+        rounded &= bool((xyz[:, 2] == np.round(xyz[:, 2])).all())
         if system and plan_of(system) != plan_of(f.wkt):
             names = system_name(system), system_name(f.wkt)
             raise InputError("surface_files.systems_differ", system=names[0], other=names[1], file=path)
@@ -85,6 +92,8 @@ def _cloud(path: Path, o: Opened) -> HeightGrid:
         total += np.bincount(at, xyz[inside, 2] - base, minlength=len(total))
     if not count.any():
         raise InputError("height_grid.no_common_cell", other=str(o.folder), file=path)
+    if rounded:
+        raise InputError("old_heights.whole_units", file=path)
     mean = np.where(count > 0, total / np.maximum(count, 1) + base, np.nan).reshape(shape)
     middle = corner + np.array([0.5, -0.5]) * f.cell
     return HeightGrid(

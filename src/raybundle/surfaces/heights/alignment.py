@@ -95,6 +95,8 @@ class Alignment:
     stable: Mask
     share: float
     """of the heights that both have"""
+    given: bool
+    """the stable area was given, and not found"""
     noise: Noise
 
     @property
@@ -142,7 +144,9 @@ def aligned(
     covariance, both = _with_errors(model, new, design, used)
     _check(covariance, new.cell)
     share = float(used.sum() / (new.known & np.isfinite(height)).sum())
-    return *both, Alignment(values=values, covariance=covariance, stable=used, share=share, noise=noise)
+    return *both, Alignment(
+        values=values, covariance=covariance, stable=used, share=share, given=stable is not None, noise=noise
+    )
 
 
 def _places(new: HeightModel) -> Array:

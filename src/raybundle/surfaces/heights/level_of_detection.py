@@ -59,8 +59,8 @@ class SmallestMovement:
     side: float
     """of the square, in the unit of the heights"""
     amount: float
-    """in the median over the surface, found with a chance of 80 % at least; NaN: none is, however large, since single
-    differences count no more than some of their standard deviations"""
+    """in the median over the surface, found with a chance of 80 % at least; NaN: not known, since single differences
+    count no more than some of their standard deviations, and what windows of other sizes find is not computed"""
     best: float
     """that of a quarter of the surface, where it is known best"""
 
@@ -72,8 +72,8 @@ class DetectionMap:
     side: float
     """of the square, in the unit of the heights"""
     amount: Array
-    """(rows, columns) of a square with its middle there, found with a chance of 80 %; infinite: none is, however large;
-    NaN: less than half of the square can be tested, or the cell has no height"""
+    """(rows, columns) of a square with its middle there, found with a chance of 80 %; infinite: not known, as of
+    `SmallestMovement`; NaN: less than half of the square can be tested, or the cell has no height"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -151,7 +151,7 @@ def _interpolated(values: Array, at: Sequence[Array]) -> Array:
 
 
 def _least(q: _Square, wanted: float, huber: float) -> float:
-    """The amount at which the mean of a window is what is wanted; infinite: none is."""
+    """The amount at which the mean of a window is what is wanted; infinite: not known."""
     high = 2 * float(q.most.max()) * q.usual
     if q.best(high, huber) < wanted:
         return float("inf")

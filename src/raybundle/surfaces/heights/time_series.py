@@ -1,9 +1,7 @@
 """Volumes of several dates above one base, and what changed from date to date, by their joint covariance.
 
 All are sums of heights of all dates with weights.  Errors of orientation that two dates have in common count once; the
-base is one, and no change depends on it.  Cut and fill are sums over cells by the sign of their change.  The sign by a
-cell itself would make both too large by 0.4 of its standard deviation wherever nothing changed.  It is that of the mean
-around the cell, without those whose noise it shares, unless the change of the cell alone is beyond doubt.
+base is one, and no change depends on it.
 """
 
 from __future__ import annotations
@@ -12,21 +10,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-import cv2
 import numpy as np
 from scipy.special import ndtr, ndtri
 
 from raybundle.metrology.trends import Series, Trend, trend
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces.heights.cut_and_fill import Signs
 from raybundle.surfaces.heights.height_model import HeightModel, SumOfHeights
 from raybundle.surfaces.heights.level_of_detection import FOUND
 from raybundle.surfaces.heights.resampling import one_measurement
 from raybundle.surfaces.heights.volumes import base_of
-
-APART, AROUND = 2.0, 4
-"""Lengths of correlation within which cells share noise, and cells beyond that whose mean shows a sign"""
-CERTAIN = 4.0
-"""Standard deviations from which a cell shows its sign: chance leaves 1 of 16 000 beyond"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -170,7 +163,7 @@ class _Interval:
 
     begin: int
     end: int
-    risen: Mask
+    signs: Signs
     differs: Mask
 
     @classmethod
@@ -178,24 +171,8 @@ class _Interval:
         a, b = joint.models[begin], joint.models[end]
         d = np.where(a.known & b.known, b.heights.height.astype(float) - a.heights.height, np.nan)
         sigma = np.hypot(a.local, b.local)
-        return cls(begin=begin, end=end, risen=risen(d, sigma, max(a.length, b.length)), differs=~one_measurement(a, b))
-
-
-def risen(difference: Array, sigma: Array, length: float) -> Mask:
-    """(rows, columns) whether heights rose, by their differences, NaN where there is none.
-
-    length  distance in cells at which errors correlate by 1 / e
-    """
-    known = np.isfinite(difference) & (sigma > 0)
-    w = np.where(known, 1 / np.where(known, sigma, 1.0) ** 2, 0.0)
-    d = np.where(known, difference, 0.0)
-    inner = int(np.ceil(APART * length))
-
-    def total(reach: int) -> Array:
-        return cv2.boxFilter(w * d, -1, (2 * reach + 1,) * 2, normalize=False, borderType=cv2.BORDER_CONSTANT)
-
-    around = total(inner + AROUND) - total(inner)
-    return np.where(np.abs(d) > CERTAIN * np.where(known, sigma, np.inf), d, around) > 0
+        signs = Signs.of(d, sigma, max(a.length, b.length))
+        return cls(begin=begin, end=end, signs=signs, differs=~one_measurement(a, b))
 
 
 def _region(
@@ -234,16 +211,13 @@ def _region(
 def _change(joint: JointHeights, w: Array, part: _Interval, limit: float) -> Change:
     """Of one region and interval."""
 
-    def summed(share: Array, sign: float) -> SumOfHeights:
+    def summed(weights: Array) -> SumOfHeights:
         # what is one measurement in both has not changed
-        each = sign * np.where(part.differs, w * share, 0.0)
+        each = np.where(part.differs, weights, 0.0)
         return joint.sum_of({part.begin: -each, part.end: each})
 
-    ones = np.ones(w.shape)
-    return Change(
-        begin=part.begin, end=part.end, limit=limit, net=summed(ones, 1.0), fill=summed(part.risen * ones, 1.0),
-        cut=summed(~part.risen * ones, -1.0),
-    )  # fmt: skip
+    net, fill, cut = part.signs.cut_and_fill(w, summed)
+    return Change(begin=part.begin, end=part.end, limit=limit, net=net, fill=fill, cut=cut)
 
 
 def rates(regions: Sequence[RegionSeries], days: Array) -> tuple[Trend | None, ...]:

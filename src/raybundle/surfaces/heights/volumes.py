@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
+from raybundle.surfaces.heights.cut_and_fill import Signs
 from raybundle.surfaces.heights.grids import shifted
 from raybundle.surfaces.heights.height_model import HeightModel, SumOfHeights
 from raybundle.surfaces.heights.sections import between_middles
@@ -45,16 +46,18 @@ class Volume:
     """standard deviation of the mean height above the base"""
 
 
-def volume(model: HeightModel, covered: Array, base: float | Sequence[Array]) -> Volume:
+def volume(model: HeightModel, covered: Array, base: float | Sequence[Array], signs: Signs | None = None) -> Volume:
     """Volumes within the cells' shares that an outline covers.
 
     covered  (rows, columns) 0 to 1
     base     a height that is exact; or the rings (n, 2) of the outline, columns and rows: the plane that fits the
              heights along them best, with its errors
+    signs    what lies above, of differences of two surfaces; None: by the sign of each cell
     raises   InputError where a cell within has no height, or the outline shows no plane
 
     Above and below are linear in the heights as long as their signs are sure: where the surface runs along the base
-    within its noise, each is too large by about 0.4 sigma of a height times that area, and the net volume is not.
+    within its noise, by the sign of each cell both are too large by about 0.4 sigma of a height times that area, and
+    the net volume is not.
     """
     used = covered > 0
     if not used.any():
@@ -70,11 +73,14 @@ def volume(model: HeightModel, covered: Array, base: float | Sequence[Array]) ->
 
     w = covered * area
     true = true_area(model, covered)
-    net = summed(w)
+    if signs is None:
+        net, above, below = (summed(v) for v in (w, np.where(d > 0, w, 0.0), np.where(d < 0, -w, 0.0)))
+    else:
+        net, above, below = signs.cut_and_fill(w, summed)
     filled = model.holes.filled & used if model.holes is not None else np.zeros(used.shape, bool)
     plan = float(w.sum())
     return Volume(
-        above=summed(np.where(d > 0, w, 0.0)), below=summed(np.where(d < 0, -w, 0.0)), net=net, plan_area=plan,
+        above=above, below=below, net=net, plan_area=plan,
         true_area=true.value, true_area_sigma=true.sigma, true_area_noise=true.by_noise,
         filled=float(w[filled].sum()) / plan, filled_sigma=_by_holes(model, w), base=b.plane,
         mean_sigma=net.sigma / plan,

@@ -25,3 +25,15 @@ old_heights-cloud_cut_off = Die Punktwolke ist abgeschnitten: { $missing } von {
 old_heights-ambiguous = Zwei Einpassungen des älteren Modells passen gleich gut: Was stabil ist, ist nicht sicher.
     .why = Fast die Hälfte hat sich gleich bewegt.
     .do = Das stabile Gebiet mit { OPTION("stable", "FILE") } angeben.
+
+old_heights-narrow = Die Einpassung beruht auf { PERCENT($share) } % der gemeinsamen Höhen (Grenze { PERCENT($limit) } %).
+    .why = Sie gilt nur, wenn sich weniger als { PERCENT($moved) } % gleich bewegt haben.
+    .do = Das stabile Gebiet mit { OPTION("stable", "FILE") } angeben.
+
+old_heights-far = Das ältere Modell liegt in der Höhe { NUM($up, digits: 4) } m daneben (Grenze { NUM($limit, digits: 3) } m).
+    .why = Höhenbezüge unterscheiden sich um weniger.
+    .do = Einheit und Höhenbezug beider prüfen.
+
+old_heights-whole_units = Die Höhen des älteren Modells sind auf ganze Einheiten gerundet.
+    .why = Gerundete Höhen bestimmen weder Neigungen noch die Verschiebung in der Lage.
+    .do = Das Modell mit Nachkommastellen angeben.

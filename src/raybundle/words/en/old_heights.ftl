@@ -34,3 +34,20 @@ old_heights-cloud_cut_off = The point cloud is cut off: { $missing } of { $total
 old_heights-ambiguous = Two alignments of the older model fit equally well: what is stable is not certain.
     .why = Nearly half moved alike.
     .do = Give the stable area with { OPTION("stable", "FILE") }.
+
+# $share = 0.58
+# $limit = 0.65
+# $moved = 0.45
+old_heights-narrow = The alignment rests on { PERCENT($share) } % of the common heights (limit { PERCENT($limit) } %).
+    .why = It holds only if what moved alike is less than { PERCENT($moved) } %.
+    .do = Give the stable area with { OPTION("stable", "FILE") }.
+
+# $up = 150.2
+# $limit = 110.0
+old_heights-far = The older model lies { NUM($up, digits: 4) } m off in height (limit { NUM($limit, digits: 3) } m).
+    .why = Vertical datums differ by less.
+    .do = Check unit and vertical datum of both.
+
+old_heights-whole_units = The heights of the older model are rounded to whole units.
+    .why = Rounded heights do not determine slopes and the shift in plan.
+    .do = Give the model with decimals.

@@ -13,3 +13,9 @@ old_heights-not_needed = { OPTION("stable", "FILE") } vaut pour un modèle ancie
 old_heights-cloud_cut_off = Le nuage de points est tronqué : { $missing } points sur { $total } manquent.
 
 old_heights-ambiguous = Deux ajustements du modèle ancien conviennent également : la zone stable n'est pas certaine.
+
+old_heights-narrow = L'ajustement repose sur { PERCENT($share) } % des altitudes communes (limite { PERCENT($limit) } %).
+
+old_heights-far = Le modèle ancien s'écarte de { NUM($up, digits: 4) } m en altitude (limite { NUM($limit, digits: 3) } m).
+
+old_heights-whole_units = Les altitudes du modèle ancien sont arrondies à l'unité.

@@ -56,6 +56,6 @@ height_drawing-detectable = Kleinste nachweisbare Bewegung (Macht 80 %) auf { $s
     }
 
 height_drawing-detectable_swatch = { $state ->
-        [none] keine Bewegung nachweisbar
+        [unknown] grau: für diese Größe nicht bekannt
         *[untested] schraffiert: nicht getestet, nicht in beiden eine Höhe
     }

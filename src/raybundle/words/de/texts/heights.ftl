@@ -48,7 +48,7 @@ heights-level_of_detection = Nachweisgrenze (Macht 80 %): { $amount } { $unit } 
         *[no] , nur im besten Viertel
     }.
 
-heights-no_movement_detectable = Keine Bewegung wäre nachweisbar: zu wenige Höhen, oder alle an Stufen.
+heights-no_movement_detectable = Nachweisgrenze: nicht bekannt (zu wenige Höhen, oder alle an Stufen).
 
 heights-whole = Bewegung des Ganzen: Verschiebung { $shift }, { $significant ->
         [yes] signifikant
@@ -67,7 +67,7 @@ heights-region_inner = Bereich { $k }: innerer Teil { $amount }, { $times } Sigm
 
 heights-smallest = Kleinste nachweisbare Bewegung auf { $side } x { $side }: { $median ->
         [yes] { NUM($amount, digits: 2) } (Median)
-        *[no] keine (Median)
+        *[no] nicht bekannt (Median)
     }, { NUM($best, digits: 2) } { $unit } (bestes Viertel).
 
 heights-one_adjustment = Beide Oberflächen stammen aus einer Ausgleichung. { $common ->
@@ -87,7 +87,12 @@ heights-series = { $n } von { $total } Volumenänderungen sind signifikant (Irrt
 
 heights-series_region = { $name }: { $volume }; seit { $start } { $significant ->
         [yes] { $change }
-        *[no] keine signifikante Änderung
+        *[no] { $parts ->
+            [none] keine signifikante Änderung
+            [fill] keine signifikante Nettoänderung; Auftrag { $fill } signifikant
+            [cut] keine signifikante Nettoänderung; Abtrag { $cut } signifikant
+            *[both] keine signifikante Nettoänderung; Auftrag { $fill }, Abtrag { $cut } signifikant
+        }
     }, nachweisbar { $detectable }{ $unit ->
         [none] {""}
         *[other] {" "}{ $unit }3
@@ -95,7 +100,12 @@ heights-series_region = { $name }: { $volume }; seit { $start } { $significant -
 
 heights-series_change = { $name }, { $start } bis { $end }: { $significant ->
         [yes] { $change }
-        *[no] keine signifikante Änderung
+        *[no] { $parts ->
+            [none] keine signifikante Änderung
+            [fill] keine signifikante Nettoänderung; Auftrag { $fill } signifikant
+            [cut] keine signifikante Nettoänderung; Abtrag { $cut } signifikant
+            *[both] keine signifikante Nettoänderung; Auftrag { $fill }, Abtrag { $cut } signifikant
+        }
     }, nachweisbar { $detectable }{ $unit ->
         [none] {""}
         *[other] {" "}{ $unit }3

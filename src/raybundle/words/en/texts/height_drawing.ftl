@@ -76,8 +76,8 @@ height_drawing-detectable = Smallest detectable movement (80 % power) over { $si
         *[other] { $unit }
     }
 
-# $state = "none"
+# $state = "unknown"
 height_drawing-detectable_swatch = { $state ->
-        [none] no movement is detected
+        [unknown] grey: not known for this size
         *[untested] hatched: not tested, no height in both
     }

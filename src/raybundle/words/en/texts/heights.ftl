@@ -87,7 +87,7 @@ heights-level_of_detection = Level of detection (80 % power): { $amount } { $uni
         *[no] , in the best quarter only
     }.
 
-heights-no_movement_detectable = No movement would be detected: too few heights, or all at steps.
+heights-no_movement_detectable = Level of detection: not known (too few heights, or all at steps).
 
 # $shift = "0.0002 m (sigma 0.001)"
 # $chi2 = 1.2
@@ -126,7 +126,7 @@ heights-region_inner = Region { $k }: inner part { $amount }, { $times } sigma; 
 # $median = true
 heights-smallest = Smallest detectable movement over { $side } x { $side }: { $median ->
         [yes] { NUM($amount, digits: 2) } (median)
-        *[no] none (median)
+        *[no] not known (median)
     }, { NUM($best, digits: 2) } { $unit } (best quarter).
 
 # $common = "known"
@@ -155,11 +155,19 @@ heights-series = { $n } of { $total } volume changes are significant (false-alar
 # $start = "2026-05-01"
 # $change = "40.2 m3 (sigma 2.5)"
 # $significant = true
+# $parts = "none"
+# $fill = "22.0"
+# $cut = "1.9"
 # $detectable = "8.4"
 # $unit = "m"
 heights-series_region = { $name }: { $volume }; since { $start } { $significant ->
         [yes] { $change }
-        *[no] no significant change
+        *[no] { $parts ->
+            [none] no significant change
+            [fill] no significant net change; fill { $fill } significant
+            [cut] no significant net change; cut { $cut } significant
+            *[both] no significant net change; fill { $fill }, cut { $cut } significant
+        }
     }, detectable { $detectable }{ $unit ->
         [none] {""}
         *[other] {" "}{ $unit }3
@@ -170,11 +178,19 @@ heights-series_region = { $name }: { $volume }; since { $start } { $significant 
 # $end = "2026-06-01"
 # $change = "20.1 m3 (sigma 2.5)"
 # $significant = true
+# $parts = "none"
+# $fill = "22.0"
+# $cut = "1.9"
 # $detectable = "8.4"
 # $unit = "m"
 heights-series_change = { $name }, { $start } to { $end }: { $significant ->
         [yes] { $change }
-        *[no] no significant change
+        *[no] { $parts ->
+            [none] no significant change
+            [fill] no significant net change; fill { $fill } significant
+            [cut] no significant net change; cut { $cut } significant
+            *[both] no significant net change; fill { $fill }, cut { $cut } significant
+        }
     }, detectable { $detectable }{ $unit ->
         [none] {""}
         *[other] {" "}{ $unit }3
