@@ -62,3 +62,14 @@ def test_gross_faults_are_refused_by_name(tmp_path, before, after, code, column)
 def test_a_wrong_side_is_reported_by_the_corners(tmp_path):
     found = written(tmp_path, iceye(Product()).replace("right", "left"), "a.xml")
     assert [r.code for r in found.remarks] == ["scene.radar_delays", "scene.tie_points"]
+
+
+def test_tables_before_the_name_do_not_hide_it(tmp_path):
+    product = Product(vectors=171, step_s=0.1)
+    text = iceye(product)
+    vectors = re.search("<Orbit_State_Vectors>.*</Orbit_State_Vectors>", text, re.DOTALL)[0]
+    text = text.replace(vectors, "").replace("<Metadata>", f"<Metadata>{vectors}")
+    assert text.index("ICEYE") > 4096
+    found = written(tmp_path, text, "a.xml")
+    assert found.format == "iceye"
+    assert_meets(found.rigorous, product)

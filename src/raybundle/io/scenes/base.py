@@ -15,6 +15,7 @@ from raybundle.io.reading.hdf5 import SIGNATURE, hdf5_root
 from raybundle.io.reading.xml import Element
 from raybundle.io.scenes.products import product_of
 from raybundle.numerics.arrays import Array
+from raybundle.scenes.kinds.range_doppler import RangeDoppler
 from raybundle.scenes.rpc import Rpc
 from raybundle.scenes.rpc_image import rpc_of_image
 from raybundle.scenes.sensor import Rigorous, SceneSensor
@@ -132,6 +133,9 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
         raise error.at(path) from None
     if scene.rpc is None and scene.rigorous is None:
         raise InputError("scene.no_geometry", details=scene.remarks, file=path)
+    if isinstance(scene.rigorous, RangeDoppler) and (orbit := scene.rigorous.orbit).noise_m:
+        noise = note("scene.orbit_noise", n=len(orbit.times), noise_m=orbit.noise_m, noise_m_s=orbit.noise_m_s)
+        scene = replace(scene, remarks=(*scene.remarks, noise))
     if scene.rpc is not None and scene.width_px and scene.height_px:
         rpc = rpc_of_image(scene.rpc, scene.width_px, scene.height_px, path)
         if rpc is not scene.rpc:
