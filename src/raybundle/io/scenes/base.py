@@ -146,8 +146,11 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
 CUT_OUT = note("scene.rpc_range_adapted")
 
 
-def check_denominators(rpc: Rpc, file: Path | str) -> None:
-    """Raise InputError where a denominator vanishes inside the scene, at heights within half of the RPC's range."""
+def check_denominators(rpc: Rpc, file: Path | str, size_px: tuple[int, int] | None = None) -> None:
+    """Raise InputError where a denominator vanishes inside the scene, at heights within half of the RPC's range.
+
+    size_px  of the image, where it is known: the range of an RPC may be several times as large
+    """
     steps = np.linspace(-1, 1, 9)
     u, v, w = (a.ravel() for a in np.meshgrid(steps, steps, steps / 2, indexing="ij"))
     inside = rpc.ground_offset + rpc.ground_scale * np.stack([u, v, w], axis=1)
@@ -156,7 +159,8 @@ def check_denominators(rpc: Rpc, file: Path | str) -> None:
     except InputError as error:
         # loosely scaled RPCs (a whole degree for a small scene) may have poles outside the scene: look along its rays
         try:
-            grid = rpc.image_offset + rpc.image_scale * np.stack([u, v], axis=1)
+            grid = np.stack([u, v], axis=1)
+            grid = rpc.image_offset + rpc.image_scale * grid if size_px is None else (grid + 1) / 2 * size_px
             ground = rpc.localise(grid, float(rpc.ground_offset[2]))
             xy = rpc.project(ground)
         except Exception:  # noqa: BLE001  (whatever fails along the rays, the first reason is the clearer one)

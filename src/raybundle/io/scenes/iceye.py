@@ -124,8 +124,8 @@ def _columns(flat: Element, group: Element | None) -> Columns:
     if group is None:
         return Columns.slant(amount(flat, "slant_range_spacing"), C_LIGHT / 2 * amount(flat, "first_pixel_time", "s"))
     inside = [e for e in group.children if e.name == "coefficient"]
-    inside.sort(key=lambda e: e.value("number") if "number" in e.attributes else 0.0)
-    c = np.array([float(e.numbers(1)[0]) for e in inside]) if inside else _numbers(group)
+    inside.sort(key=lambda e: e.value("number") if "number" in e.attributes else e.number("number", 0.0))
+    c = np.array([float((e.find("value") or e).numbers(1)[0]) for e in inside]) if inside else _numbers(group)
     origin = next((n for n in ("grsr_ground_range_origin", "ground_range_origin") if flat.find(n)), None)
     return ground_columns(amount(flat, "range_spacing"), [(0.0, amount(flat, origin) if origin else 0.0, c)])
 
