@@ -147,3 +147,24 @@ def iceye_hdf5(path, p):
 
 VECTOR = {f"{k}{a}" for k in ("pos", "vel") for a in "XYZ"}
 __all__ = ["Product", "cosmo", "iceye_hdf5", "nisar"]
+
+
+def lengths_vary(path, *attributes, table="", damage=False):
+    """The file with texts in heaps: these attributes and a table in chunks; damaged: an object of them has no end."""
+    import h5py
+
+    with h5py.File(path, "r+") as data:
+        for name in attributes:
+            text = data.attrs[name].decode()
+            del data.attrs[name]
+            data.attrs.create(name, text, dtype=h5py.string_dtype())
+        if table:
+            values = np.ravel(data[table][()])
+            del data[table]
+            data.create_dataset(table, data=values, dtype=h5py.string_dtype(), chunks=(4,))
+    if damage:
+        whole = bytearray(path.read_bytes())
+        at = whole.index(b"GCOL\x01") + 16
+        whole[at : at + 2], whole[at + 8 : at + 16] = b"\0\0", bytes(8)
+        path.write_bytes(whole)
+    return path

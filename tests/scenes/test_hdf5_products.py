@@ -8,7 +8,7 @@ from raybundle.io.reading import hdf5 as room
 from raybundle.io.scenes import products, read_scene
 from raybundle.numerics.geodesy import WGS84, geocentric_from_geographic
 from tests.messages import refused
-from tests.scenes.hdf5_products import cosmo, iceye_hdf5, nisar
+from tests.scenes.hdf5_products import cosmo, iceye_hdf5, lengths_vary, nisar
 from tests.scenes.radar_products import Product
 from tests.scenes.test_mda_products import assert_meets
 from tests.scenes.test_radar_files import file
@@ -87,6 +87,8 @@ def changed(path, **values):
 
 
 SWATHS, ORBIT = "science/LSAR/RSLC/swaths", "science/LSAR/RSLC/metadata/orbit"
+GRID = "science/LSAR/RSLC/metadata/geolocationGrid"
+TERRAIN = "science/LSAR/RSLC/metadata/processingInformation/parameters/referenceTerrainHeight"
 FAULTS = [
     (cosmo, {"Look Side": np.bytes_("UP")}, "value.not_supported", "Look Side"),
     (cosmo, {"Product Type": np.bytes_("RAW_B")}, "scene.raw_product", "/"),
@@ -108,6 +110,8 @@ FAULTS = [
     (nisar, {f"{SWATHS}/zeroDopplerTime": np.arange(2000) ** 1.01}, "scene.not_uniform", "zeroDopplerTime"),
     (nisar, {f"{SWATHS}/frequencyA/slantRange": np.ones(1200)}, "scene.pixel_count", "slantRange"),
     (nisar, {f"{SWATHS}/frequencyA/slantRange": None}, "xml.element_missing", "swaths"),
+    (nisar, {GRID + "/epsg": 999999}, "crs.unknown", "epsg"),
+    (nisar, {TERRAIN: np.zeros(0)}, "value.count", "referenceTerrainHeight"),
     (nisar, {f"{ORBIT}/time": np.arange(13.0)}, "xml.element_missing", "orbit"),
     (nisar, {f"{ORBIT}/position": np.ones((3, 3))}, None, None),
     (iceye_hdf5, {"look_side": "x"}, "value.not_supported", "look_side"),
@@ -185,3 +189,46 @@ def test_other_hdf5_is_named(tmp_path):
     (tmp_path / "b.h5").write_bytes(whole[: len(whole) // 2])
     with refused("file.hdf5_damaged", file="b.h5"):
         read_scene(tmp_path / "b.h5")
+
+
+HEAPS = [
+    (iceye_hdf5, (), "state_vector_time_utc"),
+    (cosmo, ("Look Side", "Lines Order", "Product Type"), ""),
+]
+
+
+@pytest.mark.parametrize(("maker", "attributes", "table"), HEAPS)
+def test_heaps_of_texts_are_read_or_refused(tmp_path, maker, attributes, table):
+    product = Product()
+    path = lengths_vary(maker(tmp_path / "a.h5", product), *attributes, table=table)
+    assert_meets(read_scene(path).rigorous, product)
+    with refused("file.hdf5_damaged"):
+        read_scene(lengths_vary(path, damage=True))
+
+
+@pytest.mark.parametrize(
+    "form", [{"shape": (1 << 20,), "dtype": "S20000"}, {"shape": (9,), "dtype": "S1", "chunk": 1 << 27}]
+)
+def test_tables_of_too_many_bytes_are_named(tmp_path, form):
+    path = changed(iceye_hdf5(tmp_path / "a.h5", Product()), look_side=None)
+    with h5py.File(path, "r+") as data:
+        n = form.get("chunk", 64)
+        data.create_dataset("look_side", form["shape"], form["dtype"], chunks=(n,), maxshape=(None,))
+    with refused("value.table_too_large", column="look_side", limit_bytes=room.MOST_BYTES):
+        read_scene(path)
+
+
+def test_references_and_types_in_place_of_values_are_named(tmp_path):
+    for value in (np.dtype("f8"), "reference"):
+        path = iceye_hdf5(tmp_path / "a.h5", Product())
+        with h5py.File(path, "r+") as data:
+            del data["azimuth_time_interval"]
+            data["azimuth_time_interval"] = data["posX"].ref if value == "reference" else value
+        with refused("value.not_a_number", column="azimuth_time_interval"):
+            read_scene(path)
+
+
+def test_an_empty_polynomial_is_named(tmp_path):
+    path = changed(cosmo(tmp_path / "a.h5", Product(ground=True)), **{"Ground to Slant Polynomial": np.zeros(0)})
+    with refused("value.count", column="Ground to Slant Polynomial", n=0):
+        read_scene(path)

@@ -1,6 +1,7 @@
 """Products of RADARSAT-2 and RCM: truth of an orbit of its own, RPC, gross faults, a block of two vendors."""
 
 import re
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from raybundle.errors import InputError
 from raybundle.io.scenes import agreement_of, check_agreement, read_scene
 from raybundle.numerics.geodesy import WGS84, geocentric_from_geographic
 from raybundle.scenes.model_agreement import ModelsContradict
+from raybundle.scenes.orbit import Orbit
 from raybundle.scenes.rpc_fit import fit_rpc
 from tests.messages import refused
 from tests.scenes.radar_products import Product, radarsat2, rcm
@@ -165,3 +167,39 @@ def test_an_extent_that_contradicts_is_refused(tmp_path):
     far = re.search(r"<slantRangeFarEdge[^>]*>([\d.]+)", text)[1]
     with refused("scene.range_extent", column="slantRangeFarEdge"):
         written(tmp_path, text.replace(far, str(float(far) + 500)))
+
+
+@dataclass(kw_only=True)
+class Noisy(Product):
+    """Noisy state vectors."""
+
+    noise: tuple[float, float]
+
+    def table(self):
+        t = np.arange(1.0 - self.vectors, 1.0) * self.step_s  # the image begins and ends half a step from the last
+        vectors = self.at(t)
+        rng = np.random.default_rng(4)
+        return t, *(v + rng.normal(0, s, v.shape) for v, s in zip(vectors, self.noise, strict=True))
+
+
+@pytest.mark.parametrize("noise", [(0.1, 0.15), (0.1, 3e-4)])
+def test_noisy_dense_state_vectors_are_fitted(tmp_path, noise):
+    product = Noisy(vectors=301, step_s=1.0, noise=noise)
+    found = written(tmp_path, rcm(product))
+    geographic, _, _, xy = product.truth()
+    d = (found.rigorous.project(geographic) - xy) * [product.spacing_m, 1]
+    assert np.abs(d).max() < 0.5
+    t, P, V = product.table()
+    through = replace(found.rigorous, orbit=Orbit(times=t - product.first_s, positions=P, velocities=V))
+    assert np.abs(through.project(geographic) - xy)[:, 1].max() > 50
+    (remark,) = (r for r in found.remarks if r.code == "scene.orbit_noise")
+    assert remark.values["noise_m"] == pytest.approx(noise[0], rel=0.15)
+    assert remark.values["noise_m_s"] == pytest.approx(noise[1], rel=0.15)
+
+
+@pytest.mark.parametrize("step_s", [0.1, 1.0, 4.0])
+def test_state_vectors_without_noise_stay(step_s):
+    t, P, V = Product(vectors=121, step_s=step_s).table()
+    for decimals in (3, 9):
+        orbit = Orbit(times=t, positions=P.round(max(decimals, 3 + (step_s < 1))), velocities=V.round(max(decimals, 5)))
+        assert orbit.fitted() is orbit

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from math import lgamma
 
 import numpy as np
 
@@ -18,6 +19,18 @@ BEYOND = 0.5
 """Steps of the table by which an image may end before or after it."""
 CONTRADICTING = 0.1
 """Share by which velocities may differ from those of the positions: a chord of a tenth of a turn is 2 % short."""
+DENSE_S = 5.0
+"""Steps of state vectors up to which their noise is tested: interpolation amplifies it by distance over step"""
+NOISE = 1e-3
+"""Noise of velocities, or of positions over a step, from which on a polynomial is fitted [m/s]: 0.1 m on the ground"""
+TRUNCATION_M = 1e-5
+"""Of the polynomial that is fitted to noisy state vectors"""
+ORBITAL = (1e3, 1e5)
+"""Speeds of satellites [m/s]; what is slower is no free fall, and may move as it likes"""
+FARTHEST_M = 1e12
+VARIANCE_STEPS = 5
+LEAST_SIGMA = 1e-9
+"""Keeps weights finite [m, m/s]"""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -32,6 +45,9 @@ class Orbit:
     """(n, 3) [m/s]"""
     joint: bool = True
     """Whether velocities are derivatives of the positions; else the file means an interpolation of each by itself"""
+    noise_m: float = 0.0
+    noise_m_s: float = 0.0
+    """Standard deviations of the positions and velocities that `fitted` replaced; 0: it replaced none"""
 
     def __post_init__(self) -> None:
         """Refuse tables that are none."""
@@ -71,6 +87,37 @@ class Orbit:
             velocities=np.einsum("nij,nj->ni", axes, moving),
             joint=joint,
         )
+
+    def fitted(self) -> Orbit:
+        """The orbit with the state vectors of a polynomial through dense, noisy ones; else itself.
+
+        Least squares with positions and velocities weighted by their estimated variance components.  The degree follows
+        from the truncation of a circular orbit over this time.
+        """
+        n, middle, half = len(self.times), float(self.times[0] + self.times[-1]) / 2, float(np.ptp(self.times)) / 2
+        step = float(np.median(np.diff(self.times)))
+        radius, speed = (float(np.linalg.norm(v, axis=1).max()) for v in (self.positions, self.velocities))
+        if not (self.joint and step <= DENSE_S and ORBITAL[0] < speed < ORBITAL[1] and speed < radius < FARTHEST_M):
+            return self
+        turn = np.log(half * speed / radius)
+        limit = np.log(TRUNCATION_M / radius)
+        degree = next((d for d in range(1, n - 2) if (d + 1) * turn - lgamma(d + 2) - d * np.log(2) < limit), None)
+        if degree is None:
+            return self
+        u = (self.times - middle) / half
+        values = np.polynomial.chebyshev.chebvander(u, degree)
+        slopes = np.polynomial.chebyshev.chebval(u, np.polynomial.chebyshev.chebder(np.eye(degree + 1))).T / half
+        sigma = np.ones(2)
+        P, V = self.positions, self.velocities
+        for _ in range(VARIANCE_STEPS):
+            Q, R = np.linalg.qr(np.concatenate([values / sigma[0], slopes / sigma[1]]))
+            c = np.linalg.solve(R, Q.T @ np.concatenate([self.positions / sigma[0], self.velocities / sigma[1]]))
+            P, V = values @ c, slopes @ c
+            squares = np.array([np.sum((P - self.positions) ** 2), np.sum((V - self.velocities) ** 2)])
+            sigma = np.sqrt(squares / 3 / (n - np.array([np.sum(Q[:n] ** 2), np.sum(Q[n:] ** 2)]))) + LEAST_SIGMA
+        if max(sigma[0] / step, sigma[1]) <= NOISE:
+            return self
+        return replace(self, positions=P, velocities=V, noise_m=float(sigma[0]), noise_m_s=float(sigma[1]))
 
     @property
     def cover(self) -> tuple[float, float]:

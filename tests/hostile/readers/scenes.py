@@ -200,7 +200,7 @@ def radarsat1_seeds(top: Path) -> None:
 
 
 def hdf5_seeds(top: Path) -> None:
-    from tests.scenes.hdf5_products import cosmo, iceye_hdf5, nisar
+    from tests.scenes.hdf5_products import cosmo, iceye_hdf5, lengths_vary, nisar
     from tests.scenes.radar_products import Product
 
     small = {"columns": 40, "rows": 40, "vectors": 5}
@@ -208,6 +208,8 @@ def hdf5_seeds(top: Path) -> None:
         maker(place(top, k) / "a.h5", Product(**small if maker is not nisar else {}))
     cosmo(place(top, 3) / "a.h5", Product(ground=True, **small), mission="KMPS", mode="WIDE SWATH")
     iceye_hdf5(place(top, 4) / "a.h5", Product(ground=True, **small))
+    lengths_vary(iceye_hdf5(place(top, 5) / "a.h5", Product(**small)), table="state_vector_time_utc")
+    lengths_vary(cosmo(place(top, 6) / "a.h5", Product(**small)), "Look Side", "Lines Order", "Product Type")
 
 
 def capella_seeds(top: Path) -> None:

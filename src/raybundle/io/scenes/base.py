@@ -15,6 +15,7 @@ from raybundle.io.reading.hdf5 import SIGNATURE, hdf5_root
 from raybundle.io.reading.xml import Element
 from raybundle.io.scenes.products import product_of
 from raybundle.numerics.arrays import Array
+from raybundle.scenes.kinds.range_doppler import RangeDoppler
 from raybundle.scenes.rpc import Rpc
 from raybundle.scenes.rpc_image import rpc_of_image
 from raybundle.scenes.sensor import Rigorous, SceneSensor
@@ -132,6 +133,9 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
         raise error.at(path) from None
     if scene.rpc is None and scene.rigorous is None:
         raise InputError("scene.no_geometry", details=scene.remarks, file=path)
+    if isinstance(scene.rigorous, RangeDoppler) and (orbit := scene.rigorous.orbit).noise_m:
+        noise = note("scene.orbit_noise", n=len(orbit.times), noise_m=orbit.noise_m, noise_m_s=orbit.noise_m_s)
+        scene = replace(scene, remarks=(*scene.remarks, noise))
     if scene.rpc is not None and scene.width_px and scene.height_px:
         rpc = rpc_of_image(scene.rpc, scene.width_px, scene.height_px, path)
         if rpc is not scene.rpc:
@@ -142,8 +146,11 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
 CUT_OUT = note("scene.rpc_range_adapted")
 
 
-def check_denominators(rpc: Rpc, file: Path | str) -> None:
-    """Raise InputError where a denominator vanishes inside the scene, at heights within half of the RPC's range."""
+def check_denominators(rpc: Rpc, file: Path | str, size_px: tuple[int, int] | None = None) -> None:
+    """Raise InputError where a denominator vanishes inside the scene, at heights within half of the RPC's range.
+
+    size_px  of the image, where it is known: the range of an RPC may be several times as large
+    """
     steps = np.linspace(-1, 1, 9)
     u, v, w = (a.ravel() for a in np.meshgrid(steps, steps, steps / 2, indexing="ij"))
     inside = rpc.ground_offset + rpc.ground_scale * np.stack([u, v, w], axis=1)
@@ -152,7 +159,8 @@ def check_denominators(rpc: Rpc, file: Path | str) -> None:
     except InputError as error:
         # loosely scaled RPCs (a whole degree for a small scene) may have poles outside the scene: look along its rays
         try:
-            grid = rpc.image_offset + rpc.image_scale * np.stack([u, v], axis=1)
+            grid = np.stack([u, v], axis=1)
+            grid = rpc.image_offset + rpc.image_scale * grid if size_px is None else (grid + 1) / 2 * size_px
             ground = rpc.localise(grid, float(rpc.ground_offset[2]))
             xy = rpc.project(ground)
         except Exception:  # noqa: BLE001  (whatever fails along the rays, the first reason is the clearer one)

@@ -79,7 +79,7 @@ def _orbit(state: Json, epoch: np.datetime64) -> Orbit:
     times = np.array([float((_instant(v.get("time")) - epoch) / np.timedelta64(1, "ns")) * 1e-9 for v in every])
     P, V = (np.array([v.get(k).numbers(3) for v in every]) for k in ("position", "velocity"))
     try:
-        return Orbit(times=times, positions=P, velocities=V)
+        return Orbit(times=times, positions=P, velocities=V).fitted()
     except InputError as error:
         raise error.at(vectors.file, column=vectors.at) from None
 

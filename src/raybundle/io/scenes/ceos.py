@@ -152,9 +152,9 @@ def platform_orbit(platform: Record, epoch: np.datetime64) -> Orbit:
         if "INERTIAL" in frame:
             turned = np.radians(platform.number(269, 290)) + OMEGA * (times - times[0])
             axes = np.stack([rotation_from_vector(np.array([0.0, 0.0, -a])) for a in turned])
-            return Orbit.of_inertial(times, P, V, axes, np.tile([0.0, 0.0, OMEGA], (n, 1)), joint=joint)
+            return Orbit.of_inertial(times, P, V, axes, np.tile([0.0, 0.0, OMEGA], (n, 1)), joint=joint).fitted()
         if "ROTATING" in frame or "FIXED" in frame:
-            return Orbit(times=times, positions=P, velocities=V, joint=joint)
+            return Orbit(times=times, positions=P, velocities=V, joint=joint).fitted()
     except InputError as error:
         raise error.at(platform.path, column=f"{platform.name}, byte 387") from None
     return platform.fail(205, "value.not_supported", value=quoted(frame), known=["rotating", "fixed", "inertial"])

@@ -128,7 +128,7 @@ def _orbit(main: Record, epoch: np.datetime64) -> Orbit:
     try:
         return Orbit(
             times=times, positions=table[:, :3] * 1e-2, velocities=table[:, 3:] * 1e-5, joint=rounded_jointly(times)
-        )
+        ).fitted()
     except InputError as error:
         raise error.at(main.path, column=f"{main.name}, byte 1766") from None
 

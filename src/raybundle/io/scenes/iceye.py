@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import Message, note
+from raybundle.io.reading.files import as_utf8, opened
 from raybundle.io.reading.hdf5 import hdf5_names, hdf5_root
 from raybundle.io.reading.words import no_number, numbers_of
 from raybundle.io.reading.xml import Element, read_xml
@@ -45,6 +46,8 @@ PIXELS = ("s_i", "s_amplitude")
 """Tables of an HDF5: by which it is recognised; the pixels of an SLC, and of a GRD"""
 TIMES = ("zerodoppler_start_utc", "zerodoppler_end_utc")
 CORNERS = tuple(f"coord_{a}_{r}" for a in ("first", "last") for r in ("near", "far"))
+MOST_BYTES = 1 << 24
+"""What is read of an XML to recognise it: state vectors every 0.1 s are some 70 kB"""
 HEAD = ("satellite_name", "acquisition_mode", "product_level", "polarization")
 
 
@@ -121,8 +124,8 @@ def _columns(flat: Element, group: Element | None) -> Columns:
     if group is None:
         return Columns.slant(amount(flat, "slant_range_spacing"), C_LIGHT / 2 * amount(flat, "first_pixel_time", "s"))
     inside = [e for e in group.children if e.name == "coefficient"]
-    inside.sort(key=lambda e: e.value("number") if "number" in e.attributes else 0.0)
-    c = np.array([float(e.numbers(1)[0]) for e in inside]) if inside else _numbers(group)
+    inside.sort(key=lambda e: e.value("number") if "number" in e.attributes else e.number("number", 0.0))
+    c = np.array([float((e.find("value") or e).numbers(1)[0]) for e in inside]) if inside else _numbers(group)
     origin = next((n for n in ("grsr_ground_range_origin", "ground_range_origin") if flat.find(n)), None)
     return ground_columns(amount(flat, "range_spacing"), [(0.0, amount(flat, origin) if origin else 0.0, c)])
 
@@ -169,12 +172,12 @@ def read_hdf5(path: Path) -> Scene:
 
 
 def _recognises(path: Path, head: bytes) -> bool:
-    del path
-    return (
-        head.lstrip().startswith(b"<")
-        and b"ICEYE" in head
-        and re.search(rb"<(product|satellite)_name", head) is not None
-    )
+    if not head.lstrip().startswith(b"<"):
+        return False
+    if b"ICEYE" not in head and b"<Metadata" in head:  # long tables may stand before its name
+        with opened(path) as file:
+            head = as_utf8(file.read(MOST_BYTES), whole=False)
+    return b"ICEYE" in head and re.search(rb"<(product|satellite)_name", head) is not None
 
 
 register(SceneFormat(name="iceye", title="ICEYE XML (SLC, GRD)", recognises=_recognises, read=read, within="*.xml"))

@@ -6,12 +6,14 @@ their unit.  The geolocation grid has coordinates by height, time and range.
 
 from __future__ import annotations
 
+from math import prod
 from pathlib import Path
 
 import numpy as np
 from pyproj import Transformer
 
-from raybundle.errors import Message, note
+from raybundle.errors import InputError, Message, note
+from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.reading.hdf5 import Node, hdf5_names, hdf5_root
 from raybundle.io.reading.words import quoted
 from raybundle.io.scenes.base import Scene, SceneFormat, element_text, register
@@ -116,8 +118,10 @@ def _ties(grid: Node, ranges: tuple[float, float], lines: tuple[float, float]) -
     xy: list[Array] = []
     for name in ("coordinateX", "coordinateY"):
         node = _node(grid.get(name))
-        if node.shape != shape or node.values is None:
-            node.fail("value.count", n=int(np.prod(node.shape)), needed=int(np.prod(shape)))
+        if node.values is None:
+            node.numbers(prod(shape))
+        if node.shape != shape:
+            node.fail("value.count", n=prod(node.shape), needed=prod(shape))
         xy.append(np.asarray(node.values, float))
     # grids of single images of a simulation repeat a time for other coordinates: the first of them is meant
     firsts = [np.unique(a, return_index=True)[1] for a in axes]
@@ -128,7 +132,11 @@ def _ties(grid: Node, ranges: tuple[float, float], lines: tuple[float, float]) -
     epsg = int(grid.number("epsg", 4326.0))
     lon, lat = X[known], Y[known]
     if epsg != 4326:
-        lon, lat = Transformer.from_crs(epsg, 4326, always_xy=True).transform(lon, lat)
+        try:
+            system = parse_crs(f"EPSG:{epsg}")
+        except InputError as error:
+            raise error.at(grid.file, column="epsg") from None
+        lon, lat = Transformer.from_crs(system, 4326, always_xy=True).transform(lon, lat)
     image = [(v - first) / step + 0.5 for v, (first, step) in ((R[known], ranges), (T[known], lines))]
     return np.stack([lon, lat, H[known]], axis=1), np.stack(image, axis=1)
 

@@ -122,7 +122,7 @@ def orbit_of_table(parent: Element, times: Array, positions: Array, velocities: 
         parent.fail("scene.position_count", n=min(sizes), least=max(LEAST_VECTORS, *sizes))
     order = np.argsort(times)
     try:
-        return Orbit(times=times[order], positions=positions[order], velocities=velocities[order])
+        return Orbit(times=times[order], positions=positions[order], velocities=velocities[order]).fitted()
     except InputError as error:
         raise error.at(parent.file, parent.line or None, parent.name) from None
 

@@ -50,7 +50,7 @@ def scene_of_keys(values: Mapping[str, Any], path: Path, format_: str, size: tup
         err_bias_m=errors[0] if errors[0] > 0 else None,
         err_rand_m=errors[1] if errors[1] > 0 else None,
     )
-    check_denominators(rpc, path)
+    check_denominators(rpc, path, size)
     width, height = size or (None, None)
     return Scene(file=path, format=format_, rpc=rpc, width_px=width, height_px=height)
 

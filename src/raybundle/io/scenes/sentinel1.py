@@ -32,7 +32,7 @@ def read(path: Path) -> Scene:
         times=np.array([seconds(v.get("time"), epoch) for v in vectors]),
         positions=np.array([[v.get("position").number(k) for k in "xyz"] for v in vectors]).reshape(-1, 3),
         velocities=np.array([[v.get("velocity").number(k) for k in "xyz"] for v in vectors]).reshape(-1, 3),
-    )
+    ).fitted()
     step = image.number("azimuthTimeInterval")
     burst_y, burst_times = _bursts(root, rows, epoch)
     spacing, first, range_times, coefficients = _ranges(root, image, epoch)

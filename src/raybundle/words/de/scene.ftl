@@ -225,6 +225,9 @@ scene-several_in_folder = Der Ordner enthält mehrere Szenen: { $names }.
 
 scene-radar_delays = Laufzeiten der Atmosphäre und Gezeiten der Erde bleiben der Verschiebung von Entfernung und Uhr.
 
+scene-orbit_noise = { $n } verrauschte Zustandsvektoren ({ NUM($noise_m, digits: 2) } m, { NUM($noise_m_s, digits: 2) } m/s) durch ein Ausgleichspolynom ersetzt.
+    .why = Die Interpolation verstärkt ihr Rauschen.
+
 scene-bursts = { $n } Bursts: Zeilen zwischen ihnen sind doppelt aufgenommen, und keine RPC passt zum ganzen Bild.
 
 scene-burst_lines = { $n } Bursts zu { $lines } Zeilen ergeben nicht { $rows } Zeilen.

@@ -58,3 +58,5 @@ value-no_number_or_text = { $value } ist weder Zahl noch Text.
 
 value-not_one_of = { $entry } = { $given } ist unbekannt.
     .do = Eines von { LIST($known, most: 20) } angeben.
+
+value-table_too_large = Die Tabelle oder ein Chunk von ihr hat { $size_bytes } Bytes; höchstens { $limit_bytes } werden gelesen.

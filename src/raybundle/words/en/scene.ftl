@@ -333,6 +333,12 @@ scene-several_in_folder = The folder holds several scenes: { $names }.
 
 scene-radar_delays = Delays of the atmosphere and tides of the earth are left to range offset and clock.
 
+# $n = 10
+# $noise_m = 0.126
+# $noise_m_s = 0.012
+scene-orbit_noise = { $n } noisy state vectors ({ NUM($noise_m, digits: 2) } m, { NUM($noise_m_s, digits: 2) } m/s) replaced by a fitted polynomial.
+    .why = Interpolation amplifies their noise.
+
 # $n = 9
 scene-bursts = { $n } bursts: lines between them are taken twice, and no RPC fits the whole image.
 

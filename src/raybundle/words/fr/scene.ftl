@@ -139,6 +139,9 @@ scene-several_in_folder = Le dossier contient plusieurs scènes : { $names }.
 
 scene-radar_delays = Les retards de l'atmosphère et les marées terrestres restent au décalage de distance et d'horloge.
 
+scene-orbit_noise = { $n } vecteurs d'état bruités ({ NUM($noise_m, digits: 2) } m, { NUM($noise_m_s, digits: 2) } m/s) remplacés par un polynôme ajusté.
+    .why = L'interpolation amplifie leur bruit.
+
 scene-bursts = { $n } bursts : des lignes sont prises deux fois, et aucun RPC ne décrit l'image entière.
 
 scene-burst_lines = { $n } bursts de { $lines } lignes ne font pas { $rows } lignes.

@@ -39,3 +39,5 @@ value-no_length = { $value } n'est pas une longueur.
 value-no_number_or_text = { $value } n'est ni un nombre ni un texte.
 
 value-not_one_of = { $entry } = { $given } est inconnu.
+
+value-table_too_large = La table, ou un de ses blocs, a { $size_bytes } octets ; au plus { $limit_bytes } sont lus.
