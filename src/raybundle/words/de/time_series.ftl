@@ -14,4 +14,4 @@ time_series-dates_not_ascending = Die Daten steigen nicht an: { LIST($dates, mos
     .do = Die Oberflächen in der Reihenfolge ihrer Daten angeben.
 
 time_series-older_model = Volumen über die Zeit nehmen Oberflächen, kein älteres Modell ohne Fotos.
-    .do = Es mit einer Oberfläche vergleichen: raybundle heights difference, oder heights volume --above.
+    .do = Es mit einer Oberfläche vergleichen: raybundle heights difference, oder heights volume mit { OPTION("above", "FILE") }.
