@@ -1,6 +1,8 @@
 """Extended JSON of Capella: truth of an orbit of its own, the centres of published files, gross faults."""
 
+import contextlib
 import json
+import warnings
 
 import numpy as np
 import pytest
@@ -8,6 +10,7 @@ import pytest
 from raybundle.errors import InputError
 from raybundle.io.scenes import read_scene
 from raybundle.numerics.geodesy import WGS84, geocentric_from_geographic
+from tests.messages import refused
 from tests.scenes.radar_products import Product, centre_of
 from tests.scenes.test_mda_products import assert_meets
 
@@ -89,3 +92,13 @@ def test_a_wrong_side_is_reported_by_the_centre(tmp_path):
     keys = capella(Product())
     keys["collect"]["radar"]["pointing"] = "left"
     assert [r.code for r in written(tmp_path, keys).remarks] == ["scene.radar_delays", "scene.tie_points"]
+
+
+@pytest.mark.parametrize(("zone", "known"), [("Z", True), ("+00:00", True), ("+02:00", False)])
+def test_times_are_utc(tmp_path, zone, known):
+    text = json.dumps(capella(Product())).replace('Z"', f'{zone}"')
+    path = tmp_path / "a_extended.json"
+    path.write_text(text)
+    with contextlib.nullcontext() if known else refused("value.no_time"), warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert_meets(read_scene(path).rigorous, Product())

@@ -14,7 +14,7 @@ from raybundle.errors import InputError, note
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import quoted
 from raybundle.io.scenes.base import Scene, SceneFormat, register
-from raybundle.io.scenes.radar_tables import Columns, tied
+from raybundle.io.scenes.radar_tables import Columns, tied, utc
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import WGS84, geographic_from_geocentric
 from raybundle.scenes.orbit import LEAST, Orbit
@@ -63,7 +63,7 @@ def _doppler(geometry: Json) -> Array:
 
 def _instant(value: Json) -> np.datetime64:
     try:
-        return np.datetime64(value.text().rstrip("Z"), "ns")
+        return utc(value.text())
     except ValueError:
         value.fail("value.no_time", value=quoted(value.text()))
 

@@ -17,7 +17,7 @@ from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.reading.hdf5 import Node, hdf5_names, hdf5_root
 from raybundle.io.reading.words import quoted
 from raybundle.io.scenes.base import Scene, SceneFormat, element_text, register
-from raybundle.io.scenes.radar_tables import SIDES, Columns, choice, orbit_of_table, tied
+from raybundle.io.scenes.radar_tables import SIDES, Columns, choice, orbit_of_table, tied, utc
 from raybundle.numerics.arrays import Array
 
 RADARS = ("LSAR", "SSAR")
@@ -105,7 +105,7 @@ def _epoch(parent: object, name: str = "time") -> np.datetime64:
     _, since, date = unit.content.partition(SINCE)
     try:
         if since:
-            return np.datetime64(date.strip().rstrip("Z"), "ns")
+            return utc(date)
     except ValueError:
         pass
     return unit.fail("value.no_time", value=quoted(unit.content))

@@ -5,6 +5,7 @@ Lines and pixels of the files count from 0 at centres; state vectors stand in th
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import comb
@@ -32,14 +33,23 @@ DEGREE = 2 * NEAREST - 1
 SHORT_S = 30.0
 """Steps of state vectors in whole cm from which on a polynomial through positions and velocities at once is better: its
 velocities err by the rounding over the step; one through velocities alone errs by 1e-5 m/s at this step"""
+_UTC = re.compile(r"(Z|[+-]00:?00)$")
 EXTENT = 0.01
 """By which share of the swath the ranges at its edges may contradict each other: they change along an image."""
+
+
+def utc(text: str) -> np.datetime64:
+    """The time that a text states, in UTC; raises ValueError for another zone."""
+    word = _UTC.sub("", text.strip())
+    if {"+", "-"} & {*word[10:]}:
+        raise ValueError(word)
+    return np.datetime64(word, "ns")
 
 
 def instant(element: Element) -> np.datetime64:
     """The time that an element states, in UTC."""
     try:
-        return np.datetime64(element.content.strip().rstrip("Z"), "ns")
+        return utc(element.content)
     except ValueError:
         element.fail("value.no_time", value=quoted(element.content.strip()))
 

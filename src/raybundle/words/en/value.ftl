@@ -87,6 +87,6 @@ value-no_number_or_text = { $value } is neither a number nor a text.
 value-not_one_of = { $entry } = { $given } is unknown.
     .do = Give one of { LIST($known, most: 20) }.
 
-# $size_bytes = 480_000_000
-# $limit_bytes = 67_108_864
+# $size_bytes = 480000000
+# $limit_bytes = 67108864
 value-table_too_large = The table, or a chunk of it, has { $size_bytes } bytes; at most { $limit_bytes } are read.
