@@ -25,9 +25,10 @@ from raybundle.ties.points import FeatureStore
 
 WEAK = 0.5
 """Share of the median of the strongest pairs of all photographs below which a pair is weak."""
-LIKELY, TIMES, CERTAIN = 0.3, 2.0, 8.0
+LIKELY, TIMES, CERTAIN, FEW, ALONE = 0.3, 2.0, 8.0, 20, 120
 """Matches of a mirrored part: as a share of that median, for one as it is, and where it is left out also for one that
-the scene has with its own mirror image.  `benchmarks/mirrored.py`."""
+the scene has with its own mirror image, of which so few are always expected; at least, of a part that hangs on nothing.
+`benchmarks/mirrored.py`."""
 MIRRORING = (2, 4, 5, 7)
 """Orientations in EXIF of pictures that are stored mirrored"""
 COMPARED, TRIED, LOOKED = 64, 2, 1000
@@ -107,14 +108,14 @@ def mirrored_among(ends: Index, count: Index, n: int, alike: Alike, flipped: Fli
         candidates = _candidates(mine, part, ends, count)
         ranked = sorted(((alike(i, j), i, j) for i, j in candidates.tolist()), reverse=True)[:TRIED]
         m, i, j = max((flipped(i, j), i, j) for _, i, j in ranked)
-        if m < (max(LIKELY * usual, TIMES * join[g], STRONG) if join[g] else CERTAIN * STRONG):
+        if m < (max(LIKELY * usual, TIMES * join[g], STRONG) if join[g] else ALONE):
             continue
         found = True
         own = max(flipped(j, k) for k in [j, *_strongest(j, part, ends, count)])
         between = (part[ends[across]] == g).any(axis=1) & (part[ends[across]] == part[j]).any(axis=1)
         plain = int(count[across[between]].max(initial=0))
         shown = Mirrored(
-            photographs=(), pair=(i, j), matches=m, plain=plain, certain=m >= CERTAIN * max(plain, own, STRONG)
+            photographs=(), pair=(i, j), matches=m, plain=plain, certain=m >= CERTAIN * max(plain, own, FEW)
         )
         edges.append(_Edge(parts=(g, int(part[j])), matches=m, shown=shown))
     return _minority(edges, of_part)
