@@ -8,6 +8,7 @@ import pytest
 from scipy.spatial import KDTree
 
 from raybundle.matching.methods import feature_method
+from raybundle.matching.reduced import Reduced
 from raybundle.ties.mirrored import mirrored_among, stored_mirrored
 from tests.matching.test_features import texture
 
@@ -23,6 +24,7 @@ def test_descriptors_of_the_mirrored_picture_need_no_detection():
     a, b = (x[same].astype(float) for x in (method.mirrored(one.descriptors), two.descriptors[at]))
     alike = (a * b).sum(axis=1) / np.linalg.norm(a, axis=1) / np.linalg.norm(b, axis=1)
     assert np.median(alike) > 0.99
+    np.testing.assert_array_equal(Reduced(method).mirrored(one.descriptors), method.mirrored(one.descriptors))
 
 
 def row(n=10, neighbours=1000, *, symmetrical=0):

@@ -172,18 +172,20 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
         return journal.append_verb(verb, arguments, id=id, author=operator)
 
 
-def control_in_block(folder: str | Path, action: GiveControl) -> GiveControl:
+def control_in_block(folder: str | Path, action: GiveControl, block: Block | None = None) -> GiveControl:
     """A table of control in the frame of the block of a folder.
 
     A project with a coordinate system has a local frame in it.  The coordinates are taken in that system if they lie
     nearer to the block so than as they stand.
+    block   of the folder, where it is at hand
     raises  InputError for control that lies far from the block either way
     """
     from raybundle.commands.marked_results import passed_on
 
     frame = passed_on(Path(folder)).frame
     action = action if frame is None else _in_frame(action, frame)
-    check_reach(read_block(given_block(_standing(folder))), action, "" if frame is None else frame.crs)
+    block = read_block(given_block(_standing(folder))) if block is None else block
+    check_reach(block, action, "" if frame is None else frame.crs)
     return action
 
 

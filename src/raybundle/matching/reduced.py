@@ -49,6 +49,10 @@ class Reduced(FeatureMethod):
         """Those of the method."""
         return self.method.vectors(descriptors)
 
+    def mirrored(self, descriptors: Array) -> Array | None:
+        """As the method has them."""
+        return self.method.mirrored(descriptors)
+
     def match(self, first: Described, second: Described) -> Index:
         """As the method matches."""
         return self.method.match(first, second)

@@ -218,7 +218,7 @@ class Studio:
         if not name:
             raise HTTPException(400, phrase("studio_page.bad_request", name="id", kind="id"))
         action, remarks = control_of_text(_text(given, "text"), _text(given, "file") or "control.csv")
-        action = control_in_block(self.desk.source, action)
+        action = control_in_block(self.desk.source, action, self.desk.given)
         done = self._done(self.desk.journal.append(action, id=name, author=str(given.get("author", ""))[:100]))
         return {"added": [p.point for p in action.points], "remarks": list(remarks), **done}
 

@@ -8,7 +8,7 @@ compared as they are, and mirrored: descriptors of the mirrored picture need no 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial import KDTree
@@ -95,14 +95,13 @@ def mirrored_among(ends: Index, count: Index, n: int, alike: Alike, flipped: Fli
     join = np.zeros(int(part.max()) + 1, np.int64)
     for k in (0, 1):
         np.maximum.at(join, part[ends[across, k]], count[across])
-    edges = [_Edge(parts=(int(part[ends[r, 0]]), int(part[ends[r, 1]])), matches=int(count[r])) for r in across]
     of_part = rows_of_each(part, len(join))
     largest = int(np.argmax([len(m) for m in of_part]))
     hanging = [g for g in np.argsort(join, kind="stable").tolist() if g != largest]
     hanging.sort(key=lambda g: not join[g])
-    found = False
+    mirrored = list[_Edge]()
     for g in hanging[: max(FEW_PARTS, len(ends) // PAIRS_EACH)]:
-        if not join[g] and not found and len(hanging) > FEW_PARTS:  # they hang on nothing, and take no part
+        if not join[g] and not mirrored and len(hanging) > FEW_PARTS:  # they hang on nothing, and take no part
             break
         mine = of_part[g]
         candidates = _candidates(mine, part, ends, count)
@@ -110,15 +109,20 @@ def mirrored_among(ends: Index, count: Index, n: int, alike: Alike, flipped: Fli
         m, i, j = max((flipped(i, j), i, j) for _, i, j in ranked)
         if m < (max(LIKELY * usual, TIMES * join[g], STRONG) if join[g] else ALONE):
             continue
-        found = True
         own = max(flipped(j, k) for k in [j, *_strongest(j, part, ends, count)])
         between = (part[ends[across]] == g).any(axis=1) & (part[ends[across]] == part[j]).any(axis=1)
         plain = int(count[across[between]].max(initial=0))
         shown = Mirrored(
             photographs=(), pair=(i, j), matches=m, plain=plain, certain=m >= CERTAIN * max(plain, own, FEW)
         )
-        edges.append(_Edge(parts=(g, int(part[j])), matches=m, shown=shown))
-    return _minority(edges, of_part)
+        mirrored.append(_Edge(parts=(g, int(part[j])), matches=m, shown=shown))
+    if not mirrored:
+        return None
+    plain = [
+        _Edge(parts=(i, j), matches=m)
+        for (i, j), m in zip(part[ends[across]].tolist(), count[across].tolist(), strict=True)
+    ]
+    return _minority([*plain, *mirrored], of_part)
 
 
 def _candidates(mine: Index, part: Index, ends: Index, count: Index) -> Index:
@@ -159,7 +163,7 @@ def _minority(edges: Sequence[_Edge], of_part: Sequence[Index]) -> Mirrored | No
             tree[g], side[g] = a, side[g] ^ turn
         members[a] += members.pop(b)
         used += [] if e.shown is None else [e.shown]
-    if not used:
+    if not used:  # stronger ones join the same parts as they are
         return None
     out, halves = list[int](), False
     for parts in members.values():
@@ -168,10 +172,8 @@ def _minority(edges: Sequence[_Edge], of_part: Sequence[Index]) -> Mirrored | No
         halves |= len(sides[0]) == len(sides[1])
     shown = max(used, key=lambda m: m.matches)
     first, second = shown.pair if shown.pair[0] in out else shown.pair[::-1]
-    return Mirrored(
-        photographs=tuple(sorted(out)), pair=(first, second), matches=shown.matches, plain=shown.plain,
-        certain=all(m.certain for m in used) and not halves,
-    )  # fmt: skip
+    certain = all(m.certain for m in used) and not halves
+    return replace(shown, photographs=tuple(sorted(out)), pair=(first, second), certain=certain)
 
 
 def same_handed(p: Array, q: Array) -> bool:
