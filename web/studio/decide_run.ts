@@ -38,7 +38,7 @@ export class DecideRun {
       h("h3", {}, say("studio_run.settings")), h("p", { class: "note" }, say("studio_run.settings_note")),
       this.form.root);
     this.root.append(this.why, h("div", { class: "deeds first" }, this.go, this.stop, this.usual), this.status, this.bar, this.table, this.words, this.settings);
-    model.on("run", () => this.run(model.run));
+    model.on("run", () => model.run?.stages.length !== 0 && this.run(model.run));
   }
 
   async show(): Promise<void> {
@@ -92,7 +92,7 @@ export class DecideRun {
   }
 }
 
-function headline(run: Run): string {
+export function headline(run: Run): string {
   if (run.outcome !== "running") return say("studio_run.ended", { outcome: run.outcome, time: time(run.seconds) });
   const step = stageName(run.step);
   if (run.stopping) return say("studio_run.stopping", { step });

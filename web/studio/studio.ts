@@ -17,6 +17,7 @@ import { Model } from "./model";
 import { Panel } from "./panel";
 import { Space } from "./space";
 import { StandingLine } from "./standing";
+import { Products } from "./products";
 import { Status } from "./status";
 import { isPair, isPoint, Tables } from "./tables";
 import { Tabs } from "./tabs";
@@ -77,6 +78,8 @@ async function start(): Promise<void> {
       void panel.goTo(point, image);
     },
   });
+  const products = new Products(model, () => tabs.now === "products");
+  tabs.onopen("products", () => void products.show());
   tabs.onopen("decide", () => decide.show());
   tabs.onopen("space", () => void space.show());
   tabs.onopen("tables", () => tables.show());

@@ -1,7 +1,7 @@
 // Tabs of the stage: one is shown; the arrow keys go through them.
 import { element } from "./dom";
 
-export const TABS = ["images", "space", "tables", "decide", "journal"] as const;
+export const TABS = ["images", "space", "tables", "decide", "products", "journal"] as const;
 export type Tab = (typeof TABS)[number];
 
 export class Tabs {

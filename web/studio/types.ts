@@ -328,3 +328,35 @@ export type Live =
   | { type: "run"; run: Run }
   | { type: "targets"; images: string[]; error: string; code: string }
   | { type: "adjusted"; sigma0: number | null; folder: string; error: string; code: string };
+
+/** A file of a product. */
+export interface ProductFile {
+  path: string;
+  name: string;
+  bytes: number;
+  picture: boolean;
+  page: boolean;
+}
+
+export interface ProductFolder {
+  folder: string;
+  files: ProductFile[];
+  /** How many more there are. */
+  more: number;
+}
+
+export interface ProductsAnswer {
+  products: string[];
+  files: ProductFolder[];
+  run: Run | null;
+}
+
+/** A raster: its place is x0, y0, width and height of a pixel. */
+export interface ProductPicture {
+  path: string;
+  width: number;
+  height: number;
+  heights: boolean;
+  place: [number, number, number, number] | null;
+  system: string;
+}

@@ -34,6 +34,8 @@ from raybundle.studio.detecting import Detecting
 from raybundle.studio.forms import table_of
 from raybundle.studio.guard import LARGEST_BODY, POLICY_HEADER, Guard, Session, TooLarge
 from raybundle.studio.pairs import pairs
+from raybundle.studio.pictures import Pictures
+from raybundle.studio.products import Products
 from raybundle.studio.queries import answer
 from raybundle.studio.running import Running
 from raybundle.studio.scene import scene
@@ -83,6 +85,7 @@ class Studio:
         """The application."""
         deciding = Deciding(self.desk, self.work, self.live)
         targeting = Targeting(self.desk, self.detecting)
+        products = Products(self.desk, self.running, Pictures())
         calibrations = Calibrations(self.desk, self.work.shelf, language_of(self.session.reader.language))
         gets: dict[str, Callable[[Mapping[str, Any]], Any]] = {
             "/api/overview": lambda _: answers.overview(self.desk),
@@ -98,6 +101,7 @@ class Studio:
             "/api/calibration": lambda _: calibrations.reported(),
             **targeting.gets,
             **deciding.gets,
+            **products.gets,
         }
         posts: dict[str, Callable[[dict[str, Any]], Any]] = {
             "/api/action": self._action,
@@ -110,6 +114,7 @@ class Studio:
             "/api/run/settings": lambda given: self.running.choose(table_of(given, "values")),
             **targeting.posts,
             **deciding.posts,
+            **products.posts,
         }
         routes = [
             *(Route(path, self._get(make), methods=["GET"]) for path, make in gets.items()),
@@ -119,6 +124,7 @@ class Studio:
             Route("/api/scene", self._scene, methods=["GET"]),
             *deciding.pages,
             *targeting.pages,
+            *products.pages,
             Route("/figure/calibration/{number}.svg", _figure(calibrations), methods=["GET"]),
             Route("/api/mask", self._mask, methods=["GET"]),
             Route("/api/tile/{image}/{level}/{column}/{row}", self._tile, methods=["GET"]),

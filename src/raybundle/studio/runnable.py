@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
 
 from raybundle.commands.calibrate import CalibrateSettings
 from raybundle.commands.orient import OrientSettings, settings_asked
@@ -20,6 +20,43 @@ from raybundle.studio.forms import fields_of, settings_of_form, words_of
 
 Name = Literal["orient", "calibrate"]
 Settings = OrientSettings | CalibrateSettings
+
+
+class Runs(Protocol):
+    """A command that can be run in the background."""
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        ...
+
+    @property
+    def command(self) -> str:
+        """As it is typed."""
+        ...
+
+    @property
+    def child_words(self) -> list[str]:
+        """Of the command line of a child that shows its progress."""
+        ...
+
+    @property
+    def titles(self) -> tuple[str, ...]:
+        """Its stages, in order; none: only its progress is known."""
+        ...
+
+    @property
+    def origin(self) -> str:
+        """How the result is called with which the page goes on; empty: nothing is read anew."""
+        ...
+
+    def records(self) -> list[StageRecord]:
+        """The stages that are recorded."""
+        ...
+
+    def check(self) -> None:
+        """Raise InputError where it cannot be run."""
+        ...
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,6 +91,16 @@ class Runnable:
         from raybundle.workflows.orient import stages
 
         return stages() if self.name == "orient" else (*CALIBRATE.titles(), "report")
+
+    @property
+    def origin(self) -> str:
+        """How its result is called."""
+        return "oriented" if self.name == "orient" else "calibrated"
+
+    def check(self) -> None:
+        """Raise InputError where no photographs are given."""
+        if not self.settings.photos:
+            raise InputError("studio.no_photographs")
 
     def records(self) -> list[StageRecord]:
         """The stages that are recorded in its project folder; none where it cannot be read at this moment."""

@@ -12,7 +12,7 @@ from raybundle.errors import InputError, RaybundleError, phrase
 from raybundle.pipeline.project import StageRecord
 from raybundle.studio.child import Child
 from raybundle.studio.desk import Desk
-from raybundle.studio.runnable import Runnable, runnable
+from raybundle.studio.runnable import Runnable, Runs, runnable
 from raybundle.studio.watchers import Live, cause_of
 from raybundle.studio.work import Work
 
@@ -26,7 +26,7 @@ BEAT_S = 1.0
 class Run:
     """One run, as it stands."""
 
-    what: Runnable
+    what: Runs
     child: Child
     began: float
     """seconds since 1970"""
@@ -105,7 +105,7 @@ class Running:
 
     def reported(self) -> dict[str, Any]:
         """The form, or why nothing can be run, and the run that goes on or was the last."""
-        run = None if self.run is None else self.run.reported()
+        run = None if self.run is None or not self.run.what.titles else self.run.reported()
         try:
             return {"form": self.what().form(), "why": "", "run": run}
         except InputError as error:
@@ -116,14 +116,13 @@ class Running:
         self.chosen = self.what().chosen(values)
         return self.reported()
 
-    def begin(self) -> dict[str, Any]:
-        """Begin the run; raises InputError where something runs or is adjusted."""
-        what = self.what()
+    def begin(self, other: Runs | None = None) -> dict[str, Any]:
+        """Begin the run, or another; raises InputError where something runs or is adjusted."""
+        what = other or self.what()
         with self._lock:
             if self.busy or self.work.busy:
                 raise InputError("studio.busy")
-            if not what.settings.photos:
-                raise InputError("studio.no_photographs")
+            what.check()
             now = time.time()
             self.run = Run(what, Child.begin(what.child_words), now, step="beginning", step_began=now)
             self._thread = threading.Thread(target=self._follow, args=(self.run,), daemon=True)
@@ -171,7 +170,8 @@ class Running:
             run.outcome = "stopped"
         elif status == 0:
             run.outcome, run.words = "done", printed.strip("\n")
-            self._read_anew(run)
+            if run.what.origin:
+                self._read_anew(run)
         else:
             run.outcome, run.words = "failed", stated or phrase("studio_run.status", status=status)
         self._notify(run)
@@ -184,9 +184,8 @@ class Running:
 
     def _read_anew(self, run: Run) -> None:
         """Go on with the new result."""
-        origin = "oriented" if run.what.name == "orient" else "calibrated"
         try:
-            self.work.read_anew(origin, run.what.command)
+            self.work.read_anew(run.what.origin, run.what.command)
         except RaybundleError as error:
             run.outcome, run.words = "failed", phrase("studio_run.unreadable", detail=error.text(self.live.reader))
 

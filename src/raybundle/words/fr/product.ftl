@@ -1,1 +1,3 @@
 product-gone = Un produit de l'étape { $stage } est endommagé ou manque.
+
+product-needs_heights = { $command } demande une surface avec des hauteurs.
