@@ -70,6 +70,14 @@ def test_what_is_typed_stands_in_the_command(client, surface):
     assert refused.json()["code"] == "setting.too_small"
 
 
+@pytest.mark.parametrize("name", PRODUCTS)
+def test_a_form_that_is_sent_back_as_it_is_changes_nothing(client, surface, name):
+    form = client.get("/api/product", params={"name": name}).json()
+    shown = {f["name"]: "" if f["value"] is None and f["kind"] != "number" else f["value"] for f in form["fields"]}
+    again = client.post("/api/product/settings", json={"name": name, "values": shown})
+    assert again.json().get("command") == form["command"], again.text
+
+
 def test_exchange_files_are_made_listed_and_sent(client, studio, project):
     for name in ("exchange-1.ply", "exchange-2.ply"):
         answer = client.post("/api/product/make", json={"name": "exchange", "values": {"to": "ply"}})

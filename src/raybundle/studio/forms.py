@@ -77,7 +77,8 @@ def _kind(s: Setting) -> str:
 def _field(s: Setting, value: Any) -> dict[str, Any]:
     limits = next((r for r in s.about.limits if isinstance(r, Range)), Range())
     return {
-        "name": s.name, "flag": f"--{s.flag}", "kind": _kind(s), "help": s.help, "choices": list(s.choices),
+        "name": s.name, "flag": f"--{s.flag}", "kind": _kind(s), "help": s.help,
+        "choices": [*([""] if s.optional and s.choices else []), *s.choices],
         "whole": s.plain is int, "low": limits.low, "high": limits.high, "metavar": s.about.metavar,
         "value": _shown(s, value), "default": _shown(s, s.default),
     }  # fmt: skip
@@ -106,7 +107,7 @@ def _value(s: Setting, given: Any) -> Any:
             return given != s.default
         case "words" if isinstance(given, str):
             return _tuple(s, words_of(given, s.name))
-        case "text" if given == "" and s.optional:
+        case "text" | "choice" if given == "" and s.optional:
             return None
         case _:
             return given
