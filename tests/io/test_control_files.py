@@ -336,6 +336,31 @@ def test_the_system_that_the_user_names_is_that_of_a_file_that_names_none(tmp_pa
     assert "control_file.cartesian_assumed" in remark_codes(bare)
 
 
+@pytest.mark.parametrize(
+    ("xy", "degrees"),
+    [
+        ([(8.541200, 47.371200), (8.541900, 47.371800), (8.542500, 47.370900)], True),
+        ([(47.371200, 8.541200), (47.371800, 8.541900)], True),
+        ([(-70.66, -33.45), (-70.665, -33.448)], True),
+        ([(0.12345, 0.05432), (0.22345, 0.15432)], False),  # a part, metres
+        ([(100.0, 50.0), (100.2, 50.1)], False),  # axes with a false origin
+        ([(985000, 195000), (985300, 195400)], False),
+        ([(8.5412, 47.3712)], False),  # one place proves nothing
+    ],
+)
+def test_longitude_and_latitude_without_a_system_are_refused(tmp_path, xy, degrees):
+    rows = "".join(f"P{k},{x},{y},400\n" for k, (x, y) in enumerate(xy))
+    (tmp_path / "c.csv").write_text(f"point,X,Y,Z\n{rows}")
+    read = read_control(tmp_path / "c.csv")
+    if not degrees:
+        assert in_one_system([read])[0].crs is None
+        return
+    with pytest.raises(InputError, match="longitude and latitude") as caught:
+        in_one_system([read])
+    assert caught.value.code == "control_file.degrees"
+    assert in_one_system([read], "EPSG:4979")[0].crs == "EPSG:4979" or xy[0][0] > 40
+
+
 def test_standard_deviations_of_degrees_are_metres(tmp_path):
     (tmp_path / "c.csv").write_text("point,X,Y,Z,sX,sY,sZ\nA,15.0,48.0,300,0.02,0.02,0.03\n")
     (taken,) = in_one_system([read_control(tmp_path / "c.csv")], "EPSG:4979")

@@ -107,7 +107,7 @@ def test_the_page_words_are_those_of_the_server(tools, language, tmp_path):
         words.sentences(c, words.examples(c), Reader(language, flags=True)) for c in codes
     ]
     for code, (_, title) in zip(codes, json.loads(out), strict=True):
-        message = _with(language, entries(language)[entry_of(code)], flags=True).get_message(entry_of(code))
+        message = _with(language, entry_of(code), flags=True).get_message(entry_of(code))
         assert bool(title) == ("title" in message.attributes)
 
 

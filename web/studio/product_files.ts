@@ -6,7 +6,7 @@ import { say } from "./words";
 import type { Leaf } from "./leaf";
 
 export class ProductFiles implements Leaf {
-  readonly root = h("section", { class: "leaf", "aria-label": say("studio_product.files"), hidden: true });
+  readonly root = h("section", { class: "leaf", "aria-label": say("studio_product.part", { part: "files" }), hidden: true });
 
   /** open  shows a picture */
   constructor(private readonly open: (path: string) => void) {}

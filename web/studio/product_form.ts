@@ -28,8 +28,8 @@ export class ProductForm {
   constructor(private readonly model: Model, private readonly name: string) {
     this.form = new OptionFields(`product-${name}`, (values) => void this.send(values));
     this.go.id = `make-${name}`;
-    this.root = h("section", { class: "leaf", "aria-label": say(`studio_product.${name}`), hidden: true },
-      h("p", { class: "note" }, say(`studio_product.about_${name}`)),
+    this.root = h("section", { class: "leaf", "aria-label": say("studio_product.part", { part: name }), hidden: true },
+      h("p", { class: "note" }, say("studio_product.about", { product: name })),
       h("div", { class: "deeds" }, this.go, this.stop), this.status, this.bar, this.words,
       h("h3", {}, say("studio_decide.command")), h("p", {}, this.command), h("h3", {}, say("studio_run.settings")), this.form.root);
     this.run(null);

@@ -9,10 +9,10 @@ import type { Leaf } from "./leaf";
 const FIRST = "surface_3d.html";
 
 export class ProductPages implements Leaf {
-  readonly root = h("section", { class: "leaf whole", "aria-label": say("studio_product.pages"), hidden: true });
+  readonly root = h("section", { class: "leaf whole", "aria-label": say("studio_product.part", { part: "pages" }), hidden: true });
   private readonly select = h("select", { id: "page-file" });
   private readonly note = h("p", { class: "note" }, say("studio_product.no_files"));
-  private readonly frame = framed(say("studio_product.pages"));
+  private readonly frame = framed(say("studio_product.part", { part: "pages" }));
   private at = "";
 
   constructor() {

@@ -14,9 +14,9 @@ const FIRST = ["orthophoto.tif", "heights.tif", "facade.tif"];
 const REACH = 8;
 
 export class ProductPlan implements Leaf {
-  readonly root = h("section", { class: "leaf whole", "aria-label": say("studio_product.plan"), hidden: true });
+  readonly root = h("section", { class: "leaf whole", "aria-label": say("studio_product.part", { part: "plan" }), hidden: true });
   private readonly select = h("select", { id: "plan-file", "aria-label": say("studio_product.picture") });
-  private readonly canvas = h("canvas", { id: "plan", tabindex: 0, "aria-label": say("studio_product.plan") });
+  private readonly canvas = h("canvas", { id: "plan", tabindex: 0, "aria-label": say("studio_product.part", { part: "plan" }) });
   private readonly place = h("p", { class: "note", id: "plan-place", role: "status" });
   private readonly modes: [Drawing, HTMLButtonElement][];
   private readonly uses: [Drawing, HTMLButtonElement][];
@@ -38,12 +38,12 @@ export class ProductPlan implements Leaf {
   /** drawn  gets the product and the corners of what was drawn for it */
   constructor(private readonly model: Model, private readonly drawn: (product: string, corners: string) => void) {
     this.modes = (["area", "line"] as const).map((mode) => {
-      const made = button(`studio_product.draw_${mode}`, () => this.begin(mode));
+      const made = button("studio_product.draw", () => this.begin(mode), "", { shape: mode });
       made.id = `plan-${mode}`;
       return [mode, made];
     });
     this.uses = ([["area", "volume"], ["line", "section"]] as const).map(([mode, product]) => {
-      const made = button(`studio_product.use_${mode}`, () => this.drawn(product, this.text()), "main");
+      const made = button("studio_product.use", () => this.drawn(product, this.text()), "main", { shape: mode });
       made.id = `plan-use-${mode}`;
       return [mode, made];
     });

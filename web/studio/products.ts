@@ -57,7 +57,7 @@ export class Products {
     for (const name of names) this.forms.set(name, new ProductForm(this.model, name));
     this.leaves = [["plan", this.plan], ...this.forms.entries(), ["pages", this.pages], ["files", this.files]];
     this.heads = this.leaves.map(([name]) => {
-      const head = button(`studio_product.${name}`, () => this.turn(name));
+      const head = button("studio_product.part", () => this.turn(name), "", { part: name });
       head.id = `product-${name}`;
       return head;
     });

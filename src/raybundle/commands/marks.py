@@ -20,6 +20,7 @@ from raybundle.errors import InputError, Text, phrase
 from raybundle.io.block.folder import read_block
 from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
 from raybundle.io.folders import check_free, new_folder
+from raybundle.io.geo.control_systems import like_degrees
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.tables import write_table
 from raybundle.measuring.actions.control import GiveControl, control_of
@@ -178,12 +179,16 @@ def control_in_block(folder: str | Path, action: GiveControl, block: Block | Non
     A project with a coordinate system has a local frame in it.  The coordinates are taken in that system if they lie
     nearer to the block so than as they stand.
     block   of the folder, where it is at hand
-    raises  InputError for control that lies far from the block either way
+    raises  InputError for control that lies far from the block either way, and for longitude and latitude
     """
     from raybundle.commands.marked_results import passed_on
 
     frame = passed_on(Path(folder)).frame
     action = action if frame is None else _in_frame(action, frame)
+    xy = np.array([[np.nan if v is None else v for v in p.xyz[:2]] for p in action.points]).reshape(-1, 2)
+    if like_degrees(xy):
+        x, y = np.nanmedian(xy, axis=0).tolist()
+        raise InputError("control_file.degrees", x=x, y=y, file=Path(action.file))
     block = read_block(given_block(_standing(folder))) if block is None else block
     check_reach(block, action, "" if frame is None else frame.crs)
     return action

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.errors import Text, note
+from raybundle.errors import InputError, Text, note
 from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.control_files import ControlFile
 from raybundle.io.geo.coordinate_systems import local_frame
@@ -16,6 +16,22 @@ from raybundle.numerics.arrays import Array
 
 MAP_M = 1e5
 """From zero, in plan: no site's own axes begin so far away, and grids add such numbers lest coordinates be negative."""
+
+
+DEGREES = np.array([180.0, 90.0])
+OFFSET = 1000.0
+"""Extents of a site by which both of its coordinates lie from zero where they are degrees: up to 5 km at 45 degrees. Axes
+of one's own begin at the site."""
+
+
+def like_degrees(xy: Array) -> bool:
+    """Whether places (n, 2) can only be longitude and latitude [deg], in either order: small numbers, hardly different."""
+    known = xy[np.isfinite(xy).all(axis=1)]
+    if len(known) < 2:  # noqa: PLR2004  (a pair)
+        return False
+    middle, wide = np.abs(known.mean(axis=0)), float((known.max(axis=0) - known.min(axis=0)).max())
+    within = (middle < DEGREES).all() or (middle < DEGREES[::-1]).all()
+    return bool(within and 0 < wide < 1 and (middle > OFFSET * wide).all())
 
 
 def in_one_system(files: Sequence[ControlFile], crs: str | None = None) -> tuple[ControlFile, ...]:
@@ -73,6 +89,8 @@ def _in_named(file: ControlFile, crs: str | None) -> ControlFile:
         return file
     x, y = np.median(xy, axis=0).tolist()
     if crs is None:
+        if like_degrees(xy):
+            raise InputError("control_file.degrees", x=x, y=y, file=file.path)
         if max(abs(x), abs(y)) < MAP_M:
             return file
         assumed = note("control_file.cartesian_assumed", name=file.path.name, x=x, y=y)

@@ -43,3 +43,7 @@ control_file-cartesian_assumed = Koordinatensystem von { $name }: nicht angegebe
     .do = In diesem Fall { OPTION("crs", "EPSG:CODE") } angeben.
 
 control_file-system_given = Koordinatensystem von { $name }: nicht in der Datei angegeben; { $system } nach { OPTION("crs") }.
+
+control_file-degrees = Koordinaten wie { NUM($x, digits: 8) }, { NUM($y, digits: 8) } scheinen Länge und Breite zu sein.
+    .why = Es ist kein Koordinatensystem angegeben: sie würden als Meter gelten.
+    .do = In eine Kartenprojektion umrechnen; `orient` nimmt sie auch mit { OPTION("crs", "EPSG:4979") } (Höhen über dem Ellipsoid).

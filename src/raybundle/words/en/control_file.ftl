@@ -68,3 +68,9 @@ control_file-cartesian_assumed = Coordinate system of { $name }: not defined; Ca
 # $name = "control.csv"
 # $system = "EPSG:32633"
 control_file-system_given = Coordinate system of { $name }: not defined in the file; { $system } as given by { OPTION("crs") }.
+
+# $x = 8.54123
+# $y = 47.37456
+control_file-degrees = Coordinates such as { NUM($x, digits: 8) }, { NUM($y, digits: 8) } seem to be longitude and latitude.
+    .why = No coordinate system is given: they would count as metres.
+    .do = Transform them to a map projection; `orient` also takes them with { OPTION("crs", "EPSG:4979") } (heights above the ellipsoid).

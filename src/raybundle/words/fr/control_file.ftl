@@ -25,3 +25,5 @@ control_file-system_of_others = Système de coordonnées de { $name } : non déf
 control_file-cartesian_assumed = Système de coordonnées de { $name } : non défini ; coordonnées cartésiennes en mètres supposées.
 
 control_file-system_given = Système de coordonnées de { $name } : non défini dans le fichier ; { $system } selon { OPTION("crs") }.
+
+control_file-degrees = Des coordonnées comme { NUM($x, digits: 8) }, { NUM($y, digits: 8) } semblent être longitude et latitude.

@@ -1,58 +1,46 @@
 studio_product-title = Produkte
     .title = Oberfläche, Orthophoto, Zeichnung, Volumen, Profile, Austauschdateien, Archiv
 
-studio_product-plan = Plan
-    .title = Orthophoto, Höhen und Bilder; Flächen und Linien darauf zeichnen
+studio_product-part = { $part ->
+        [plan] Plan
+        [surface] Oberfläche
+        [facade] Aufriss
+        [volume] Volumen
+        [section] Profil
+        [contours] Höhenlinien
+        [exchange] Austauschdateien
+        [archive] Archiv
+        [pages] Seiten
+        *[files] Dateien
+    }
 
-studio_product-surface = Oberfläche
+studio_product-about = { $product ->
+        [surface] Punkte mit Standardabweichungen; mit Zellgrößen auch Höhen (DOM), Orthophoto, Netz.
+        [facade] Aufriss einer Wand: wahres Orthophoto, Blatt im Maßstab (PDF), Zeichnung (DXF), Schnitte.
+        [volume] Volumen über und unter einer Basis mit Standardabweichungen. Die Fläche auf dem Plan zeichnen.
+        [section] Profil entlang einer Linie: Tabelle, Bild, Zeichnung. Die Linie auf dem Plan zeichnen.
+        [contours] Höhenlinien für GIS und CAD.
+        [exchange] Dateien für andere Programme: GIS, CAD, COLMAP, Metashape, OPF, LAS.
+        *[archive] Ein Paket zur Ablage: Ergebnis, Aufnahmebogen, Parameter, Prüfsummen (RO-Crate).
+    }
 
-studio_product-facade = Aufriss
+studio_product-draw = { $shape ->
+        [area] Fläche zeichnen
+        *[line] Linie zeichnen
+    }
+    .title = Ecken anklicken; Rücktaste entfernt die letzte, Escape alle
 
-studio_product-volume = Volumen
-
-studio_product-section = Profil
-
-studio_product-contours = Höhenlinien
-
-studio_product-exchange = Austauschdateien
-
-studio_product-archive = Archiv
-
-studio_product-pages = Seiten
-    .title = Die Oberfläche im Raum mit Standardabweichungen als Farben; ihre Güte
+studio_product-use = { $shape ->
+        [area] Volumen dieser Fläche
+        *[line] Profil entlang dieser Linie
+    }
 
 studio_product-page = Seite
-
-studio_product-files = Dateien
-
-studio_product-about_surface = Punktwolke des aktuellen Ergebnisses mit Standardabweichungen. Mit Zellgrößen auch Höhen (DOM), Orthophoto und Netz.
-
-studio_product-about_facade = Aufriss einer Wand: wahres Orthophoto, Blatt im Maßstab (PDF), Zeichnung (DXF), Schnitte.
-
-studio_product-about_volume = Volumen über und unter einer Basis mit Standardabweichungen. Die Fläche auf dem Plan zeichnen.
-
-studio_product-about_section = Profil entlang einer Linie: Tabelle, Bild, Zeichnung. Die Linie auf dem Plan zeichnen.
-
-studio_product-about_contours = Höhenlinien für GIS und CAD.
-
-studio_product-about_exchange = Dateien für andere Programme: GIS, CAD, COLMAP, Metashape, OPF, LAS.
-
-studio_product-about_archive = Ein Paket zur Ablage: Ergebnis, Aufnahmebogen, Parameter, Prüfsummen (RO-Crate).
 
 studio_product-make = Erzeugen
     .title = Diesen Befehl im Hintergrund ausführen
 
 studio_product-picture = Bild
-
-studio_product-draw_area = Fläche zeichnen
-    .title = Ecken anklicken; Rücktaste entfernt die letzte, Escape alle
-
-studio_product-draw_line = Linie zeichnen
-    .title = Ecken anklicken; Rücktaste entfernt die letzte, Escape alle
-
-studio_product-use_area = Volumen dieser Fläche
-
-studio_product-use_line = Profil entlang dieser Linie
 
 studio_product-clear = Leeren
 

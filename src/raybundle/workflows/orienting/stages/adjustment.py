@@ -11,7 +11,7 @@ import numpy as np
 
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block
+from raybundle.block import Block, Role
 from raybundle.block.relative import relative_control
 from raybundle.calibration.several_cameras import several_cameras
 from raybundle.errors import Message, NotSolvable, message, phrase
@@ -195,6 +195,7 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         *shared.notices,
         *(several.notices if several else ()),
         *moving.notices,
+        *_relief_notice(i, adjustment),
     )
     if kept:  # of what is left in the end: the adjustments leave photographs out
         left = [replace(k, block=p.adjustment.given) for k, p in zip(kept, parts, strict=True)]
@@ -203,6 +204,14 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         adjustment=replace(adjustment, notices=(*notices, *adjustment.notices)), other_components=tuple(parts),
         groups=groups, placed=placed, lost=(),
     )  # fmt: skip
+
+
+def _relief_notice(i: Inputs, adjustment: Adjustment) -> tuple[Notice, ...]:
+    """That the relief of the object about tie points is in no standard deviation where no windows were matched."""
+    points = adjustment.given.points
+    if i.options.precise or points.window is not None or not (np.asarray(points.role) == Role.TIE).any():
+        return ()
+    return (Notice(code="relief_unknown.quick"),)
 
 
 MOST = 0.5
