@@ -107,7 +107,11 @@ def test_a_volume_without_heights_is_refused(client):
 
 
 @pytest.mark.parametrize(
-    "path", ["project.db", "project.toml", "result/../project.db", "result/block/block.toml", "/etc/hosts", "", "surface/work/x"]
+    "path",
+    [
+        "project.db", "project.toml", "result/../project.db", "result/block/block.toml", "/etc/hosts", "",
+        "surface/work/x",
+    ],
 )  # fmt: skip
 def test_only_listed_files_are_sent(client, surface, path):
     (surface / "work").mkdir()

@@ -1,4 +1,4 @@
-"""Parts of rasters for the page: orthophotos and pictures as they are, heights shaded; what a raster holds at a place."""
+"""Parts of rasters for the page: pictures as they are, heights shaded; what a raster holds at a place."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ def _numbers(given: Mapping[str, Any], *names: str) -> list[float]:
         found = [float(given[n]) for n in names]
     except (KeyError, ValueError):
         found = [math.nan]
-    if not all(math.isfinite(v) and abs(v) < 2**31 for v in found):  # noqa: PLR2004  (beyond any raster)
+    if not all(math.isfinite(v) and abs(v) < 2**31 for v in found):
         raise InputError("value.not_one_of", entry=", ".join(names), given=str(dict(given))[:80], known=["1.5"])
     return found
 
@@ -142,7 +142,7 @@ def _colours(data: Any, window: tuple[float, ...], shape: tuple[int, int]) -> Ar
     if at is None:
         return out
     size = out[within].shape[:2]
-    bands = [1, 2, 3] if data.count >= 3 else [1, 1, 1]  # noqa: PLR2004  (two: grey and alpha)
+    bands = [1, 2, 3] if data.count >= 3 else [1, 1, 1]
     values = np.ma.filled(data.read(bands, window=at, out_shape=(3, *size), masked=True), 0)
     if values.dtype != np.uint8:  # 16 bit
         values = (values.astype(float) / max(float(values.max()), 1.0) * 255).astype(np.uint8)
@@ -153,8 +153,6 @@ def _colours(data: Any, window: tuple[float, ...], shape: tuple[int, int]) -> Ar
 
 def _inside(data: Any, window: tuple[float, ...], shape: tuple[int, int]) -> tuple[tuple[slice, slice], Any]:
     """The part of the screen (rows, columns) that lies within a raster, and its window there; None: there is none."""
-    from rasterio.windows import Window
-
     left, top, width, height = window
     part, place = list[slice](), list[tuple[float, float]]()
     for begin, size, end, count in ((top, height, data.height, shape[0]), (left, width, data.width, shape[1])):
@@ -166,7 +164,7 @@ def _inside(data: Any, window: tuple[float, ...], shape: tuple[int, int]) -> tup
         part.append(slice(first, last))
         place.append((max(begin + first * step, 0.0), (last - first) * step))
     (y, h), (x, w) = place
-    return (part[0], part[1]), Window(x, y, w, h)
+    return (part[0], part[1]), raster_library().windows.Window(x, y, w, h)
 
 
 def _value(file: Path, column: float, row: float) -> float | None:

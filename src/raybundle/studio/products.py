@@ -27,9 +27,9 @@ from raybundle.commands.surface import SurfaceSettings
 from raybundle.errors import InputError, phrase
 from raybundle.pipeline.project import StageRecord
 from raybundle.settings import as_typed
+from raybundle.studio.deciding import PAGE_POLICY
 from raybundle.studio.desk import Desk
 from raybundle.studio.forms import fields_of, settings_of_form, table_of
-from raybundle.studio.deciding import PAGE_POLICY
 from raybundle.studio.guard import POLICY_HEADER
 from raybundle.studio.pictures import Pictures
 from raybundle.studio.running import Running
@@ -135,9 +135,9 @@ class Making:
         return ()
 
     @property
-    def origin(self) -> str:
+    def origin(self) -> None:
         """Nothing: what is open stays as it is."""
-        return ""
+        return
 
     def records(self) -> list[StageRecord]:
         """Nothing."""
@@ -147,7 +147,7 @@ class Making:
         """Raise InputError where what it reads is missing; make the folder of what it writes."""
         p, source = self.product, Path(self.settings.source)
         if p.of and not (source / HEIGHTS).is_file():
-            raise InputError("product.needs_heights", command=shlex.join(["raybundle", *p.command]), folder=source)
+            raise InputError("product.needs_heights", command=shlex.join(["raybundle", *p.command]), folder=str(source))
         if p.out:
             _exports(source.parent if p.of else source).mkdir(exist_ok=True)
 

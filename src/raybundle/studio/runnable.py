@@ -17,6 +17,7 @@ from raybundle.results.folder import PROJECT
 from raybundle.settings import as_typed
 from raybundle.studio.desk import Desk
 from raybundle.studio.forms import fields_of, settings_of_form, words_of
+from raybundle.studio.shelf import Origin
 
 Name = Literal["orient", "calibrate"]
 Settings = OrientSettings | CalibrateSettings
@@ -46,8 +47,8 @@ class Runs(Protocol):
         ...
 
     @property
-    def origin(self) -> str:
-        """How the result is called with which the page goes on; empty: nothing is read anew."""
+    def origin(self) -> Origin | None:
+        """How the result is called with which the page goes on; None: nothing is read anew."""
         ...
 
     def records(self) -> list[StageRecord]:
@@ -93,7 +94,7 @@ class Runnable:
         return stages() if self.name == "orient" else (*CALIBRATE.titles(), "report")
 
     @property
-    def origin(self) -> str:
+    def origin(self) -> Origin:
         """How its result is called."""
         return "oriented" if self.name == "orient" else "calibrated"
 

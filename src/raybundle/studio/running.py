@@ -13,6 +13,7 @@ from raybundle.pipeline.project import StageRecord
 from raybundle.studio.child import Child
 from raybundle.studio.desk import Desk
 from raybundle.studio.runnable import Runnable, Runs, runnable
+from raybundle.studio.shelf import Origin
 from raybundle.studio.watchers import Live, cause_of
 from raybundle.studio.work import Work
 
@@ -170,8 +171,8 @@ class Running:
             run.outcome = "stopped"
         elif status == 0:
             run.outcome, run.words = "done", printed.strip("\n")
-            if run.what.origin:
-                self._read_anew(run)
+            if run.what.origin is not None:
+                self._read_anew(run, run.what.origin)
         else:
             run.outcome, run.words = "failed", stated or phrase("studio_run.status", status=status)
         self._notify(run)
@@ -182,10 +183,10 @@ class Running:
             if time.time() - self._sent > BEAT_S:
                 self._notify(run)
 
-    def _read_anew(self, run: Run) -> None:
+    def _read_anew(self, run: Run, origin: Origin) -> None:
         """Go on with the new result."""
         try:
-            self.work.read_anew(run.what.origin, run.what.command)
+            self.work.read_anew(origin, run.what.command)
         except RaybundleError as error:
             run.outcome, run.words = "failed", phrase("studio_run.unreadable", detail=error.text(self.live.reader))
 

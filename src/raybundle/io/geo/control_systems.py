@@ -20,14 +20,14 @@ MAP_M = 1e5
 
 DEGREES = np.array([180.0, 90.0])
 OFFSET = 1000.0
-"""Extents of a site by which both of its coordinates lie from zero where they are degrees: up to 5 km at 45 degrees. Axes
-of one's own begin at the site."""
+"""Extents of a site by which both of its coordinates lie from zero where they are degrees: up to 5 km at 45 degrees.
+Axes of one's own begin at the site."""
 
 
 def like_degrees(xy: Array) -> bool:
-    """Whether places (n, 2) can only be longitude and latitude [deg], in either order: small numbers, hardly different."""
+    """Whether places (n, 2) can only be longitude and latitude [deg], in either order: small and hardly different."""
     known = xy[np.isfinite(xy).all(axis=1)]
-    if len(known) < 2:  # noqa: PLR2004  (a pair)
+    if len(known) < 2:
         return False
     middle, wide = np.abs(known.mean(axis=0)), float((known.max(axis=0) - known.min(axis=0)).max())
     within = (middle < DEGREES).all() or (middle < DEGREES[::-1]).all()
