@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from raybundle.cli.main import main
 from raybundle.errors import InputError
+from raybundle.io.block.folder import write_block
 from raybundle.io.photos.masks import find_masks
 from raybundle.io.photos.photo import read_photo
 from raybundle.measuring.actions.control import control_of_text
@@ -143,3 +145,26 @@ def test_a_control_point_absurdly_far_away_is_refused_at_once():
     ])  # fmt: skip
     with pytest.raises(InputError, match=r"mark\.control_far_away"):
         merge(block, state)
+
+
+def test_control_without_marks_and_longitude_and_latitude_are_named_at_once(tmp_path, capsys):
+    block = simulation(control=0).observed
+    write_block(block, tmp_path / "block")
+    names = block.points.ids[:2]
+    image = block.images.ids[0]
+    table = tmp_path / "gcps.csv"
+    x, y, z = block.points.xyz[0].tolist()
+    rows = "".join(f"{n},{x + k},{y},{z}\n" for k, n in enumerate([*names, "elsewhere"]))
+    table.write_text(f"point,X,Y,Z\n{rows}")
+    assert main(["mark", "control", str(tmp_path / "block"), str(table)]) == 0
+    printed = capsys.readouterr().out
+    assert "warning" not in printed  # nothing is marked yet
+    assert main(["mark", "put", str(tmp_path / "block"), image, "else-where", "100", "100"]) == 0
+    capsys.readouterr()
+    assert main(["mark", "control", str(tmp_path / "block"), str(table)]) == 0
+    printed = capsys.readouterr().out
+    assert "1 of 3 control points" in printed
+    assert "elsewhere" in printed
+    table.write_text("point,X,Y,Z\nA,8.541200,47.371200,400\nB,8.541900,47.371800,401\n")
+    assert main(["mark", "control", str(tmp_path / "block"), str(table)]) != 0
+    assert "longitude and latitude" in capsys.readouterr().err

@@ -52,7 +52,7 @@ def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
 def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
     """Do an action of a verb and report its number; a folder of photographs has its project begun."""
     from raybundle.cli.progress import reporting
-    from raybundle.commands.marks import mark, mark_verdict
+    from raybundle.commands.marks import control_remarks, mark, mark_verdict
     from raybundle.commands.new_project import measuring_folder, standing_folder
 
     begun, lines = list[Path](), list[str]()
@@ -73,6 +73,8 @@ def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
     tested = [] if test is None else [*test.messages]
     fine = [m for m in tested if m.severity is not Severity.WARNING]
     bad = [m for m in tested if m.severity is Severity.WARNING]
+    if verb == "control":
+        bad += of_texts(control_remarks(folder, arguments["file"]))
     report(Summary(done=[*first, action, *fine], notices=[*bad, *of_texts(lines)], files=begun))
 
 

@@ -16,7 +16,7 @@ from raybundle.block import Block, Role
 from raybundle.commands.marked_results import adjust_marks_of
 from raybundle.commands.marks_settings import DatumSettings, QuerySettings
 from raybundle.commands.new_project import measuring_folder, standing_folder
-from raybundle.errors import InputError, Text, phrase
+from raybundle.errors import InputError, Text, note, phrase, warning
 from raybundle.io.block.folder import read_block
 from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
 from raybundle.io.folders import check_free, new_folder
@@ -171,6 +171,21 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
             before = journal.state.marks.get((journal.known.image(image), point))
             arguments |= {} if before is None else {"covariance": list(before.covariance)}
         return journal.append_verb(verb, arguments, id=id, author=operator)
+
+
+def control_remarks(folder: str | Path, file: str) -> tuple[Text, ...]:
+    """What was assumed of a table of control that was given, and the points that no photograph shows yet."""
+    action, assumed = control_of(file)
+    project, state = _standing(folder), marks(folder)
+    block = read_block(given_block(project))
+    seen = {block.points.ids[k] for k in np.unique(block.observations.point).tolist()} | {p for _, p in state.marks}
+    missing = [p.point for p in action.points if p.point not in seen]
+    found = [*assumed]
+    if missing:
+        other = {p for _, p in state.marks} - {p.point for p in action.points} - set(block.points.ids)
+        make = warning if other else note  # marks under names without coordinates: the names may differ
+        found.append(Text.of(make("mark.control_unmarked", n=len(missing), of=len(action.points), points=missing)))
+    return tuple(found)
 
 
 def control_in_block(folder: str | Path, action: GiveControl, block: Block | None = None) -> GiveControl:

@@ -160,3 +160,6 @@ mark-control_apart = Der nächste Passpunkt { $point } liegt { NUM($distance, di
         [none] { "" }
        *[other] { "" } (das Projekt hat { $crs })
     }, Einheit und Reihenfolge der Koordinaten prüfen.
+
+mark-control_unmarked = { $n } von { $of } Passpunkten sind in keiner Aufnahme markiert: { LIST($points, most: 8) }.
+    .do = Unter diesen Namen markieren, oder die Namen prüfen.

@@ -281,3 +281,9 @@ mark-control_apart = The nearest control point, { $point }, is { NUM($distance, 
         [none] { "" }
        *[other] { "" } (the project has { $crs })
     }, unit and order of the coordinates.
+
+# $n = 2
+# $of = 5
+# $points = ["C04", "C05"]
+mark-control_unmarked = { $n } of { $of } control points are marked in no photograph: { LIST($points, most: 8) }.
+    .do = Mark them under these names, or check the names.

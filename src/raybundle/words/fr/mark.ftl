@@ -80,3 +80,5 @@ mark-control_names = { $n } points d'appui ne correspondent pas à leurs marques
 mark-control_named = Les coordonnées de { $point } sont celles des marques de { $at }.
 
 mark-control_apart = Le point d'appui le plus proche, { $point }, est à { NUM($distance, digits: 3) } { $unit } des photographies.
+
+mark-control_unmarked = { $n } points d'appui sur { $of } ne sont marqués dans aucune photographie : { LIST($points, most: 8) }.
