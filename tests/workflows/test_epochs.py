@@ -15,6 +15,7 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.commands.epochs import (
     Epochs,
     EpochsSettings,
+    _changed,
     _with_warnings,
     epochs,
     groups_of,
@@ -51,6 +52,7 @@ from raybundle.workflows.epochs.tables import (
     changes_of,
     epochs_json,
     exceeded,
+    redated,
     write_displacements,
     write_strains,
     write_velocities,
@@ -180,7 +182,7 @@ def test_tables_are_read_as_written(done, tmp_path):
         m.displacements.covariance / scatter[:, :, None] / scatter[:, None],
         atol=1e-4,
     )
-    same = changes_of(m, read)
+    same = changes_of(m, read, {d: d for d in DAYS})
     assert same.largest < 0.1
     assert not same.verdicts
     contents = epochs_json(m, limit, same)
@@ -189,6 +191,34 @@ def test_tables_are_read_as_written(done, tmp_path):
     assert min(contents["variance_of_areas_between_halves_of_dates"].values()) >= 1
     assert exceeded(m, limit)
     assert not exceeded(m, replace(limit, length=1.0))
+
+
+def test_earlier_displacements_are_compared_by_photographs_when_dates_are_given_anew(done, tmp_path):
+    m, _, _ = done
+    write_displacements(m, tmp_path / "d.csv", None)
+    read = read_displacements(tmp_path / "d.csv")
+    first, second, third = DAYS
+    # delivered while the photographs of the last two dates had each other's date
+    swap = {first: first, second: third, third: second}
+    before = replace(read, start=tuple(swap[d] for d in read.start), end=tuple(swap[d] for d in read.end))
+    photos = {f"{k}.jpg": day for k, day in enumerate(DAYS)}
+    now = redated({photo: swap[day] for photo, day in photos.items()}, photos)
+    assert now == swap
+    found = changes_of(m, before, now)
+    assert (found.count, found.missing) == (len(read.point), 0)
+    assert found.largest < 0.1
+    assert changes_of(m, before, {d: d for d in DAYS}).largest > 5
+    assert [n.code for n in _changed(found)] == ["displacement.dates_changed", "displacement.changes"]
+    # of the first two dates: the displacement between them has the other sign
+    rows = [k for k, pair in enumerate(zip(read.start, read.end, strict=True)) if pair == (first, second)]
+    texts = {n: tuple(getattr(read, n)[k] for k in rows) for n in ("point", "start", "end", "verdict")}
+    turned = replace(read, vector=-read.vector[rows], covariance=read.covariance[rows], **texts)
+    assert changes_of(m, turned, {first: second, second: first, third: third}).largest < 0.1
+    # dates that were joined have no counterpart
+    assert redated({"a": first, "b": second, "c": third}, {"a": first, "b": first, "c": third}) == {third: third}
+    gone = changes_of(m, before, {})
+    assert (gone.count, gone.missing) == (0, len(read.point))
+    assert [n.code for n in _changed(gone)] == ["displacement.not_compared"]
 
 
 def test_strains_of_the_surface_stand_in_a_table(done, tmp_path):

@@ -126,12 +126,13 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     there = found_in(folders, progress)
     keep_settings(orienting)
     _keep_sources(out, sources)
+    earlier = _earlier(out)
     chosen: dict[str, Any] = {f.name: getattr(orienting, f.name) for f in fields(OrientOptions)}
     options = replace(OrientOptions(**chosen), masks=masks_of_run(orienting.photos, orienting.masks, out))
     done = oriented(
         orienting.photos, out, options, given=orienting.given(), progress=progress,
         calibration=() if orienting.calibration is None else read_cameras(orienting.calibration),
-        positions=None if orienting.positions is None else read_trajectory(orienting.positions), earlier=_earlier(out),
+        positions=None if orienting.positions is None else read_trajectory(orienting.positions), earlier=earlier,
     )  # fmt: skip
     dates = dates_of(done.photos, folders)
     less = [*contradicted(done.photos, dates), *left_out(there, folders, done.not_oriented)]
@@ -144,7 +145,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     if done.adjustment.free_scale:  # lengths are in no unit
         limit = None
     before = _delivered(result)
-    changes = None if found is None or before is None else _changes(found, before)
+    changes = None if found is None or before is None else _changes(found, before, earlier, dates)
     over = () if found is None or limit is None else _exceeded(found, limit)
     made = Epochs(orientation=done, movements=found, changes=changes, exceeded=over, left_out=tuple(less))
     written = done if found is None else _with_warnings(done, found, made, settings)
@@ -380,7 +381,8 @@ def _delivered(result: Path) -> Any:
 
 def _stated(found: Movements, changes: Changes | None) -> Congruence:
     """The test with what the report states of untested points and of earlier displacements."""
-    stated = [m for m in (_untested(found), None if changes is None else _changed(changes)) if m is not None]
+    untested = _untested(found)
+    stated = [*([] if untested is None else [untested]), *([] if changes is None else _changed(changes))]
     notices = (*found.stability.congruence.reported, *_notices(stated))
     return replace(found.stability.congruence, reported=notices)
 
@@ -405,15 +407,25 @@ def _untested(found: Movements) -> Message | None:
     return note("displacement.untested", n=len(names), names=names) if names else None
 
 
-def _changed(c: Changes) -> Message:
-    return note("displacement.changes", n=c.count, median=c.median, largest=c.largest, point=c.point,
-                changed=len(c.more_than_one), verdicts=list(c.verdicts))  # fmt: skip
+def _changed(c: Changes) -> list[Message]:
+    found: list[Message] = []
+    if c.redated:
+        found.append(note("displacement.dates_changed", before=list(c.redated), now=list(c.redated.values())))
+    if not c.count:
+        return [*found, note("displacement.not_compared", n=c.missing)]
+    changed = note("displacement.changes", n=c.count, median=c.median, largest=c.largest, point=c.point,
+                   changed=len(c.more_than_one), verdicts=list(c.verdicts), missing=c.missing)  # fmt: skip
+    return [*found, changed]
 
 
-def _changes(found: Movements, before: Any) -> Changes | None:
-    from raybundle.workflows.epochs.tables import changes_of
+def _changes(found: Movements, before: Any, earlier: Any, now: Mapping[str, str]) -> Changes | None:
+    """Of what was delivered; the dates of its photographs may have been given anew."""
+    from raybundle.workflows.epochs.tables import changes_of, redated
 
-    return changes_of(found, before)
+    images = None if earlier is None else earlier.block.images
+    if images is None or images.date is None:
+        return changes_of(found, before, {d: d for d in found.dates.names})
+    return changes_of(found, before, redated(dict(zip(images.file, images.date, strict=True)), now))
 
 
 def _exceeded(found: Movements, limit: Limit) -> tuple[Exceeded, ...]:
@@ -563,7 +575,7 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
     first = _movement(m, settings.significance)
     untested = _untested(m)
     first += [] if untested is None else [untested]
-    first += [] if done.changes is None else [_changed(done.changes)]
+    first += [] if done.changes is None else _changed(done.changes)
     if not done.adjustment.free_scale and (limit := limit_of(settings)) is not None and not done.exceeded:
         first.append(_limited(m, settings, limit)[0])
     return first, _warnings(m, done, settings)
