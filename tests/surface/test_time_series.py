@@ -231,8 +231,8 @@ def test_what_makes_no_time_series_is_refused(quarry, tmp_path, capsys):
     assert refusal(capsys, *series(quarry)[:-2])[0] == "time_series.no_outline"
     assert refusal(capsys, *series(quarry, "--date", DATES[0]))[0] == "time_series.dates_not_paired"
     old = quarry / "dsm-2019.tif"
-    assert refusal(capsys, "heights", "time-series", old, surface, *outline)[0] == "time_series.older_model"
-    assert refusal(capsys, *series(quarry, "--above", old))[0] == "time_series.older_model"
+    assert refusal(capsys, "heights", "time-series", old, surface, *outline)[0] == "height_grid.file"
+    assert refusal(capsys, *series(quarry, "--above", old))[0] == "height_grid.file"
     back = [w for d in DATES[::-1] for w in ("--date", d)]
     assert refusal(capsys, *series(quarry, *back))[0] == "time_series.dates_not_ascending"
     assert refusal(capsys, "heights", "time-series", surface, surface, *outline)[0] == "height_grid.identical"

@@ -64,8 +64,8 @@ class MeasuredVolume:
 def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     """The volume that the settings ask for."""
     from raybundle.io.reading.words import number_of
-    from raybundle.surfaces.files.input import covered_by, on_same_grid, opened, outlined
-    from raybundle.surfaces.files.older import align_older, is_older
+    from raybundle.surfaces.files.input import covered_by, is_older, on_same_grid, opened, outlined
+    from raybundle.surfaces.files.older import align_older
     from raybundle.surfaces.heights.cut_and_fill import Signs
     from raybundle.surfaces.heights.hole_filling import filled
     from raybundle.surfaces.heights.resampling import difference
