@@ -157,12 +157,13 @@ def test_a_file_in_place_of_a_surface_is_named_with_what_it_is_good_for(quarry, 
 @pytest.mark.parametrize("system", [32633, 25833, 32632])
 def test_whole_numbers_with_scale_and_offset_are_heights(quarry, tmp_path, capsys, system):
     """As GDAL writes them: stored number times scale plus offset; in another system they are resampled first."""
-    from rasterio.warp import Resampling, calculate_default_transform, reproject
+    from rasterio.warp import Resampling, reproject, transform_bounds
 
     with rasterio.open(quarry / "dsm-2019.tif") as file:
         about, heights = file.profile, file.read(1)
         if system == 32632:
-            t, w, h = calculate_default_transform(file.crs, f"EPSG:{system}", file.width, file.height, *file.bounds)
+            left, low, right, top = transform_bounds(file.crs, f"EPSG:{system}", *file.bounds)
+            t, w, h = rasterio.Affine(CELL, 0, left, 0, -CELL, top), *(int(x / CELL) for x in (right - left, top - low))
             there = np.full((h, w), np.nan, np.float32)
             reproject(heights, there, src_transform=file.transform, src_crs=file.crs, dst_transform=t,
                       dst_crs=f"EPSG:{system}", dst_nodata=np.nan, resampling=Resampling.cubic)  # fmt: skip
