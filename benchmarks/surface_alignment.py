@@ -4,7 +4,7 @@
 
 The quarry of tests/surface/quarry.py: an older model lies elsewhere (shift in height and plan, two tilts) and has noise
 of cells and of neighbours, which nobody states; the surface is that of the same date (`still`), of a later one, when
-both piles have changed (`moved`), or of the same date with 20 to 40 % of the ground raised by 0.5 m (`part`).
+both piles have changed (`moved`), or of the same date with 20 to 40 % of the ground raised by 2 m (`part`).
 
 chi2    of each of the five unknowns over its stated variance, in the mean, and of the volume of a pile's change;
 joint   of all five with their covariance, per degree of freedom
@@ -46,7 +46,7 @@ def truth(date: int, draws: int, seed: int, *, part: bool = False) -> dict[str, 
     piles = [coverage([np.column_stack([x[:, 0] / CELL, SHAPE[0] - x[:, 1] / CELL])], SHAPE) for x in rings().values()]
     z, joint, volumes, shares, noise, alarms, refused = [], [], [], [], [], 0, 0
     for _ in range(draws):
-        raised = 0.5 * (c < rng.uniform(0.2, 0.4) * SHAPE[1]) if part else 0.0
+        raised = 2.0 * (c < rng.uniform(0.2, 0.4) * SHAPE[1]) if part else 0.0
         new, old = measured(date, rng, exact(date) + raised), older(rng)
 
         def at(plan: np.ndarray, old: np.ndarray = old) -> np.ndarray:

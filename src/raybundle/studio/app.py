@@ -31,6 +31,7 @@ from raybundle.studio.calibrated import Calibrations
 from raybundle.studio.deciding import PAGE_POLICY, Deciding
 from raybundle.studio.desk import Desk
 from raybundle.studio.detecting import Detecting
+from raybundle.studio.epochs import Epochs
 from raybundle.studio.forms import table_of
 from raybundle.studio.guard import LARGEST_BODY, POLICY_HEADER, Guard, Session, TooLarge
 from raybundle.studio.pairs import pairs
@@ -83,6 +84,7 @@ class Studio:
         """The application."""
         deciding = Deciding(self.desk, self.work, self.live)
         targeting = Targeting(self.desk, self.detecting)
+        epochs = Epochs(self.desk)
         calibrations = Calibrations(self.desk, self.work.shelf, language_of(self.session.reader.language))
         gets: dict[str, Callable[[Mapping[str, Any]], Any]] = {
             "/api/overview": lambda _: answers.overview(self.desk),
@@ -97,6 +99,7 @@ class Studio:
             "/api/run": lambda _: self.running.reported(),
             "/api/calibration": lambda _: calibrations.reported(),
             **targeting.gets,
+            **epochs.gets,
             **deciding.gets,
         }
         posts: dict[str, Callable[[dict[str, Any]], Any]] = {
@@ -119,6 +122,7 @@ class Studio:
             Route("/api/scene", self._scene, methods=["GET"]),
             *deciding.pages,
             *targeting.pages,
+            *epochs.pages,
             Route("/figure/calibration/{number}.svg", _figure(calibrations), methods=["GET"]),
             Route("/api/mask", self._mask, methods=["GET"]),
             Route("/api/tile/{image}/{level}/{column}/{row}", self._tile, methods=["GET"]),
