@@ -41,7 +41,7 @@ interface Found {
 const MOST_ROWS = 400;
 const BLINK_MS = 900;
 const KINDS = ["moved", "untested", "every"] as const;
-const COLOURS = { moved: "#d55e00", moved_area: "#d55e00", not_significant: "#6a7480", untested: "#b07aa1", stable: "#3d7a5a" };
+const [NEAR, AWAY, OPEN, STABLE, INK] = ["#d55e00", "#0072b2", "#7c8792", "#009e73", "#10151a"];
 
 export class Epochs {
   private found: Found = { dates: [], rows: [], picture: null, why: "", unit: "", of: 0 };
@@ -75,6 +75,8 @@ export class Epochs {
       h("label", {}, say("studio_epochs.date"), this.date), this.dated, h("label", {}, say("studio_epochs.against"), this.other), this.blink,
       h("label", {}, say("studio_epochs.larger"), this.larger), this.enlarged, h("label", {}, this.stable, say("studio_epochs.stable")),
       button("studio_epochs.whole", () => this.fit()));
+    element("epochs-legend").append(...[["near", "●"], ["away", "●"], ["open", "●"], ["arrow", "→"]].map(([part, shape]) =>
+      h("li", {}, h("span", { class: `sign ${part}` }, shape), say("studio_epochs.legend", { part }))));
     element("epochs").append(this.box, h("div", { class: "side" }, h("div", { class: "deeds first" }, this.shown, this.count), this.table, this.chart));
     this.date.addEventListener("input", () => this.turnTo(Number(this.date.value)));
     this.other.addEventListener("change", () => (this.against = Number(this.other.value)));
@@ -142,12 +144,12 @@ export class Epochs {
 
   // --- the picture --------------------------------------------------------------------------------
 
-  /** A round factor by which the larger displacements are a thirtieth of the picture. */
+  /** A round factor by which the larger displacements are an eighteenth of the picture. */
   private usualFactor(): number {
     const { picture } = this.found;
     const sizes = this.rows("moved").map((r) => Math.max(...r.length)).sort((a, b) => a - b);
     if (!picture || !sizes.length) return 1;
-    const factor = (Math.max(picture.width, picture.height) * this.pixel) / 30 / Math.max(sizes[Math.floor(0.9 * (sizes.length - 1))], 1e-12);
+    const factor = (Math.max(picture.width, picture.height) * this.pixel) / 18 / Math.max(sizes[Math.floor(0.9 * (sizes.length - 1))], 1e-12);
     const power = 10 ** Math.floor(Math.log10(factor));
     return power * ([5, 2, 1].find((f) => f * power <= factor) ?? 1);
   }
@@ -213,7 +215,10 @@ export class Epochs {
     const [length, unit] = lengthUnit(60 / this.view.scale * this.pixel / this.factor);
     const long = (length / this.pixel) * this.factor * this.view.scale;
     const words = withUnit(short(length * unit.per, 2), this.found.unit ? unit.name : "");
-    arrow(pen, 14, height - 18, 14 + long, height - 18, "#fff", 2);
+    arrow(pen, 14, height - 18, 14 + long, height - 18, INK, 2);
+    pen.lineWidth = 4;
+    pen.lineJoin = "round";
+    pen.strokeStyle = "rgba(0, 0, 0, .7)";
     pen.font = "13px system-ui, sans-serif";
     pen.strokeText(words, 22 + long, height - 14);
     pen.fillText(words, 22 + long, height - 14);
@@ -222,37 +227,30 @@ export class Epochs {
   private dot(pen: CanvasRenderingContext2D, row: Moved, radius: number): void {
     if (!row.place) return;
     const [u, v] = this.view.toScreen(...row.place);
-    pen.fillStyle = COLOURS[row.verdict];
+    pen.fillStyle = STABLE;
     pen.beginPath();
     pen.arc(u, v, radius, 0, 7);
     pen.fill();
   }
 
+  /** An arrow in the plane of the picture, and a dot for what is across it: as large, towards the viewer or away. */
   private vector(pen: CanvasRenderingContext2D, row: Moved): void {
     if (!row.place) return;
     const [u, v] = this.view.toScreen(...row.place);
     const k = row.at.indexOf(this.at);
     const chosen = row.name === this.chosen;
-    const colour = chosen ? "#00a0e9" : k >= 0 && row.moved[k] ? COLOURS[row.verdict] : COLOURS.not_significant;
-    if (k >= 0) {
-      const size = (this.factor / this.pixel) * this.view.scale;
-      const [right, up, near] = row.seen[k];
-      const across = Math.abs(near) * size;
-      if (across > 1.5) {
-        pen.beginPath();
-        pen.arc(u, v, across, 0, 7);
-        pen.strokeStyle = colour;
-        pen.lineWidth = row.area ? 2.5 : 1.2;
-        pen.setLineDash(near > 0 ? [] : [4, 3]);
-        pen.stroke();
-        pen.setLineDash([]);
-      }
-      if (Math.hypot(right, up) * size > 2) arrow(pen, u, v, u + right * size, v - up * size, colour, row.area || chosen ? 3 : 1.5);
-    }
+    const sure = k >= 0 && row.moved[k];
+    const [right, up, near] = k >= 0 ? row.seen[k] : [0, 0, 0];
+    const size = (this.factor / this.pixel) * this.view.scale;
+    const colour = sure ? (near < 0 ? AWAY : NEAR) : OPEN;
+    if (Math.hypot(right, up) * size > 2) arrow(pen, u, v, u + right * size, v - up * size, sure ? INK : OPEN, row.area || chosen ? 3 : 1.5);
     pen.fillStyle = colour;
+    pen.strokeStyle = chosen ? "#fff" : "rgba(255, 255, 255, .75)";
+    pen.lineWidth = chosen ? 3 : 1;
     pen.beginPath();
-    pen.arc(u, v, chosen ? 5 : row.area ? 4 : 2, 0, 7);
+    pen.arc(u, v, Math.min(Math.max(2.5, 0.12 * Math.abs(near) * size), 9) + (row.area || chosen ? 3 : 0), 0, 7);
     pen.fill();
+    pen.stroke();
   }
 
   private mouse(): void {
@@ -321,13 +319,14 @@ export class Epochs {
     const { dates } = this.found;
     const every = this.rows(this.kind);
     const rows = every.slice(0, MOST_ROWS);
+    const longest = Math.max(...every.flatMap((r) => r.length), 0.001);
     const picked = this.found.rows.find((r) => r.name === this.chosen && r.at);
     if (picked && !rows.includes(picked)) rows.unshift(picked);
-    this.count.textContent = say("studio_epochs.count", { n: every.length, shown: Math.min(every.length, MOST_ROWS) });
-    const [, unit] = lengthUnit(Math.max(...every.flatMap((r) => r.length), 0.001));
+    this.count.textContent = say("studio_epochs.count", { n: every.length, shown: Math.min(every.length, MOST_ROWS), unit: this.found.unit ? lengthUnit(longest)[1].name : "" });
+    const [, unit] = lengthUnit(longest);
     const lengths = this.found.unit ? unit : { per: 1, name: "" };
     const head = h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("studio_epochs.point")), h("th", { scope: "col" }, say("studio_epochs.since")),
-      ...dates.slice(1).map((d, k) => h("th", { scope: "col", class: k + 1 === this.at ? "now" : "" }, withUnit(d, lengths.name && `[${lengths.name}]`)))));
+      ...dates.slice(1).map((d, k) => h("th", { scope: "col", class: k + 1 === this.at ? "now" : "" }, d))));
     this.table.replaceChildren(h("table", { "aria-label": say("studio_epochs.moved_when") }, head, h("tbody", {}, ...rows.map((r) => this.row(r, lengths.per)))));
     const show = picked && !picked.area ? button("studio_epochs.visit", () => this.visit(picked.name)) : "";
     this.chart.replaceChildren(...(picked ? [

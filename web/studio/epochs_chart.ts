@@ -67,6 +67,6 @@ export function band(r: Moved, dates: string[], unit: LengthUnit, now: number): 
     svg.append(drawn("text", { x: u, y: HEIGHT - 12, "text-anchor": anchor }, date));
     last = u;
   }
-  svg.append(drawn("text", { x: 12, y: TOP + 12, class: "unit" }, unit.name));
+  svg.append(drawn("text", { x: LEFT - 12, y: HEIGHT - 12, "text-anchor": "end" }, unit.name));
   return svg;
 }

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.orient import OrientSettings
-from raybundle.errors import InputError, Message, NotSolvable, Severity, Text, note, phrase, warning
+from raybundle.errors import InputError, Message, NotSolvable, Severity, Text, as_detail, note, phrase, warning
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import Range, keywords, made, other_than_usual, setting
 
@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 EXCEEDED, MM = 6, 1e3
 """Exit status where a displacement exceeds the limit; millimetres of a metre"""
 ON_FIRST_PAGE = {"epochs.limit_exceeded", "epochs.limit_below_detection"}
-TABLE = "epochs"
-"""Of project.toml: the photographs of all dates"""
+TABLE, ANIMATION = "epochs", "animation.gif"
+"""Of project.toml, the photographs of all dates; of the result"""
 UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "": 1.0}
 _LENGTH = re.compile(r"\s*([0-9.]+(?:e-?[0-9]+)?)\s*(mm|cm|m|)\s*")
 
@@ -66,6 +66,7 @@ class EpochsSettings(OrientSettings):
     confidence: float = setting(
         0.99, "Probability with which {limit} is exceeded.", limits=Range(low=0.5, high=0.999999)
     )
+    animation: bool = setting(False, "Write animation.gif: rectified photographs of all dates with displacements.")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -144,6 +145,8 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
         raise InputError(replace(error.message, details=tuple(less))) from None
     if done.adjustment.free_scale:  # lengths are in no unit
         limit = None
+    moving, without = _animation(found, orienting.photos, progress) if settings.animation else (b"", [])
+    less += without
     before = _delivered(result)
     changes = None if found is None or before is None else _changes(found, before, earlier, dates)
     over = () if found is None or limit is None else _exceeded(found, limit)
@@ -160,7 +163,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
             pdf=orienting.pdf, appendix=orienting.appendix, language=orienting.language, additions=stated.as_addition(),
             findings=() if found is None else (_stated(found, made.changes), trends_of(found, settings.significance)),
             outcomes=() if found is None else _outcomes(found, settings, limit, over),
-            more=lambda folder: _write(found, folder, limit, changes, settings.significance),
+            more=lambda folder: _write(found, folder, limit, changes, settings.significance, moving),
         )  # fmt: skip
     return made
 
@@ -441,9 +444,22 @@ def trends_of(m: Movements, significance: float) -> Trends:
     return Trends.of(m.dates.names, m.trends, significance)
 
 
+def _animation(found: Movements | None, photos: Sequence[Path], progress: Progress) -> tuple[bytes, list[Message]]:
+    """The animation of all dates, or why there is none."""
+    from raybundle.workflows.epochs.animation import animation
+
+    if found is None:
+        return b"", []
+    try:
+        return animation(found, list(dict.fromkeys(p if p.is_dir() else p.parent for p in photos)), progress), []
+    except InputError as error:
+        return b"", [warning("epochs.no_animation", details=[as_detail(error)])]
+
+
 def _write(
-    found: Movements | None, folder: Path, limit: Limit | None, changes: Changes | None, significance: float
-) -> None:
+    found: Movements | None, folder: Path, limit: Limit | None, changes: Changes | None, significance: float,
+    moving: bytes,
+) -> None:  # fmt: skip
     from raybundle.results.displacements import DISPLACEMENTS
     from raybundle.workflows.epochs.tables import (
         EPOCHS,
@@ -456,6 +472,8 @@ def _write(
         write_velocities,
     )
 
+    if moving:
+        (folder / ANIMATION).write_bytes(moving)
     if found is not None:
         if found.trends:
             write_velocities(trends_of(found, significance), folder / VELOCITIES)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import cv2
@@ -19,6 +19,8 @@ from raybundle.workflows.rectify import Grid, grid_over, rectify_block, usual_pi
 SHOWN_PX, FINER = 1600, 2
 """Longer side of a picture, and pixels of a photograph's rectification along the side of one of its pixels at most:
 what is finer than pixels would flicker from date to date"""
+BEYOND = 0.005
+"""Share of the points that may lie beyond each side of the picture: single wrong ones do"""
 NO_COLOUR = 235
 """Grey value of what no photograph shows"""
 
@@ -37,8 +39,10 @@ class DatedPictures:
         """On the plane of most points of an adjusted block of several dates; raises InputError where there is none."""
         block = in_file_frames(block)
         plane = plane_of(block)
-        longer = float(max(plane.extent[2] - plane.extent[0], plane.extent[3] - plane.extent[1]))
-        grid = grid_over(plane.extent, max(usual_pixel(block, plane), longer / SHOWN_PX))
+        seen = np.bincount(block.observations.point, minlength=len(block.points)) > 1
+        at = plane.coordinates(block.points.xyz[seen & np.isfinite(block.points.xyz).all(axis=1)])[:, :2]
+        extent = np.quantile(at, [BEYOND, 1 - BEYOND], axis=0).ravel()
+        grid = grid_over(extent, max(usual_pixel(block, plane), float(max(extent[2:] - extent[:2])) / SHOWN_PX))
         return cls(block=block, plane=plane, grid=grid, dates=tuple(sorted(set(block.images.date or ()))))
 
     def cells(self, xyz: Array) -> Array:
@@ -56,7 +60,8 @@ class DatedPictures:
         """
         i, g = self.block.images, self.grid
         only = [name for name, d in zip(i.ids, i.date or (), strict=True) if d == date]
-        fine = grid_over(self.plane.extent, max(g.pixel / FINER, usual_pixel(self.block, self.plane)))
+        parts = FINER if g.pixel >= FINER * usual_pixel(self.block, self.plane) else 1
+        fine = replace(g, pixel=g.pixel / parts, width=parts * g.width, height=parts * g.height)
         picture, _ = rectify_block(
             self.block, folders, self.plane, fine, only=only, tolerated=float("inf"), progress=progress
         )  # fmt: skip

@@ -26,7 +26,7 @@ studio_epochs-kind = { $kind ->
 studio_epochs-count = { $n } { $n ->
         [one] Zeile
         *[other] Zeilen
-    }, { $shown } gezeigt
+    }, { $shown } gezeigt [{ $unit }]
 
 studio_epochs-point = Punkt oder Bereich
 
@@ -57,3 +57,10 @@ studio_epochs-no_place = Keine Verschiebung am { $date }.
 studio_epochs-rectifying = Die Fotos vom { $date } werden entzerrt ...
 
 studio_epochs-no_picture = Kein Foto vom { $date } zeigt die Ebene der Punkte.
+
+studio_epochs-legend = { $part ->
+        [near] zum Betrachter
+        [away] vom Betrachter weg
+        [open] an diesem Tag nicht signifikant
+        *[arrow] in der Bildebene
+    }

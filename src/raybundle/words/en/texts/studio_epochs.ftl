@@ -26,10 +26,11 @@ studio_epochs-kind = { $kind ->
 
 # $n = 120
 # $shown = 120
+# $unit = "mm"
 studio_epochs-count = { $n } { $n ->
         [one] row
         *[other] rows
-    }, { $shown } shown
+    }, { $shown } shown [{ $unit }]
 
 studio_epochs-point = Point or area
 
@@ -70,3 +71,11 @@ studio_epochs-rectifying = Rectifying the photographs of { $date } ...
 
 # $date = "2026-06-01"
 studio_epochs-no_picture = No photograph of { $date } shows the plane of the points.
+
+# $part = "near"
+studio_epochs-legend = { $part ->
+        [near] towards the viewer
+        [away] away from the viewer
+        [open] not significant at this date
+        *[arrow] in the plane of the picture
+    }
