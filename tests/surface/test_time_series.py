@@ -2,10 +2,12 @@
 
 import csv
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from raybundle.errors import phrase
 from raybundle.surfaces.heights.cut_and_fill import Signs
@@ -218,6 +220,15 @@ def test_the_command_writes_volumes_changes_and_a_picture(quarry, tmp_path, caps
     picture = (out / "volumes.svg").read_text()
     assert picture.count("<circle") == 9
     assert all(word in picture for word in (*DATES, "gravel", "sand"))
+    with Image.open(out / "volumes.png") as image:
+        pixels = np.asarray(image.convert("RGB")).astype(int)
+    # the same drawing, twice as fine: dots and bands lie where they lie in the drawing
+    assert pixels.shape[:2] == tuple(2 * int(re.search(rf' {n}="(\d+)"', picture)[1]) for n in ("height", "width"))
+    for x, y in re.findall(r'cx="([\d.]+)" cy="([\d.]+)"', picture):
+        assert pixels[round(2 * float(y)), round(2 * float(x))] == pytest.approx((18, 54, 92), abs=12)
+    band = np.array(re.search(r'class="band"[^>]*points="([^"]*)"', picture)[1].replace(",", " ").split(), float)
+    x, y = band.reshape(-1, 2).mean(axis=0)
+    assert (np.abs(pixels[round(2 * y) - 9 : round(2 * y) + 9, round(2 * x)] - (205, 219, 233)).max(axis=1) < 12).any()
     features = json.loads((out / "regions.geojson").read_text())["features"]
     assert [f["properties"]["region"] for f in features] == ["gravel", "sand"]
     assert 12.9 < features[0]["geometry"]["coordinates"][0][0][0] < 13.1

@@ -19,8 +19,8 @@ from raybundle.workflows.rectify import Grid, grid_over, rectify_block, usual_pi
 SHOWN_PX, FINER = 1600, 2
 """Longer side of a picture, and pixels of a photograph's rectification along the side of one of its pixels at most:
 what is finer than pixels would flicker from date to date"""
-BEYOND = 0.005
-"""Share of the points that may lie beyond each side of the picture: single wrong ones do"""
+BEYOND, MARGIN = 0.005, 0.03
+"""Share of the points that may lie beyond each side: single wrong ones do; and what is shown around the others"""
 NO_COLOUR = 235
 """Grey value of what no photograph shows"""
 
@@ -41,7 +41,8 @@ class DatedPictures:
         plane = plane_of(block)
         seen = np.bincount(block.observations.point, minlength=len(block.points)) > 1
         at = plane.coordinates(block.points.xyz[seen & np.isfinite(block.points.xyz).all(axis=1)])[:, :2]
-        extent = np.quantile(at, [BEYOND, 1 - BEYOND], axis=0).ravel()
+        low, high = np.quantile(at, [BEYOND, 1 - BEYOND], axis=0)
+        extent = np.concatenate([low - MARGIN * (high - low), high + MARGIN * (high - low)])
         grid = grid_over(extent, max(usual_pixel(block, plane), float(max(extent[2:] - extent[:2])) / SHOWN_PX))
         return cls(block=block, plane=plane, grid=grid, dates=tuple(sorted(set(block.images.date or ()))))
 
