@@ -798,6 +798,7 @@ def epochs(
     significance: float = 0.05,
     limit: str = '',
     confidence: float = 0.99,
+    animation: bool = False,
 ) -> Epochs:
     """Adjust photographs of several dates together; displacements stand in `out`/result/displacements.csv.
 
@@ -887,6 +888,7 @@ def epochs(
     significance      Probability that any stable point or area is reported as moved.
     limit             Displacement that must not be exceeded, e.g. 10mm. If it is, the exit status is 6.
     confidence        Probability with which limit= is exceeded.
+    animation         Write animation.gif: rectified photographs of all dates with displacements.
     """
 
 def estimate_cost(

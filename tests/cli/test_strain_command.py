@@ -102,6 +102,20 @@ def test_areas_have_their_mean_displacement_and_strain(series, tmp_path, capsys)
             rb.strain(names[0], names[1], tmp_path / "p", area=(text,))
 
 
+def test_an_area_across_a_crack_has_no_standard_deviation_and_is_warned_of_first(series, tmp_path, capsys):
+    apart, torn = motion(0.0, shift=(1.4, 0.0)), deformed(4, *motion(0.0))
+    torn[:, WIDTH // 2 :] = deformed(4, *apart)[:, WIDTH // 2 :]
+    Image.fromarray(torn).save(tmp_path / "torn.png")
+    across = f"across:30,30,{WIDTH - 30},{HEIGHT - 30}"
+    given = ("--area", across, "--area", f"left:30,30,{WIDTH // 2 - 40},{HEIGHT - 30}", "--step", 24, "--window", 21)
+    done = reported(capsys, "strain", series / "load-00.png", tmp_path / "torn.png", "--out", tmp_path / "o", *given)
+    stated = values_of(done)
+    assert stated["strain.area"]["name"] == "left"
+    assert stated["strain.area_not_one"]["name"] == "across"
+    assert not any(name.startswith("s_") for name in stated["strain.area_not_one"])
+    assert done["warnings"][0]["code"] == "strain.area_uneven"
+
+
 def test_a_mask_leaves_out_what_is_black(series, tmp_path):
     mask = np.zeros((HEIGHT, WIDTH), np.uint8)
     mask[:, : WIDTH // 2] = 255

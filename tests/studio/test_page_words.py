@@ -28,7 +28,7 @@ TOKEN = re.compile(
 CLASSES = re.compile(r"""class: (?:"[^"]*"|`[^`]*`)""")
 WORDS = re.compile(r"[A-Za-z]{2,}[,:;.]? +[A-Za-z]{2,}")
 ALLOWED = re.compile(r"""
-    600\ 12\.5px\ system-ui.*             # a font
+    (600\ )?1[2-5](\.5)?px\ system-ui.*   # a font
   | ctrl\ shift\ z | ctrl\ z | ctrl\ y    # keys as the page names them
   | at\ work | not\ needed                # states of a stage, as the server sends them
   | not\ determinable

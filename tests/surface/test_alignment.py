@@ -136,6 +136,49 @@ def changed(quarry, path, change, dtype="float32"):
     return path
 
 
+def test_the_later_of_both_may_be_the_one_without_photographs(quarry, capsys):
+    old, surface = quarry / "dsm-2019.tif", quarry / DATES[2] / "surface"
+    forth = reported(capsys, "heights", "difference", old, surface)
+    back = reported(capsys, "heights", "difference", surface, old)
+    assert back["alignment"] == forth["alignment"]
+    assert [r["amount"] for r in back["regions"]] == pytest.approx([-r["amount"] for r in forth["regions"]], abs=1e-6)
+    assert [r["volume"] for r in back["regions"]] == pytest.approx([-r["volume"] for r in forth["regions"]], abs=1e-4)
+
+
+def test_a_file_in_place_of_a_surface_is_named_with_what_it_is_good_for(quarry, tmp_path, capsys):
+    old, surface = quarry / "dsm-2019.tif", quarry / DATES[0] / "surface"
+    for given in (("volume", old, "--above", 100), ("difference", old, old), ("contours", old, "--interval", 1,
+                  "--out", tmp_path / "c.dxf")):  # fmt: skip
+        assert refusal(capsys, "heights", *given) == ("height_grid.file", {"model": True})
+    heights = surface / "heights.tif"
+    assert refusal(capsys, "heights", "volume", heights, "--above", 100)[1]["model"] is False
+
+
+@pytest.mark.parametrize("system", [32633, 25833, 32632])
+def test_whole_numbers_with_scale_and_offset_are_heights(quarry, tmp_path, capsys, system):
+    """As GDAL writes them: stored number times scale plus offset; in another system they are resampled first."""
+    from rasterio.warp import Resampling, reproject, transform_bounds
+
+    with rasterio.open(quarry / "dsm-2019.tif") as file:
+        about, heights = file.profile, file.read(1)
+        if system == 32632:
+            left, low, right, top = transform_bounds(file.crs, f"EPSG:{system}", *file.bounds)
+            t, w, h = rasterio.Affine(CELL, 0, left, 0, -CELL, top), *(int(x / CELL) for x in (right - left, top - low))
+            there = np.full((h, w), np.nan, np.float32)
+            reproject(heights, there, src_transform=file.transform, src_crs=file.crs, dst_transform=t,
+                      dst_crs=f"EPSG:{system}", dst_nodata=np.nan, resampling=Resampling.cubic)  # fmt: skip
+            heights, about = there, about | {"transform": t, "width": w, "height": h}
+    about |= {"dtype": "int16", "nodata": -32768, "crs": f"EPSG:{system}"}
+    stored = np.where(np.isfinite(heights), np.round((heights - 100) / 0.001), -32768).astype(np.int16)
+    old = tmp_path / "scaled.tif"
+    with rasterio.open(old, "w", **about) as file:
+        file.write(stored, 1)
+        file.scales, file.offsets = [0.001], [100.0]
+    surface = quarry / DATES[0] / "surface"
+    found = reported(capsys, "heights", "difference", old, surface)["alignment"]
+    assert abs(found["up"] - PLACED[0]) < 4 * found["up_sigma"]
+
+
 @pytest.mark.filterwarnings("error::RuntimeWarning")
 def test_infinite_heights_are_void_and_a_wrong_datum_is_reported(quarry, tmp_path, capsys):
     hole = (slice(60, 66), slice(70, 76))

@@ -2,13 +2,16 @@
 
 import csv
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from raybundle.errors import phrase
 from raybundle.surfaces.heights.cut_and_fill import Signs
+from raybundle.surfaces.heights.height_model import SumOfHeights
 from raybundle.surfaces.heights.resampling import difference
 from raybundle.surfaces.heights.time_series import RegionWeights, intervals, time_series
 from raybundle.surfaces.heights.volumes import volume
@@ -101,10 +104,39 @@ def test_volumes_against_another_surface_are_not_too_large_where_both_coincide()
     rng, z = np.random.default_rng(8), []
     for _ in range(20):
         d = difference(*dated(rng, 2, common=None))
-        v = volume(d, INNER, 0.0, Signs.of(d.heights.height.astype(float), d.local, d.length))
+        v = volume(d, INNER, 0.0)
         assert v.above.value - v.below.value == pytest.approx(v.net.value)
         z += [v.above.value / v.above.sigma, v.below.value / v.below.sigma]
     assert abs(np.mean(z)) < 1
+
+
+def test_cut_and_fill_are_as_precise_as_stated_where_noise_decides_signs():
+    """Without the part by signs their variance is 1.25 times as large as stated."""
+    rng, w = np.random.default_rng(12), np.ones((60, 60))
+    true = np.zeros(w.shape)
+    true[:12, :24], true[-12:, :24] = 9.0, -9.0  # so that neither is ever negative
+    z = []
+    for _ in range(400):
+        d = true + rng.normal(size=w.shape)
+
+        def summed(u, d=d):
+            return SumOfHeights(value=float((u * d).sum()), local=float(np.linalg.norm(u)), moved=np.zeros(0))
+
+        _, *parts = Signs.of(d, w, 0.6).cut_and_fill(w, summed)
+        z += [(q.value - 9.0 * 12 * 24) / q.local for q in parts]
+    # of 400 draws with two values that are nearly independent: four standard deviations
+    assert 0.8 < np.mean(np.square(z)) < 1.2
+    assert abs(np.mean(z)) < 0.25
+
+
+@pytest.mark.parametrize("base", [0.0, [RING]])
+def test_volumes_above_a_height_or_the_rim_are_not_too_large_where_both_coincide(base):
+    rng, z = np.random.default_rng(13), []
+    for _ in range(20):
+        v = volume(dated(rng, 1, common=None)[0], INNER, base)
+        assert v.above.value - v.below.value == pytest.approx(v.net.value)
+        z += [v.above.value / v.above.sigma, v.below.value / v.below.sigma]
+    assert abs(np.mean(z)) < 1  # by the signs of cells: 10
 
 
 def test_neither_cut_nor_fill_is_certain_to_be_none():
@@ -188,6 +220,15 @@ def test_the_command_writes_volumes_changes_and_a_picture(quarry, tmp_path, caps
     picture = (out / "volumes.svg").read_text()
     assert picture.count("<circle") == 9
     assert all(word in picture for word in (*DATES, "gravel", "sand"))
+    with Image.open(out / "volumes.png") as image:
+        pixels = np.asarray(image.convert("RGB")).astype(int)
+    # the same drawing, twice as fine: dots and bands lie where they lie in the drawing
+    assert pixels.shape[:2] == tuple(2 * int(re.search(rf' {n}="(\d+)"', picture)[1]) for n in ("height", "width"))
+    for x, y in re.findall(r'cx="([\d.]+)" cy="([\d.]+)"', picture):
+        assert pixels[round(2 * float(y)), round(2 * float(x))] == pytest.approx((18, 54, 92), abs=12)
+    band = np.array(re.search(r'class="band"[^>]*points="([^"]*)"', picture)[1].replace(",", " ").split(), float)
+    x, y = band.reshape(-1, 2).mean(axis=0)
+    assert (np.abs(pixels[round(2 * y) - 9 : round(2 * y) + 9, round(2 * x)] - (205, 219, 233)).max(axis=1) < 12).any()
     features = json.loads((out / "regions.geojson").read_text())["features"]
     assert [f["properties"]["region"] for f in features] == ["gravel", "sand"]
     assert 12.9 < features[0]["geometry"]["coordinates"][0][0][0] < 13.1
@@ -231,8 +272,8 @@ def test_what_makes_no_time_series_is_refused(quarry, tmp_path, capsys):
     assert refusal(capsys, *series(quarry)[:-2])[0] == "time_series.no_outline"
     assert refusal(capsys, *series(quarry, "--date", DATES[0]))[0] == "time_series.dates_not_paired"
     old = quarry / "dsm-2019.tif"
-    assert refusal(capsys, "heights", "time-series", old, surface, *outline)[0] == "time_series.older_model"
-    assert refusal(capsys, *series(quarry, "--above", old))[0] == "time_series.older_model"
+    assert refusal(capsys, "heights", "time-series", old, surface, *outline)[0] == "height_grid.file"
+    assert refusal(capsys, *series(quarry, "--above", old))[0] == "height_grid.file"
     back = [w for d in DATES[::-1] for w in ("--date", d)]
     assert refusal(capsys, *series(quarry, *back))[0] == "time_series.dates_not_ascending"
     assert refusal(capsys, "heights", "time-series", surface, surface, *outline)[0] == "height_grid.identical"

@@ -4,17 +4,21 @@ import csv
 import shutil
 from dataclasses import dataclass, replace
 from datetime import datetime
+from io import BytesIO
 from pathlib import Path
 from types import SimpleNamespace
 
 import cv2
 import numpy as np
 import pytest
+from PIL import Image
 
 from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.block.select import without_images
 from raybundle.commands.epochs import (
     Epochs,
     EpochsSettings,
+    _changed,
     _with_warnings,
     epochs,
     groups_of,
@@ -32,6 +36,7 @@ from raybundle.report.sections.metrology import displacements
 from raybundle.results.displacements import read_displacements
 from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.adjust import adjust
+from raybundle.workflows.epochs.animation import animation
 from raybundle.workflows.epochs.cameras import cameras_by_dates
 from raybundle.workflows.epochs.dated_points import by_dates
 from raybundle.workflows.epochs.movements import MOVED, movements
@@ -45,12 +50,14 @@ from raybundle.workflows.epochs.photograph_dates import (
     given_date,
     left_out,
 )
+from raybundle.workflows.epochs.pictures import DatedPictures
 from raybundle.workflows.epochs.stability import weighted_apart
 from raybundle.workflows.epochs.tables import (
     Limit,
     changes_of,
     epochs_json,
     exceeded,
+    redated,
     write_displacements,
     write_strains,
     write_velocities,
@@ -180,7 +187,7 @@ def test_tables_are_read_as_written(done, tmp_path):
         m.displacements.covariance / scatter[:, :, None] / scatter[:, None],
         atol=1e-4,
     )
-    same = changes_of(m, read)
+    same = changes_of(m, read, {d: d for d in DAYS})
     assert same.largest < 0.1
     assert not same.verdicts
     contents = epochs_json(m, limit, same)
@@ -189,6 +196,69 @@ def test_tables_are_read_as_written(done, tmp_path):
     assert min(contents["variance_of_areas_between_halves_of_dates"].values()) >= 1
     assert exceeded(m, limit)
     assert not exceeded(m, replace(limit, length=1.0))
+
+
+def test_earlier_displacements_are_compared_by_photographs_when_dates_are_given_anew(done, tmp_path):
+    m, _, _ = done
+    write_displacements(m, tmp_path / "d.csv", None)
+    read = read_displacements(tmp_path / "d.csv")
+    first, second, third = DAYS
+    # delivered while the photographs of the last two dates had each other's date
+    swap = {first: first, second: third, third: second}
+    before = replace(read, start=tuple(swap[d] for d in read.start), end=tuple(swap[d] for d in read.end))
+    photos = {f"{k}.jpg": day for k, day in enumerate(DAYS)}
+    now = redated({photo: swap[day] for photo, day in photos.items()}, photos)
+    assert now == swap
+    found = changes_of(m, before, now)
+    assert (found.count, found.missing) == (len(read.point), 0)
+    assert found.largest < 0.1
+    assert changes_of(m, before, {d: d for d in DAYS}).largest > 5
+    assert [n.code for n in _changed(found)] == ["displacement.dates_changed", "displacement.changes"]
+    # of the first two dates: the displacement between them has the other sign
+    rows = [k for k, pair in enumerate(zip(read.start, read.end, strict=True)) if pair == (first, second)]
+    texts = {n: tuple(getattr(read, n)[k] for k in rows) for n in ("point", "start", "end", "verdict")}
+    turned = replace(read, vector=-read.vector[rows], covariance=read.covariance[rows], **texts)
+    assert changes_of(m, turned, {first: second, second: first, third: third}).largest < 0.1
+    # dates that were joined have no counterpart
+    assert redated({"a": first, "b": second, "c": third}, {"a": first, "b": first, "c": third}) == {third: third}
+    gone = changes_of(m, before, {})
+    assert (gone.count, gone.missing) == (0, len(read.point))
+    assert [n.code for n in _changed(gone)] == ["displacement.not_compared"]
+
+
+def test_an_animation_has_a_frame_of_each_date_with_what_moved_until_then(done, tmp_path):
+    m, _, _ = done
+    block = m.adjustment.adjusted
+    names, day = block.images.ids, m.dates.of_image
+    images = replace(block.images, file=tuple(f"{i}.jpg" for i in names), date=tuple(DAYS[k] for k in day))
+    fewest = [np.flatnonzero(day == k)[0] for k in range(3)]
+    block = without_images(replace(block, images=images), ~np.isin(np.arange(len(names)), fewest))
+    # the photograph of each date has one grey value, so that what is drawn shows
+    camera = block.cameras[0]
+    for k in range(3):
+        grey = np.full((camera.height_px, camera.width_px), 90 + 50 * k, np.uint8)
+        cv2.imwrite(str(tmp_path / images.file[fewest[k]]), grey)
+    adjusted = SimpleNamespace(adjusted=block, free_scale=False)
+    known = SimpleNamespace(adjustment=adjusted, displacements=m.displacements, dates=m.dates)
+    moving = Image.open(BytesIO(animation(known, [tmp_path])))
+    assert moving.n_frames == 3
+    pictures = DatedPictures.of(block)
+    for k in range(3):
+        moving.seek(k)
+        frame = np.asarray(moving.convert("RGB")).astype(int)
+        middle = np.median(frame.reshape(-1, 3), axis=0)
+        assert np.abs(middle - (90 + 50 * k)).max() < 6
+        orange = (frame[..., 0] > 180) & (frame[..., 2] < 90) | (frame[..., 2] > 150) & (frame[..., 0] < 60)
+        assert orange.any() == (k > 0)
+    # dots of the last date lie at the points that moved
+    d = m.displacements
+    rows = [r for r in range(len(d)) if d.end[r] == 2 and d.verdict[r] == MOVED]
+    share = frame.shape[1] / pictures.grid.width
+    at = pictures.cells(d.xyz[rows]) * share
+    inside = ((at > 4) & (at < np.array(frame.shape[1::-1]) - 4)).all(axis=1)
+    assert inside.sum() >= 2
+    for x, y in at[inside].tolist():
+        assert orange[round(y) - 3 : round(y) + 4, round(x) - 3 : round(x) + 4].any()
 
 
 def test_strains_of_the_surface_stand_in_a_table(done, tmp_path):

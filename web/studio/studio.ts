@@ -2,6 +2,7 @@
 import { afterPause, element } from "./dom";
 import { Decide } from "./decide";
 import { drawing } from "./drawing";
+import { Epochs } from "./epochs";
 import { Fiducials } from "./fiducials";
 import { Datum, Lines, Naming } from "./figures";
 import { ImageList } from "./image_list";
@@ -80,6 +81,11 @@ async function start(): Promise<void> {
   });
   const products = new Products(model, () => tabs.now === "products");
   tabs.onopen("products", () => void products.show());
+  const epochs = new Epochs(model, () => tabs.now === "epochs", (point) => {
+    model.choose(point);
+    void panel.goTo(point);
+  });
+  tabs.onopen("epochs", () => epochs.show());
   tabs.onopen("decide", () => decide.show());
   tabs.onopen("space", () => void space.show());
   tabs.onopen("tables", () => tables.show());

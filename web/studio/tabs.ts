@@ -1,7 +1,7 @@
 // Tabs of the stage: one is shown; the arrow keys go through them.
 import { element } from "./dom";
 
-export const TABS = ["images", "space", "tables", "decide", "products", "journal"] as const;
+export const TABS = ["images", "space", "tables", "epochs", "decide", "products", "journal"] as const;
 export type Tab = (typeof TABS)[number];
 
 export class Tabs {
@@ -9,14 +9,15 @@ export class Tabs {
   now: Tab = "images";
 
   constructor() {
-    TABS.forEach((tab, k) => {
+    TABS.forEach((tab) => {
       const head = element<HTMLButtonElement>(`tab-${tab}`);
       head.addEventListener("click", () => this.show(tab));
       head.addEventListener("keydown", (event) => {
         const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
         if (!by) return;
         event.preventDefault();
-        const next = TABS[(k + by + TABS.length) % TABS.length];
+        const there = TABS.filter((t) => !element(`tab-${t}`).hidden);
+        const next = there[(there.indexOf(tab) + by + there.length) % there.length];
         this.show(next);
         element(`tab-${next}`).focus();
       });

@@ -11,7 +11,7 @@ OPTIONS: dict[str, tuple[str, ...]] = {
         "--quick", "--accuracy-class",
     ),
     "epochs": (
-        "--add", "--date", "--group", "--datum-points", "--limit", "--confidence", "--control", "--crs", "--quick",
+        "--add", "--date", "--group", "--datum-points", "--limit", "--confidence", "--animation", "--control", "--crs",
         "--pdf",
     ),
     "adjust": (

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.orient import OrientSettings
-from raybundle.errors import InputError, Message, NotSolvable, Severity, Text, note, phrase, warning
+from raybundle.errors import InputError, Message, NotSolvable, Severity, Text, as_detail, note, phrase, warning
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import Range, keywords, made, other_than_usual, setting
 
@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 EXCEEDED, MM = 6, 1e3
 """Exit status where a displacement exceeds the limit; millimetres of a metre"""
 ON_FIRST_PAGE = {"epochs.limit_exceeded", "epochs.limit_below_detection"}
-TABLE = "epochs"
-"""Of project.toml: the photographs of all dates"""
+TABLE, ANIMATION = "epochs", "animation.gif"
+"""Of project.toml, the photographs of all dates; of the result"""
 UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "": 1.0}
 _LENGTH = re.compile(r"\s*([0-9.]+(?:e-?[0-9]+)?)\s*(mm|cm|m|)\s*")
 
@@ -66,6 +66,7 @@ class EpochsSettings(OrientSettings):
     confidence: float = setting(
         0.99, "Probability with which {limit} is exceeded.", limits=Range(low=0.5, high=0.999999)
     )
+    animation: bool = setting(False, "Write animation.gif: rectified photographs of all dates with displacements.")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -126,12 +127,13 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     there = found_in(folders, progress)
     keep_settings(orienting)
     _keep_sources(out, sources)
+    earlier = _earlier(out)
     chosen: dict[str, Any] = {f.name: getattr(orienting, f.name) for f in fields(OrientOptions)}
     options = replace(OrientOptions(**chosen), masks=masks_of_run(orienting.photos, orienting.masks, out))
     done = oriented(
         orienting.photos, out, options, given=orienting.given(), progress=progress,
         calibration=() if orienting.calibration is None else read_cameras(orienting.calibration),
-        positions=None if orienting.positions is None else read_trajectory(orienting.positions), earlier=_earlier(out),
+        positions=None if orienting.positions is None else read_trajectory(orienting.positions), earlier=earlier,
     )  # fmt: skip
     dates = dates_of(done.photos, folders)
     less = [*contradicted(done.photos, dates), *left_out(there, folders, done.not_oriented)]
@@ -143,8 +145,10 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
         raise InputError(replace(error.message, details=tuple(less))) from None
     if done.adjustment.free_scale:  # lengths are in no unit
         limit = None
+    moving, without = _animation(found, orienting.photos, progress) if settings.animation else (b"", [])
+    less += without
     before = _delivered(result)
-    changes = None if found is None or before is None else _changes(found, before)
+    changes = None if found is None or before is None else _changes(found, before, earlier, dates)
     over = () if found is None or limit is None else _exceeded(found, limit)
     made = Epochs(orientation=done, movements=found, changes=changes, exceeded=over, left_out=tuple(less))
     written = done if found is None else _with_warnings(done, found, made, settings)
@@ -159,7 +163,7 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
             pdf=orienting.pdf, appendix=orienting.appendix, language=orienting.language, additions=stated.as_addition(),
             findings=() if found is None else (_stated(found, made.changes), trends_of(found, settings.significance)),
             outcomes=() if found is None else _outcomes(found, settings, limit, over),
-            more=lambda folder: _write(found, folder, limit, changes, settings.significance),
+            more=lambda folder: _write(found, folder, limit, changes, settings.significance, moving),
         )  # fmt: skip
     return made
 
@@ -380,7 +384,8 @@ def _delivered(result: Path) -> Any:
 
 def _stated(found: Movements, changes: Changes | None) -> Congruence:
     """The test with what the report states of untested points and of earlier displacements."""
-    stated = [m for m in (_untested(found), None if changes is None else _changed(changes)) if m is not None]
+    untested = _untested(found)
+    stated = [*([] if untested is None else [untested]), *([] if changes is None else _changed(changes))]
     notices = (*found.stability.congruence.reported, *_notices(stated))
     return replace(found.stability.congruence, reported=notices)
 
@@ -405,15 +410,25 @@ def _untested(found: Movements) -> Message | None:
     return note("displacement.untested", n=len(names), names=names) if names else None
 
 
-def _changed(c: Changes) -> Message:
-    return note("displacement.changes", n=c.count, median=c.median, largest=c.largest, point=c.point,
-                changed=len(c.more_than_one), verdicts=list(c.verdicts))  # fmt: skip
+def _changed(c: Changes) -> list[Message]:
+    found: list[Message] = []
+    if c.redated:
+        found.append(note("displacement.dates_changed", before=list(c.redated), now=list(c.redated.values())))
+    if not c.count:
+        return [*found, note("displacement.not_compared", n=c.missing)]
+    changed = note("displacement.changes", n=c.count, median=c.median, largest=c.largest, point=c.point,
+                   changed=len(c.more_than_one), verdicts=list(c.verdicts), missing=c.missing)  # fmt: skip
+    return [*found, changed]
 
 
-def _changes(found: Movements, before: Any) -> Changes | None:
-    from raybundle.workflows.epochs.tables import changes_of
+def _changes(found: Movements, before: Any, earlier: Any, now: Mapping[str, str]) -> Changes | None:
+    """Of what was delivered; the dates of its photographs may have been given anew."""
+    from raybundle.workflows.epochs.tables import changes_of, redated
 
-    return changes_of(found, before)
+    images = None if earlier is None else earlier.block.images
+    if images is None or images.date is None:
+        return changes_of(found, before, {d: d for d in found.dates.names})
+    return changes_of(found, before, redated(dict(zip(images.file, images.date, strict=True)), now))
 
 
 def _exceeded(found: Movements, limit: Limit) -> tuple[Exceeded, ...]:
@@ -429,9 +444,22 @@ def trends_of(m: Movements, significance: float) -> Trends:
     return Trends.of(m.dates.names, m.trends, significance)
 
 
+def _animation(found: Movements | None, photos: Sequence[Path], progress: Progress) -> tuple[bytes, list[Message]]:
+    """The animation of all dates, or why there is none."""
+    from raybundle.workflows.epochs.animation import animation
+
+    if found is None:
+        return b"", []
+    try:
+        return animation(found, list(dict.fromkeys(p if p.is_dir() else p.parent for p in photos)), progress), []
+    except InputError as error:
+        return b"", [warning("epochs.no_animation", details=[as_detail(error)])]
+
+
 def _write(
-    found: Movements | None, folder: Path, limit: Limit | None, changes: Changes | None, significance: float
-) -> None:
+    found: Movements | None, folder: Path, limit: Limit | None, changes: Changes | None, significance: float,
+    moving: bytes,
+) -> None:  # fmt: skip
     from raybundle.results.displacements import DISPLACEMENTS
     from raybundle.workflows.epochs.tables import (
         EPOCHS,
@@ -444,6 +472,8 @@ def _write(
         write_velocities,
     )
 
+    if moving:
+        (folder / ANIMATION).write_bytes(moving)
     if found is not None:
         if found.trends:
             write_velocities(trends_of(found, significance), folder / VELOCITIES)
@@ -563,7 +593,7 @@ def messages_of(done: Epochs, settings: EpochsSettings) -> tuple[list[Message], 
     first = _movement(m, settings.significance)
     untested = _untested(m)
     first += [] if untested is None else [untested]
-    first += [] if done.changes is None else [_changed(done.changes)]
+    first += [] if done.changes is None else _changed(done.changes)
     if not done.adjustment.free_scale and (limit := limit_of(settings)) is not None and not done.exceeded:
         first.append(_limited(m, settings, limit)[0])
     return first, _warnings(m, done, settings)

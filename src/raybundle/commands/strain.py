@@ -248,6 +248,11 @@ def _reported(s: StrainSettings, grid: SubsetGrid, images: Sequence[StrainImage]
         k = int(np.argmax(shares))
         jump = warning("strain.jumps", name=images[k].name, n=pairs[k][0], of=pairs[k][1], share=shares[k])
         found.append(replace(jump, severity=Severity.FAULT))
+    uneven = {(n, i.name): a.misfit for i in images for n, a in i.areas.items() if a and a.misfit > UNEVEN}
+    if uneven:
+        area, name = max(uneven, key=lambda k: uneven[k])
+        areas = sorted({n for n, _ in uneven})
+        found.append(warning("strain.area_uneven", area=area, name=name, misfit=uneven[area, name], n=len(areas)))
     same = [i.name for i in images if _exact(i)]
     if same:
         found.append(warning("strain.same_content", names=same))
@@ -264,11 +269,6 @@ def _reported(s: StrainSettings, grid: SubsetGrid, images: Sequence[StrainImage]
     if s.shape == "affine" and max(bent) > BENT_SHARE:
         worst = images[int(np.argmax(bent))]
         found.append(warning("strain.bent", name=worst.name, share=max(bent), limit_px=BENT_PX))
-    uneven = {(n, i.name): a.misfit for i in images for n, a in i.areas.items() if a and a.misfit > UNEVEN}
-    if uneven:
-        area, name = max(uneven, key=lambda k: uneven[k])
-        areas = sorted({n for n, _ in uneven})
-        found.append(warning("strain.area_uneven", area=area, name=name, misfit=uneven[area, name], n=len(areas)))
     for area in sorted({n for i in images for n, a in i.areas.items() if a is None}):
         lacking = [i.name for i in images if i.areas[area] is None]
         found.append(warning("strain.area_empty", area=area, names=lacking))
@@ -308,6 +308,10 @@ def summary_of(image: StrainImage) -> list[Message]:
     for name, a in image.areas.items():
         if a is not None:
             (xx, yy, xy), s = (1e6 * a.strain.strain[0]).tolist(), 1e6 * np.sqrt(np.diag(a.strain.cov[0]))
-            found.append(note("strain.area", name=name, n=int(a.strain.count[0]), xx=xx, yy=yy, xy=xy,
-                              s_xx=float(s[0]), s_yy=float(s[1]), s_xy=float(s[2])))  # fmt: skip
+            n = int(a.strain.count[0])
+            if a.misfit > UNEVEN:  # one strain with a standard deviation would contradict the warning
+                found.append(note("strain.area_not_one", name=name, n=n, xx=xx, yy=yy, xy=xy, misfit=a.misfit))
+                continue
+            found.append(note("strain.area", name=name, n=n, xx=xx, yy=yy, xy=xy, s_xx=float(s[0]), s_yy=float(s[1]),
+                              s_xy=float(s[2])))  # fmt: skip
     return found

@@ -52,6 +52,7 @@ ENTRIES = {
     "velocities.csv",
     "surface_strain.csv",
     "epochs.json",
+    "animation.gif",
 }
 """Of a result folder beside its tables"""
 EXACT = {"frame", "calibration"}

@@ -31,6 +31,7 @@ from raybundle.studio.calibrated import Calibrations
 from raybundle.studio.deciding import PAGE_POLICY, Deciding
 from raybundle.studio.desk import Desk
 from raybundle.studio.detecting import Detecting
+from raybundle.studio.epochs import Epochs
 from raybundle.studio.forms import table_of
 from raybundle.studio.guard import LARGEST_BODY, POLICY_HEADER, Guard, Session, TooLarge
 from raybundle.studio.pairs import pairs
@@ -86,6 +87,7 @@ class Studio:
         deciding = Deciding(self.desk, self.work, self.live)
         targeting = Targeting(self.desk, self.detecting)
         products = Products(self.desk, self.running, Pictures())
+        epochs = Epochs(self.desk)
         calibrations = Calibrations(self.desk, self.work.shelf, language_of(self.session.reader.language))
         gets: dict[str, Callable[[Mapping[str, Any]], Any]] = {
             "/api/overview": lambda _: answers.overview(self.desk),
@@ -100,6 +102,7 @@ class Studio:
             "/api/run": lambda _: self.running.reported(),
             "/api/calibration": lambda _: calibrations.reported(),
             **targeting.gets,
+            **epochs.gets,
             **deciding.gets,
             **products.gets,
         }
@@ -125,6 +128,7 @@ class Studio:
             *deciding.pages,
             *targeting.pages,
             *products.pages,
+            *epochs.pages,
             Route("/figure/calibration/{number}.svg", _figure(calibrations), methods=["GET"]),
             Route("/api/mask", self._mask, methods=["GET"]),
             Route("/api/tile/{image}/{level}/{column}/{row}", self._tile, methods=["GET"]),

@@ -167,14 +167,16 @@ def rectify_block(
     hides the plane and has no object points, as a lamp post.
 
     sigma      (p, 3) standard deviations of the object points; None: not known
-    tolerated  displacement by the relief of a wall, in the unit of the plane; None: three pixels of the picture
+    tolerated  displacement by the relief of a wall, in the unit of the plane; None: three pixels of the picture;
+               infinite: it is part of what is shown, and no photograph is avoided for what stands before the plane
     raises     InputError where more of the wall's points are displaced further
     """
     names = [f or i for f, i in zip(block.images.file, block.images.ids, strict=True)]
     images = _photographs(block, names, only)
     places, shape = grid.coarse()
     xyz = plane.places(places)
-    maps, choice, before = _best_views(block, images, plane, xyz, shape, progress)
+    past = tolerated is None or np.isfinite(tolerated)
+    maps, choice, before = _best_views(block, images, plane, xyz, shape, progress, past=past)
     if plane.kind != "horizontal":
         _check_relief(block, plane, grid, choice.reshape(shape), sigma, tolerated)
     picture = Rectified.empty(grid.height, grid.width)
@@ -254,11 +256,18 @@ def _photographs(block: Block, names: Sequence[str], only: Sequence[str]) -> lis
 
 
 def _best_views(
-    block: Block, images: Sequence[int], plane: Plane, xyz: Array, shape: tuple[int, int], progress: Progress
+    block: Block,
+    images: Sequence[int],
+    plane: Plane,
+    xyz: Array,
+    shape: tuple[int, int],
+    progress: Progress,
+    *,
+    past: bool,
 ) -> tuple[dict[int, Array], Array, Array]:
     """Where in each photograph the places (n, 3) lie (n, 2), and for each place the photograph to take, -1: none.
 
-    Also how far (n,) what it shows there stands before the plane, as a share of the distance.
+    Also how far (n,) what it shows there stands before the plane, as a share of the distance; past: it counts.
     """
     best, choice, hides = np.full(len(xyz), np.inf), np.full(len(xyz), -1), np.zeros(len(xyz))
     rows_of = rows_of_each(block.observations.image, len(block.images))
@@ -279,7 +288,8 @@ def _best_views(
         # the pixel's size on the plane, once more over the cosine: relief is displaced less by square views
         size = np.where(inside, distance * scale / np.maximum(facing, 1e-3) ** 2, np.inf) * np.where(margin, 1e6, 1.0)
         before = np.zeros(len(xyz))
-        before[inside] = _before(block, rows_of[k], plane, at[inside], camera) / distance[inside]
+        if past:
+            before[inside] = _before(block, rows_of[k], plane, at[inside], camera) / distance[inside]
         size *= 1 + (before / BEFORE) ** 2
         better = size < best
         choice[better], hides[better] = k, before[better]

@@ -32,8 +32,8 @@ UNSURE = 2.0
 def command(before: Path, after: Path, **given: Any) -> None:
     """Detect significant movements between two surfaces.
 
-    BEFORE may be an older model without photographs: a GeoTIFF of heights, LAS or LAZ. It is aligned to AFTER by what
-    is stable. The precision of the alignment is included; the noise of the older model is estimated.
+    One of both may be a model without photographs: a GeoTIFF of heights, LAS or LAZ. It is aligned to the surface by
+    what is stable. The precision of the alignment is included; the noise of that model is estimated.
 
     Errors of the two orientations displace large parts alike. Therefore a movement of the whole is separated from
     movements relative to the rest. For the latter, the probability of any false alarm on the whole surface is 5 %.

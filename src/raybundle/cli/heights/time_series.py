@@ -32,7 +32,7 @@ def command(sources: tuple[Path, ...], **given: Any) -> None:
     SURFACE are two surfaces or more in one frame, the earliest first. Each region has a volume at each date; each
     interval has net change, fill and cut, with standard deviations by the joint covariance of all dates. A change below
     its level of detection is not reported as a change. FOLDER gets volumes.csv, changes.csv, volumes.json (with
-    covariances), volumes.svg, regions.geojson and regions.gpkg.
+    covariances), volumes.svg and .png, regions.geojson and regions.gpkg.
 
     \b
     Example:

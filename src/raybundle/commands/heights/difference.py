@@ -23,6 +23,7 @@ class HeightsDifferenceSettings:
     before: Path
     """folder of `surface` with heights; or an older model without photographs: GeoTIFF of heights, LAS, LAZ"""
     after: Path
+    """as `before`; one of both has to be a surface"""
     stable: tuple[str, ...] = stable_setting()
     out: Path | None = setting(None, "New folder.", metavar="FOLDER")
 
@@ -45,7 +46,7 @@ class MeasuredDifference:
     cautions: tuple[str, ...]
     """what is to be reported of the surfaces themselves, a sentence each"""
     alignment: Alignment | None
-    """of an older model without photographs"""
+    """of a model without photographs"""
     files: tuple[Path, ...]
 
 
@@ -53,21 +54,24 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     """The movements between two surfaces, written where that is asked for."""
     from raybundle.io.folders import check_new_folder
     from raybundle.surfaces.files.displacements import write_movements
-    from raybundle.surfaces.files.input import on_same_grid, opened
-    from raybundle.surfaces.files.older import align_older, is_older
+    from raybundle.surfaces.files.input import is_older, on_same_grid, opened
+    from raybundle.surfaces.files.older import align_older
     from raybundle.surfaces.heights.displacement import movements
     from raybundle.surfaces.heights.resampling import difference
 
     s = settings
     if s.out is not None:
         check_new_folder(s.out)
-    after = opened(s.after)
-    older = align_older(s.before, after, s.stable) if is_older(s.before) else None
+    later = is_older(s.after) and not is_older(s.before)
+    file, folder = (s.after, s.before) if later else (s.before, s.after)
+    after = opened(folder)
+    older = align_older(file, after, s.stable) if is_older(file) else None
     if older is None and s.stable:
         raise InputError("old_heights.not_needed", file=s.before)
     # cells are those of the earlier surface, or of the only one
     first = opened(s.before) if older is None else after
     a, b = (first.model, on_same_grid(first, after)) if older is None else (older.old, older.surface)
+    a, b = (b, a) if later else (a, b)
     model = difference(a, b)
     if not model.known.any():
         raise InputError("height_grid.no_common_cell", other=str(s.before), file=s.after)

@@ -67,7 +67,6 @@ def run_time_series(settings: HeightsTimeSeriesSettings) -> MeasuredTimeSeries:
 
     from raybundle.io.folders import check_new_folder
     from raybundle.surfaces.files.input import covered_by, named_areas, on_same_grid, opened
-    from raybundle.surfaces.files.older import is_older
     from raybundle.surfaces.files.time_series import DatedVolumes, write_time_series
     from raybundle.surfaces.heights.resampling import one_measurement
     from raybundle.surfaces.heights.time_series import RegionWeights, time_series
@@ -77,9 +76,6 @@ def run_time_series(settings: HeightsTimeSeriesSettings) -> MeasuredTimeSeries:
         raise InputError("time_series.one_surface")
     if not s.outline:
         raise InputError("time_series.no_outline")
-    for p in (*s.sources, Path(s.above)):
-        if is_older(p) and p.is_file():
-            raise InputError("time_series.older_model", file=p)
     dates = _dates(s)
     if s.out is not None:
         check_new_folder(s.out)
@@ -144,6 +140,6 @@ def _base(s: HeightsTimeSeriesSettings) -> tuple[float | None, Opened | None]:
     level = number_of(s.above)
     if level is not None or s.above == RIM:
         return level, None
-    if not Path(s.above).is_dir():
+    if not Path(s.above).exists():
         raise InputError("volume.base_unknown", value=s.above, rim=RIM)
     return None, opened(Path(s.above))

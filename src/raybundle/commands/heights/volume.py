@@ -64,9 +64,8 @@ class MeasuredVolume:
 def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     """The volume that the settings ask for."""
     from raybundle.io.reading.words import number_of
-    from raybundle.surfaces.files.input import covered_by, on_same_grid, opened, outlined
-    from raybundle.surfaces.files.older import align_older, is_older
-    from raybundle.surfaces.heights.cut_and_fill import Signs
+    from raybundle.surfaces.files.input import covered_by, is_older, on_same_grid, opened, outlined
+    from raybundle.surfaces.files.older import align_older
     from raybundle.surfaces.heights.hole_filling import filled
     from raybundle.surfaces.heights.resampling import difference
     from raybundle.surfaces.heights.volumes import volume
@@ -103,8 +102,7 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     else:
         model = filled_within(o, model, covered, widest, s.source)
     two = level is None and s.above != RIM
-    signs = Signs.of(model.heights.height.astype(float), model.local, model.length) if two else None
-    found = volume(model, covered, [r for rings in areas for r in rings] if base is None else base, signs)
+    found = volume(model, covered, [r for rings in areas for r in rings] if base is None else base)
     if two:
         # what was filled below a surface, as the ground is, is no part of the surface that is missing
         own = ~o.model.known if o.model.holes is None else ~o.model.known | o.model.holes.filled

@@ -22,6 +22,7 @@ from raybundle.io.geo.rasters import (
     check_size,
     metres_of_heights,
     no_system,
+    scale_and_offset,
 )
 from raybundle.io.pictures.resampling import sampled
 from raybundle.io.raster_library import raster_errors, raster_library
@@ -151,8 +152,9 @@ def _of_dataset(
             data = source.read(1, window=library.windows.Window(x0, y0, x1 - x0, y1 - y0), masked=True)
         except library.errors.RasterioError as error:
             raise InputError("file.not_readable", detail=str(error).splitlines()[0][:200], file=path) from None
-        return np.asarray(data.astype(float).filled(np.nan))
+        return np.asarray((data.astype(float) * scale + offset).filled(np.nan))
 
+    scale, offset = scale_and_offset(source, 1)
     if source.crs is None:
         no_system(path)
     own = parse_crs(source.crs.to_wkt())

@@ -75,9 +75,15 @@ def whole_units(path: Path, band: int = 1) -> bool:
     library = raster_library(path)
     with raster_errors(path), library.open(path) as source:
         shape = tuple(min(n, SAMPLED) for n in source.shape)
-        found = source.read(band, out_shape=shape, masked=True).compressed()
+        scale, offset = scale_and_offset(source, band)
+        found = source.read(band, out_shape=shape, masked=True).compressed() * scale + offset
     known = found[np.isfinite(found)]
     return bool(len(known)) and bool((known == np.round(known)).all())
+
+
+def scale_and_offset(source: Any, band: int) -> tuple[float, float]:
+    """By which stored numbers of a band are heights (GDAL: stored number times scale plus offset)."""
+    return float(source.scales[band - 1]), float(source.offsets[band - 1])
 
 
 def no_system(path: Path) -> NoReturn:
@@ -102,7 +108,8 @@ def _read(library: Any, source: Any, path: Path, crs: str, box: Array, unit: Uni
         heights, transform = _warped(library, source, path, target, bounds, band)
         system = "degrees" if own.is_geographic else own.name
         remarks.append(phrase("raster.transformed", name=path.name, system=system, target=crs, cell_m=abs(transform.a)))
-    heights = np.where(np.isfinite(heights), heights * metres, np.nan)
+    scale, offset = scale_and_offset(source, band)
+    heights = np.where(np.isfinite(heights), (heights * scale + offset) * metres, np.nan)
     check_heights(heights, path)
     return HeightGrid(
         heights=heights, origin=_centre(transform), column=(transform.a, transform.d),

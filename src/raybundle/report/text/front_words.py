@@ -23,8 +23,8 @@ from raybundle.report.view import View, in_unit
 MOST_STEPS = 5
 FILES = (
     "points.csv", "map.csv", "map_control.csv", "coordinate_list.csv", "nominal.csv", "lengths.csv", "images.csv",
-    "displacements.csv", "velocities.csv", "surface_strain.csv", "epochs.json", "calibration.toml", "record.toml",
-    "check.csv", "control.csv", "block", "network.html",
+    "displacements.csv", "velocities.csv", "surface_strain.csv", "epochs.json", "animation.gif", "calibration.toml",
+    "record.toml", "check.csv", "control.csv", "block", "network.html",
 )  # fmt: skip
 """What a client takes, in this order"""
 

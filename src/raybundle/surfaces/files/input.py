@@ -19,7 +19,7 @@ from raybundle.missions.polygons import astray, checked_ring, signed_area
 from raybundle.numerics.arrays import Array
 from raybundle.results.fingerprint import FINGERPRINT, adjusted_since
 from raybundle.surfaces.files.checks import other_heights
-from raybundle.surfaces.files.heights import HeightFile, read_heights
+from raybundle.surfaces.files.heights import ABOUT, HeightFile, read_heights
 from raybundle.surfaces.heights.height_model import HeightModel
 from raybundle.surfaces.heights.hole_filling import filled
 from raybundle.surfaces.heights.outlines import coverage
@@ -33,6 +33,13 @@ COARSER = 2.0
 """How much larger or smaller cells may be that are resampled."""
 APART = 0.1
 """Of a cell, by which turning a plane may move a place and yet leave heights comparable."""
+
+RASTERS, CLOUDS = {".tif", ".tiff"}, {".las", ".laz"}
+
+
+def is_older(path: Path) -> bool:
+    """Whether a path is a file of a height model without photographs, by its name, and no folder of a surface."""
+    return path.suffix.lower() in RASTERS | CLOUDS and not path.is_dir()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,8 +74,12 @@ def opened(folder: Path, widest: float | None = None) -> Opened:
     """Heights of a surface.
 
     widest  of holes that are filled, in their unit
-    raises  InputError where the folder holds none, or they are damaged
+    raises  InputError for a file, where the folder holds none, or they are damaged
     """
+    if folder.is_file():
+        raise InputError(
+            "height_grid.file", model=is_older(folder) and not (folder.parent / ABOUT).is_file(), file=folder
+        )
     if not folder.is_dir():
         raise InputError("folder.missing_itself", file=folder)
     model, file = read_heights(folder)

@@ -14,11 +14,10 @@ from raybundle.io.geo.parsed_systems import plan_of, system_name
 from raybundle.io.geo.rasters import read_heights, whole_units
 from raybundle.numerics.arrays import Array
 from raybundle.objects.heights import HeightGrid
-from raybundle.surfaces.files.input import Opened, covered_by, outlined
+from raybundle.surfaces.files.input import CLOUDS, Opened, covered_by, outlined
 from raybundle.surfaces.heights.alignment import Alignment, aligned
 from raybundle.surfaces.heights.height_model import HeightModel
 
-RASTERS, CLOUDS = {".tif", ".tiff"}, {".las", ".laz"}
 MARGIN = 32
 """Cells around the grid of a surface from which points of a cloud are taken"""
 
@@ -31,11 +30,6 @@ class Aligned:
     surface: HeightModel
     alignment: Alignment
     remarks: tuple[str, ...]
-
-
-def is_older(path: Path) -> bool:
-    """Whether a path is a file of such a model, by its name, and no folder of a surface."""
-    return path.suffix.lower() in RASTERS | CLOUDS and not path.is_dir()
 
 
 def align_older(path: Path, o: Opened, stable: Sequence[str]) -> Aligned:

@@ -19,6 +19,7 @@ from raybundle.io.drawings import Drawn, write_geojson, write_gpkg
 from raybundle.io.folders import new_folder
 from raybundle.metrology.trends import Trend
 from raybundle.numerics.arrays import Array
+from raybundle.surfaces.files.drawing_pixels import write_png
 from raybundle.surfaces.files.drawings import (
     BAND,
     BOTTOM,
@@ -36,8 +37,8 @@ from raybundle.surfaces.files.input import Opened
 from raybundle.surfaces.heights.height_model import HeightModel, SumOfHeights
 from raybundle.surfaces.heights.time_series import Change, RegionSeries, probability, rates
 
-VOLUMES, CHANGES, ALL, LINES, LAYER, PICTURE = (
-    "volumes.csv", "changes.csv", "volumes.json", "regions.geojson", "regions.gpkg", "volumes.svg"
+VOLUMES, CHANGES, ALL, LINES, LAYER, DRAWING, PICTURE = (
+    "volumes.csv", "changes.csv", "volumes.json", "regions.geojson", "regions.gpkg", "volumes.svg", "volumes.png"
 )  # fmt: skip
 LABEL_PX = 76
 """Width of a date below a picture"""
@@ -114,7 +115,7 @@ def write_time_series(
     o: Opened, found: DatedVolumes, areas: Mapping[str, Sequence[Array]], out: Path
 ) -> tuple[Path, ...]:
     """Write all files into a new folder; areas by the names of regions, rings in columns and rows."""
-    names = (VOLUMES, CHANGES, ALL, LINES, LAYER, PICTURE)
+    names = (VOLUMES, CHANGES, ALL, LINES, LAYER, DRAWING, PICTURE)
     first = f"# lengths in {found.unit or 'no unit: the scale is free'}\n"
     with new_folder(out) as new:
         (new / VOLUMES).write_text(first + _csv(_volumes(found)), encoding="utf-8")
@@ -123,7 +124,9 @@ def write_time_series(
         drawn = [_drawn(o, found, r, areas[r.name]) for r in found.regions if r.name in areas]
         write_geojson(new / LINES, drawn, o.file.wkt)
         write_gpkg(new / LAYER, drawn, "regions", o.file.wkt)
-        (new / PICTURE).write_text(volumes_svg(found), encoding="utf-8")
+        svg = volumes_svg(found)
+        (new / DRAWING).write_text(svg, encoding="utf-8")
+        write_png(svg, new / PICTURE)
     return tuple(out / n for n in names)
 
 

@@ -35,9 +35,12 @@ from raybundle.surfaces.heights.steps import planes, steps_of
 
 STABLE = 0.55
 """Share of the heights that have not moved at least"""
-BEYOND, BEYOND_MEAN = 3.0, 3.5
-"""Standard deviations from which a cell, or a mean of neighbours, has moved: without what is so large by chance, the
-noise would be estimated 1 % too small, by large squares more"""
+BEYOND, ANY_MEAN = 4.0, 0.05
+"""Standard deviations from which a cell has moved, and probability that any mean of neighbours of a stable grid is left
+out (by Bonferroni): what is left out by chance makes the noise that neighbours share too small, by (2 Phi(z) - 1 -
+2 z phi(z))^2 of the normal distribution cut off at z: 0.2 % at 4, but 5 % at 3"""
+COUNTED = 3.0
+"""Standard deviations of neighbours that a cell counts with at most while starts compete"""
 STARTS, FEW, SAMPLED = 200, 6, 4_000
 """Starts of the robust fit, cells of every other, and cells that judge it"""
 NEAR, STEPS = 0.2, 6
@@ -181,7 +184,8 @@ def _stable(design: Array, d: Array, known: Mask, begin: Mask, *, given: bool) -
                 for v in (known.astype(float), np.clip(rest, -2 * limit, 2 * limit))
             )
             mean = total / np.maximum(n, 1e-9)
-            moved = known & (np.abs(mean) > BEYOND_MEAN * _scale(mean[before]))
+            beyond = float(-ndtri(ANY_MEAN / 2 / max(int(known.sum()), 1)))
+            moved = known & (np.abs(mean) > beyond * _scale(mean[before]))
             used &= cv2.dilate(moved.astype(np.uint8), np.ones((SMOOTH, SMOOTH), np.uint8)) == 0
         if used.sum() < FEWEST:
             raise InputError("old_heights.too_few", n=int(used.sum()), needed=FEWEST)
@@ -202,7 +206,7 @@ def _begin(design: Array, d: Array, known: Mask) -> Mask:
     at = at if len(at) <= SAMPLED else rng.choice(at, SAMPLED, replace=False)
     A, y = design.reshape(-1, 5)[at], d.ravel()[at]
     p = planes(np.where(known, d, np.nan), 2 * SLOPE)
-    limit = BEYOND * float(np.sqrt(np.median(p.scatter[known & np.isfinite(p.scatter)])))
+    limit = COUNTED * float(np.sqrt(np.median(p.scatter[known & np.isfinite(p.scatter)])))
     found = list[tuple[float, Array]]()
     place = np.stack(np.divmod(at, known.shape[1]), axis=1) / known.shape
     for k in range(STARTS):

@@ -46,18 +46,16 @@ class Volume:
     """standard deviation of the mean height above the base"""
 
 
-def volume(model: HeightModel, covered: Array, base: float | Sequence[Array], signs: Signs | None = None) -> Volume:
+def volume(model: HeightModel, covered: Array, base: float | Sequence[Array]) -> Volume:
     """Volumes within the cells' shares that an outline covers.
 
     covered  (rows, columns) 0 to 1
     base     a height that is exact; or the rings (n, 2) of the outline, columns and rows: the plane that fits the
              heights along them best, with its errors
-    signs    what lies above, of differences of two surfaces; None: by the sign of each cell
     raises   InputError where a cell within has no height, or the outline shows no plane
 
-    Above and below are linear in the heights as long as their signs are sure: where the surface runs along the base
-    within its noise, by the sign of each cell both are too large by about 0.4 sigma of a height times that area, and
-    the net volume is not.
+    What lies above is decided as of `Signs`: where the surface runs along the base within its noise, the sign of each
+    cell would make both too large by 0.4 sigma of a height times that area.
     """
     used = covered > 0
     if not used.any():
@@ -73,10 +71,8 @@ def volume(model: HeightModel, covered: Array, base: float | Sequence[Array], si
 
     w = covered * area
     true = true_area(model, covered)
-    if signs is None:
-        net, above, below = (summed(v) for v in (w, np.where(d > 0, w, 0.0), np.where(d < 0, -w, 0.0)))
-    else:
-        net, above, below = signs.cut_and_fill(w, summed)
+    signs = Signs.of(model.heights.height.astype(float) - b.plane, model.local, model.length)
+    net, above, below = signs.cut_and_fill(w, summed)
     filled = model.holes.filled & used if model.holes is not None else np.zeros(used.shape, bool)
     plan = float(w.sum())
     return Volume(

@@ -43,7 +43,12 @@ displacement-changes = { $n } frühere Verschiebungen: geändert um { NUM($media
     .why = { $changed } { $changed ->
         [one] Punkt änderte
         *[other] Punkte änderten
-    } sich um mehr als eine Standardabweichung. Anderes Urteil: { LIST($verdicts, most: 5) }.
+    } sich um mehr als eine Standardabweichung. Anderes Urteil: { LIST($verdicts, most: 5) }. Ohne Gegenstück: { $missing }.
+
+displacement-dates_changed = Daten geändert: aus { LIST($before, most: 5) } wurde { LIST($now, most: 5) }.
+    .why = Frühere Verschiebungen werden nach ihren Fotos verglichen.
+
+displacement-not_compared = Von { $n } früheren Verschiebungen ist keine vergleichbar: Daten oder Punkte haben sich geändert.
 
 displacement-untested = { $n } { $n ->
         [one] verschobener Punkt ist

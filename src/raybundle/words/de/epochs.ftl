@@ -146,3 +146,6 @@ epochs-limit_kept = An { $tested } von { $points } Punkten ist die Grenze { $lim
 epochs-limit_below_detection = { $limit } ist an { $n } von { $points } Punkten nicht geprüft: unter der Nachweisgrenze.
     .why = Die kleinste nachweisbare Verschiebung beträgt bis zu { NUM($largest_mm, digits: 3) } mm.
     .do = Zu jedem Datum mehr Fotos aufnehmen oder eine größere Grenze angeben. Spalte `detectable` in displacements.csv.
+
+epochs-no_animation = Die Animation der Tage wurde nicht geschrieben.
+    .do = Prüfen, ob Fotos aller Tage denselben Teil des Objekts zeigen.

@@ -20,3 +20,10 @@ height_grid-no_common_cell = Keine Zelle hat hier und in { $other } eine Höhe.
 height_grid-identical = Alle Höhen sind gleich denen von { $other }.
     .why = Es ist dieselbe Messung.
     .do = Ein anderes Höhenraster angeben.
+
+height_grid-file = Dies ist eine Datei. Verlangt ist eine Oberfläche: der Ordner von raybundle surface.
+    .why = Standardabweichungen und Korrelationen einer Oberfläche stehen in ihrem Ordner.
+    .do = { $model ->
+        [yes] Sie mit einer Oberfläche vergleichen: raybundle heights difference, oder heights volume mit { OPTION("above", "FILE") }.
+        *[no] Den Ordner angeben.
+    }

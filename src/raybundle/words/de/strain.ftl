@@ -68,6 +68,9 @@ strain-area = Bereich { $name } ({ $n } Subsets), Dehnung [1e-6]: xx { NUM($xx, 
 strain-area_text = { $text } ist kein Bereich.
     .do = NAME:LINKS,OBEN,RECHTS,UNTEN in Pixeln angeben, jeden Namen einmal.
 
+strain-area_not_one = Bereich { $name } ({ $n } Subsets) hat nicht eine Dehnung; Ebene [1e-6]: xx { NUM($xx, digits: 2) }, yy { NUM($yy, digits: 2) }, xy { NUM($xy, digits: 2) }.
+    .why = Die Verschiebungen weichen um { NUM($misfit, digits: 2) } Standardabweichungen (rms) von dieser Ebene ab. Eine Standardabweichung wird nicht angegeben.
+
 strain-area_uneven = Die Dehnung ist in { $n } { $n ->
         [one] Bereich
        *[other] Bereichen

@@ -12,6 +12,3 @@ time_series-dates_not_paired = { $surfaces } Oberflächen haben { $dates } { $da
 
 time_series-dates_not_ascending = Die Daten steigen nicht an: { LIST($dates, most: 6) }.
     .do = Die Oberflächen in der Reihenfolge ihrer Daten angeben.
-
-time_series-older_model = Volumen über die Zeit nehmen Oberflächen, kein älteres Modell ohne Fotos.
-    .do = Es mit einer Oberfläche vergleichen: raybundle heights difference, oder heights volume mit { OPTION("above", "FILE") }.

@@ -77,11 +77,20 @@ displacement-area = { $name } ({ $n } points): mean displacement { NUM($length_m
 # $point = "t17"
 # $changed = 1
 # $verdicts = ["t4"]
+# $missing = 3
 displacement-changes = { $n } earlier displacements: changed by { NUM($median, digits: 2) } standard deviations (median), { NUM($largest, digits: 2) } (largest, { $point }).
     .why = { $changed } { $changed ->
         [one] point changed
         *[other] points changed
-    } by more than one standard deviation. Other verdicts: { LIST($verdicts, most: 5) }.
+    } by more than one standard deviation. Other verdicts: { LIST($verdicts, most: 5) }. Without counterpart: { $missing }.
+
+# $before = ["2026-05-01", "2026-06-01"]
+# $now = ["2026-06-01", "2026-05-01"]
+displacement-dates_changed = Dates changed: { LIST($before, most: 5) } became { LIST($now, most: 5) }.
+    .why = Earlier displacements are compared by their photographs.
+
+# $n = 300
+displacement-not_compared = Of { $n } earlier displacements none is compared: their dates or points have changed.
 
 # $n = 12
 # $names = ["t7", "t31"]

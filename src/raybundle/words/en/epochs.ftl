@@ -256,3 +256,6 @@ epochs-limit_kept = At { $tested } of { $points } points the limit { $limit } is
 epochs-limit_below_detection = { $limit } is not tested at { $n } of { $points } points: below what is detectable there.
     .why = The smallest detectable displacement is up to { NUM($largest_mm, digits: 3) } mm.
     .do = Take more photographs at each date, or give a larger limit. Column `detectable` of displacements.csv.
+
+epochs-no_animation = The animation of the dates was not written.
+    .do = Check that photographs of all dates show the same part of the object.

@@ -29,3 +29,11 @@ height_grid-no_common_cell = No cell has a height here and in { $other }.
 height_grid-identical = All heights are identical to those of { $other }.
     .why = It is the same measurement.
     .do = Give another height grid.
+
+# $model = true
+height_grid-file = This is a file. A surface is needed: the folder that raybundle surface wrote.
+    .why = Standard deviations and correlations of a surface are in its folder.
+    .do = { $model ->
+        [yes] Compare it with a surface: raybundle heights difference, or heights volume with { OPTION("above", "FILE") }.
+        *[no] Give the folder.
+    }

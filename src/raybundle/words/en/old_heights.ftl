@@ -1,15 +1,15 @@
 # $n = 40
 # $needed = 100
 old_heights-too_few = The alignment needs { $needed } cells that have not moved; there are { $n }.
-    .do = Give a larger area with { OPTION("stable", "FILE") }, or another older model.
+    .do = Give a larger area with { OPTION("stable", "FILE") }, or another model.
 
 # $shift = [120.0, -40.0]
 # $cell = 0.5
-old_heights-not_converged = The older model cannot be aligned: its shift in plan is beyond reach ({ LIST($shift, most: 2) }).
+old_heights-not_converged = The other model cannot be aligned: its shift in plan is beyond reach ({ LIST($shift, most: 2) }).
     .why = Slopes show shifts of some cells of { $cell }.
     .do = Check its coordinate system, or give an area that has not moved with { OPTION("stable", "FILE") }.
 
-old_heights-not_determined = The stable area does not determine shift and tilts of the older model.
+old_heights-not_determined = The stable area does not determine shift and tilts of the other model.
     .why = It lies along a line, or is even.
     .do = Give an area with slopes in several directions with { OPTION("stable", "FILE") }.
 
@@ -20,10 +20,10 @@ old_heights-plan_undetermined = The stable area does not determine the shift in 
     .why = The angle is clockwise from up. Only slopes along it show this shift; the limit is a cell.
     .do = Give an area with such slopes with { OPTION("stable", "FILE") }.
 
-old_heights-no_map = An older model needs a surface in a map in metres.
+old_heights-no_map = A model without photographs needs a surface in a map in metres.
     .do = Compute the surface with a coordinate system (raybundle surface, control or positions with one).
 
-old_heights-not_needed = { OPTION("stable", "FILE") } is for an older model without photographs.
+old_heights-not_needed = { OPTION("stable", "FILE") } is for a model without photographs.
     .why = Two surfaces lie in the frame of their control.
 
 # $missing = 1200
@@ -31,7 +31,7 @@ old_heights-not_needed = { OPTION("stable", "FILE") } is for an older model with
 old_heights-cloud_cut_off = The point cloud is cut off: { $missing } of { $total } points are missing.
     .do = Copy the file again.
 
-old_heights-ambiguous = Two alignments of the older model fit equally well: what is stable is not certain.
+old_heights-ambiguous = Two alignments of the other model fit equally well: what is stable is not certain.
     .why = Nearly half moved alike.
     .do = Give the stable area with { OPTION("stable", "FILE") }.
 
@@ -44,10 +44,10 @@ old_heights-narrow = The alignment rests on { PERCENT($share) } % of the common 
 
 # $up = 150.2
 # $limit = 110.0
-old_heights-far = The older model lies { NUM($up, digits: 4) } m off in height (limit { NUM($limit, digits: 3) } m).
+old_heights-far = The other model lies { NUM($up, digits: 4) } m off in height (limit { NUM($limit, digits: 3) } m).
     .why = Vertical datums differ by less.
     .do = Check unit and vertical datum of both.
 
-old_heights-whole_units = The heights of the older model are rounded to whole units.
+old_heights-whole_units = The heights of the other model are rounded to whole units.
     .why = Rounded heights do not determine slopes and the shift in plan.
     .do = Give the model with decimals.

@@ -118,6 +118,15 @@ strain-image_twice = The image is given twice.
 # $s_xy = 8
 strain-area = Area { $name } ({ $n } subsets), strain [1e-6]: xx { NUM($xx, digits: 3) } ± { NUM($s_xx, digits: 2) }, yy { NUM($yy, digits: 3) } ± { NUM($s_yy, digits: 2) }, xy { NUM($xy, digits: 3) } ± { NUM($s_xy, digits: 2) }.
 
+# $name = "web"
+# $n = 120
+# $xx = 1210
+# $yy = -350
+# $xy = 20
+# $misfit = 2.4
+strain-area_not_one = Area { $name } ({ $n } subsets) has no single strain; plane [1e-6]: xx { NUM($xx, digits: 2) }, yy { NUM($yy, digits: 2) }, xy { NUM($xy, digits: 2) }.
+    .why = Displacements differ from this plane by { NUM($misfit, digits: 2) } standard deviations (rms). No standard deviation is stated.
+
 # $text = "web:10,20"
 strain-area_text = { $text } is no area.
     .do = Give NAME:LEFT,TOP,RIGHT,BOTTOM in pixels, each name once.

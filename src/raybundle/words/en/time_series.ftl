@@ -15,6 +15,3 @@ time_series-dates_not_paired = { $surfaces } surfaces have { $dates } { $dates -
 # $dates = ["2026-06-01", "2026-05-01"]
 time_series-dates_not_ascending = Dates do not ascend: { LIST($dates, most: 6) }.
     .do = Give the surfaces in the order of their dates.
-
-time_series-older_model = Volumes over time take surfaces, and no older model without photographs.
-    .do = Compare it with one surface: raybundle heights difference, or heights volume with { OPTION("above", "FILE") }.

@@ -31,6 +31,10 @@ displacement-area = { $name } ({ $n } points) : déplacement moyen { NUM($length
 
 displacement-changes = { $n } déplacements antérieurs : changés de { NUM($median, digits: 2) } écarts-types (médiane), { NUM($largest, digits: 2) } (maximum, { $point }).
 
+displacement-dates_changed = Dates changées : { LIST($before, most: 5) } sont devenues { LIST($now, most: 5) }.
+
+displacement-not_compared = Aucun des { $n } déplacements antérieurs n'est comparable : dates ou points ont changé.
+
 displacement-untested = { $n } { $n ->
         [one] point déplacé n'est pas contrôlable
         *[other] points déplacés ne sont pas contrôlables

@@ -76,3 +76,5 @@ epochs-limit_exceeded = Déplacements de plus de { $limit } : { $n } ; { $name }
 epochs-limit_kept = La limite { $limit } est contrôlée sur { $tested } points de { $points } ; aucun déplacement ne la dépasse là ({ PERCENT($confidence) } %).
 
 epochs-limit_below_detection = { $limit } n'est pas contrôlé pour { $n } points sur { $points } : sous le seuil de détection.
+
+epochs-no_animation = L'animation des dates n'a pas été écrite.

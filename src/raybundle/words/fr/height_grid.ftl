@@ -11,3 +11,5 @@ height_grid-void_cells = { $n } cellules sur { $total } n'ont pas d'altitude.
 height_grid-no_common_cell = Aucune cellule n'a d'altitude ici et dans { $other }.
 
 height_grid-identical = Toutes les altitudes sont identiques à celles de { $other }.
+
+height_grid-file = C'est un fichier. Il faut une surface : le dossier de raybundle surface.

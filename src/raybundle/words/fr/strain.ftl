@@ -43,6 +43,8 @@ strain-area = Zone { $name } ({ $n } subsets), déformation [1e-6] : xx { NUM($x
 
 strain-area_text = { $text } n'est pas une zone.
 
+strain-area_not_one = Zone { $name } ({ $n } subsets) sans déformation unique ; plan [1e-6] : xx { NUM($xx, digits: 2) }, yy { NUM($yy, digits: 2) }, xy { NUM($xy, digits: 2) }.
+
 strain-area_uneven = La déformation n'est pas uniforme dans { $n } zones, surtout dans { $area } ({ $name }).
 
 strain-area_empty = La zone { $area } a trop peu de subsets dans { LIST($names, most: 3) }.

@@ -5,5 +5,3 @@ time_series-no_outline = Les volumes dans le temps demandent le contour d'une zo
 time_series-dates_not_paired = { $surfaces } surfaces ont { $dates } dates.
 
 time_series-dates_not_ascending = Les dates ne sont pas croissantes : { LIST($dates, most: 6) }.
-
-time_series-older_model = Les volumes dans le temps prennent des surfaces, et non un modèle ancien sans photos.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -62,6 +63,10 @@ class Changes:
     """points of which a displacement changed by more than one of its earlier standard deviations"""
     verdicts: tuple[str, ...]
     """points with another verdict than before"""
+    redated: Mapping[str, str]
+    """earlier dates that have changed -> the date of their photographs now"""
+    missing: int
+    """earlier displacements of which no counterpart is there"""
 
 
 def exceeded(m: Movements, limit: Limit) -> list[Exceeded]:
@@ -209,6 +214,7 @@ def epochs_json(m: Movements, limit: Limit | None, changes: Changes | None) -> d
                 "displacements": changes.count, "median_sigma": changes.median, "largest_sigma": changes.largest,
                 "point": changes.point, "from": changes.start, "to": changes.end,
                 "more_than_one_sigma": list(changes.more_than_one), "other_verdict": list(changes.verdicts),
+                "dates_changed": dict(changes.redated), "without_counterpart": changes.missing,
             }
         }),
     }  # fmt: skip
@@ -233,24 +239,41 @@ def write_epochs(contents: Mapping[str, Any], path: Path) -> None:
     path.write_text(json.dumps(clean(reported(dict(contents), SHORT)), indent=1) + "\n", encoding="utf-8")
 
 
-def changes_of(m: Movements, before: Displaced) -> Changes | None:
-    """What became of displacements that were delivered before; None: both results have none in common."""
+def redated(before: Mapping[str, str], now: Mapping[str, str]) -> dict[str, str]:
+    """Earlier dates -> the date that the same photographs have now; dates that were split or joined are absent.
+
+    before, now  photograph -> date
+    """
+    pairs = {(d, now[photo]) for photo, d in before.items() if photo in now}
+    old, new = (Counter(pair[k] for pair in pairs) for k in (0, 1))
+    return {a: b for a, b in sorted(pairs) if old[a] == 1 and new[b] == 1}
+
+
+def changes_of(m: Movements, before: Displaced, date_now: Mapping[str, str]) -> Changes | None:
+    """What became of displacements that were delivered before; None: there were none.
+
+    date_now  as of `redated`: photographs are compared with themselves, in whatever order their dates are now
+    """
     d, names = m.displacements, m.dates.names
     std = np.sqrt(np.diagonal(before.covariance, axis1=1, axis2=2))
-    row_of = {key: k for k, key in enumerate(zip(before.point, before.start, before.end, strict=True))}
+    row_of: dict[tuple[str, str, str], tuple[int, int]] = {}
+    for k, (point, *dates) in enumerate(zip(before.point, before.start, before.end, strict=True)):
+        start, end = (date_now.get(one, "") for one in dates)
+        row_of[point, min(start, end), max(start, end)] = k, 1 if start < end else -1
     rows: list[tuple[float, tuple[str, str, str], bool]] = []
     for k, point in enumerate(d.point):
         key = (point, names[d.start[k]], names[d.end[k]])
         if key in row_of:
-            b = row_of[key]
-            change = float(np.max(np.abs(d.vector[k] - before.vector[b]) / np.maximum(std[b], 1e-300)))
+            b, sign = row_of[key]
+            change = float(np.max(np.abs(d.vector[k] - sign * before.vector[b]) / np.maximum(std[b], 1e-300)))
             rows.append((change, key, before.verdict[b] != d.verdict[k]))
-    if not rows:
+    if not before.point:
         return None
-    largest = max(rows)
+    largest = max(rows, default=(0.0, ("", "", ""), False))
     return Changes(
-        count=len(rows), median=float(np.median([r[0] for r in rows])), largest=largest[0], point=largest[1][0],
-        start=largest[1][1], end=largest[1][2],
+        count=len(rows), median=float(np.median([r[0] for r in rows])) if rows else 0.0, largest=largest[0],
+        point=largest[1][0], start=largest[1][1], end=largest[1][2],
         more_than_one=tuple(dict.fromkeys(key[0] for change, key, _ in rows if change > 1)),
         verdicts=tuple(dict.fromkeys(key[0] for _, key, other in rows if other)),
+        redated={a: b for a, b in date_now.items() if a != b}, missing=len(before.point) - len(rows),
     )  # fmt: skip

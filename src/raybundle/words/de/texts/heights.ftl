@@ -121,10 +121,10 @@ heights-series_orientations = { $common ->
         *[independent] Die Orientierungen der Tage gelten als unabhängig; gleiche Passpunkte machen Änderungen genauer.
     }
 
-heights-aligned = Älteres Modell eingepasst über { PERCENT($share) } % der Höhen: Höhe { $up }.
+heights-aligned = Anderes Modell eingepasst über { PERCENT($share) } % der Höhen: Höhe { $up }.
 
-heights-aligned_plan = Verschiebung des älteren Modells in der Lage: rechts { $right }, oben { $above }.
+heights-aligned_plan = Verschiebung des anderen Modells in der Lage: rechts { $right }, oben { $above }.
 
-heights-aligned_tilts = Neigungen des älteren Modells: { $tilts }.
+heights-aligned_tilts = Neigungen des anderen Modells: { $tilts }.
 
-heights-noise_estimated = Rauschen des älteren Modells (geschätzt): { NUM($sigma, digits: 2) } { $unit }, davon { NUM($common, digits: 2) } { $unit } über { NUM($cells, digits: 2) } Zellen.
+heights-noise_estimated = Rauschen des anderen Modells (geschätzt): { NUM($sigma, digits: 2) } { $unit }, davon { NUM($common, digits: 2) } { $unit } über { NUM($cells, digits: 2) } Zellen.

@@ -6,6 +6,8 @@ studio_page-space = Raum
 
 studio_page-tables = Tabellen
 
+studio_page-epochs = Tage
+
 studio_page-decide = Entscheiden
 
 studio_page-journal = Protokoll

@@ -217,17 +217,17 @@ heights-series_orientations = { $common ->
 
 # $share = 0.83
 # $up = "0.11 m (sigma 0.02)"
-heights-aligned = Older model aligned by { PERCENT($share) } % of the heights: height { $up }.
+heights-aligned = Other model aligned by { PERCENT($share) } % of the heights: height { $up }.
 
 # $right = "0.31 m (sigma 0.02)"
 # $above = "-0.18 m (sigma 0.02)"
-heights-aligned_plan = Shift of the older model in plan: right { $right }, up { $above }.
+heights-aligned_plan = Shift of the other model in plan: right { $right }, up { $above }.
 
 # $tilts = ["0.0002 (sigma 0.001)", "0.0001 (sigma 0.001)"]
-heights-aligned_tilts = Tilts of the older model: { $tilts }.
+heights-aligned_tilts = Tilts of the other model: { $tilts }.
 
 # $sigma = 0.05
 # $common = 0.03
 # $cells = 6.0
 # $unit = "m"
-heights-noise_estimated = Noise of the older model (estimated): { NUM($sigma, digits: 2) } { $unit }, of which { NUM($common, digits: 2) } { $unit } over { NUM($cells, digits: 2) } cells.
+heights-noise_estimated = Noise of the other model (estimated): { NUM($sigma, digits: 2) } { $unit }, of which { NUM($common, digits: 2) } { $unit } over { NUM($cells, digits: 2) } cells.

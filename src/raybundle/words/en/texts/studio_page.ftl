@@ -6,6 +6,8 @@ studio_page-space = Space
 
 studio_page-tables = Tables
 
+studio_page-epochs = Dates
+
 studio_page-decide = Decide
 
 studio_page-journal = Journal
