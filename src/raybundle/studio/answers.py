@@ -32,13 +32,15 @@ def overview(desk: Desk) -> dict[str, Any]:
     o = block.observations
     rays = np.bincount(o.image, minlength=len(block.images))
     rms = _rms(desk)
+    wrong = _p_wrong(desk)
     images: list[dict[str, Any]] = []
     for k, name in enumerate(block.images.ids):
         width, height = desk.session.known.size_px[name]
         images.append({
             "id": name, "file": block.images.file[k], "width": width, "height": height,
             "camera": block.cameras[int(block.images.camera[k])].id, "oriented": bool(block.images.oriented[k]),
-            "rays": int(rays[k]), "rms_px": finite(rms[k]), "turn": _turn(desk, k), "photo": k in desk.tiles.paths,
+            "rays": int(rays[k]), "rms_px": finite(rms[k]), "p_wrong": wrong.get(name),
+            "turn": _turn(desk, k), "photo": k in desk.tiles.paths,
         })  # fmt: skip
     reported = None if a is None else verdict(view_of(a))
     return {
@@ -185,6 +187,15 @@ def finite(value: float) -> float | None:
 def numbers(values: Array) -> list[float | None]:
     """Numbers as JSON knows them."""
     return [finite(v) for v in values.tolist()]
+
+
+def _p_wrong(desk: Desk) -> Mapping[str, float]:
+    """Probability that the station of an image is wrong, as the result that is open states it."""
+    result = own_result(desk.source)
+    if result is None:
+        return {}
+    tree = read_json(result / "result.json")
+    return {n: v.number() for n, v in tree.get("p_wrong").mapping().items()} if tree.has("p_wrong") else {}
 
 
 def _rms(desk: Desk) -> Array:
