@@ -55,7 +55,11 @@ def result_digits(a: Adjustment, name: str, columns: Columns) -> Rules:
 
 def _images() -> Rules:
     """All digits: what is computed by exterior orientations is known far better than each of their elements."""
-    return {**dict.fromkeys((*XYZ, *ANGLES), EVERY), **dict.fromkeys((*SIGMA_XYZ, *SIGMA_ANGLES), STD), P_WRONG: PROBABILITY}
+    return {
+        **dict.fromkeys((*XYZ, *ANGLES), EVERY),
+        **dict.fromkeys((*SIGMA_XYZ, *SIGMA_ANGLES), STD),
+        P_WRONG: PROBABILITY,
+    }
 
 
 def _points(a: Adjustment) -> Rules:

@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.errors import Severity, Text
+from raybundle.io.reading.trees import read_json
 from raybundle.measuring.frames import file_matrix, to_file
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.mark_tests import mark_verdict, off_images, point_test_of
@@ -19,6 +20,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.pipeline.project import masks_given
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
+from raybundle.results.project_results import own_result
 from raybundle.studio.desk import Desk, named
 
 TURNS = {6: 1, 3: 2, 8: 3}
