@@ -27,16 +27,15 @@ import os
 import re
 import resource
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, pairwise
 from pathlib import Path
 from types import SimpleNamespace
 
 import cv2
 import doubles
 import numpy as np
-import odd_photographs as odd
 import repeated_structure as repeated
 from ledger.judges.cameras import middlebury, table
 from runs import similarity
@@ -52,7 +51,7 @@ from raybundle.io.block.toml import read_cameras
 from raybundle.placing.marks import Given
 from raybundle.ties import wrong_stations as ws
 from raybundle.ties.explained_matches import PairFits
-from raybundle.workflows.orient import OrientOptions, Orientation, orient
+from raybundle.workflows.orient import Orientation, OrientOptions, orient
 from raybundle.workflows.orienting.stages import adjustment as stage
 
 HERE = Path(__file__).resolve().parent
@@ -461,7 +460,8 @@ def subsets(work: Path, data: Path, pattern: str, count: int, cpu_s: float) -> N
             total = sum(len(raw[f"{n}:names"]) for n in range(len(parts)))
             took = resource.getrusage(resource.RUSAGE_SELF).ru_utime - before
             print(
-                f"{target.stem} {kind} {how or '-'}: {total} of {len(paths)} in {len(parts)}, {wrong} wrong, {took:.1f} s",
+                f"{target.stem} {kind} {how or '-'}: {total} of {len(paths)} in {len(parts)}, {wrong} wrong, "
+                f"{took:.1f} s",
                 flush=True,
             )
 
@@ -539,16 +539,18 @@ def sample(work: Path) -> Sample:
 
 PRIOR = 3.0
 """Standard deviation of a coefficient beforehand, of standardised evidence"""
+RANGE = (0.005, 0.995)
+"""Quantiles of the evidence beyond which nothing is extrapolated"""
 
 
-def fitted(s: Sample, rows: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Mean and scale of the evidence, its range, coefficients and their covariance, of some photographs.
+def fitted(s: Sample, rows: np.ndarray) -> ws.Model:
+    """The model of some photographs.
 
     Coefficients are not negative: each piece of evidence makes a wrong station likelier.  Photographs of one subset are
     wrong together: the covariance is that of sums over subsets (Huber 1967; Liang and Zeger 1986).
     """
     X, y = s.evidence[rows], s.wrong[rows].astype(float)
-    low, high = np.quantile(X, [0.005, 0.995], axis=0)
+    low, high = np.quantile(X, RANGE, axis=0)
     X = np.clip(X, low, high)
     mean, scale = X.mean(axis=0), np.maximum(X.std(axis=0), 1e-6)
     x = np.column_stack([np.ones(len(X)), (X - mean) / scale])
@@ -563,17 +565,13 @@ def fitted(s: Sample, rows: np.ndarray) -> tuple[np.ndarray, ...]:
     free = np.append(True, b[1:] > 1e-6)
     q = expit(x @ b)
     H = np.linalg.inv(((x.T * (q * (1 - q))) @ x + np.diag(prior))[np.ix_(free, free)])
-    score = np.zeros((len(np.unique(s.subset)), free.sum()))
-    np.add.at(score, np.unique(s.subset, return_inverse=True)[1][rows], (x * (y - q)[:, None])[:, free])
+    score = np.zeros((s.subset.max() + 1, free.sum()))
+    np.add.at(score, s.subset[rows], (x * (y - q)[:, None])[:, free])
     C = np.zeros((len(b), len(b)))
     C[np.ix_(free, free)] = H @ (score.T @ score) @ H
-    return low, high, mean, scale, b, C
-
-
-def stated(model: tuple[np.ndarray, ...], X: np.ndarray) -> np.ndarray:
-    """Probabilities of a model, as `wrong_stations.probabilities`."""
-    low, high, mean, scale, b, C = model
-    return ws.probabilities(X, ws.Model(low=low, high=high, mean=mean, scale=scale, coefficients=b, covariance=C))
+    T = np.diag(np.append(1.0, 1 / scale))
+    T[0, 1:] = -mean / scale
+    return ws.Model(low=low, high=high, coefficients=T @ b, covariance=T @ C @ T.T)
 
 
 def interval(k: int, n: int) -> list[float]:
@@ -590,7 +588,7 @@ EDGES = (0.0, 0.003, 0.005, 0.02, 0.05, 0.15, 0.5, 1.0)
 def reliability(p: np.ndarray, s: Sample, rows: np.ndarray) -> list[dict]:
     """Stated and found shares of wrong stations, by classes of what is stated."""
     found = []
-    for low, high in zip(EDGES, EDGES[1:], strict=False):
+    for low, high in pairwise(EDGES):
         mine = rows & (p >= low) & (p < high)
         n, k = int(mine.sum()), int(s.wrong[mine].sum())
         if n:
@@ -608,9 +606,9 @@ def judged(work: Path) -> dict:
     p = np.full(len(s.wrong), np.nan)
     for group in np.unique(s.group):
         mine = s.group == group
-        p[mine] = stated(fitted(s, ~mine), s.evidence[mine])
+        p[mine] = ws.probabilities(s.evidence[mine], fitted(s, ~mine))
     every = np.ones(len(p), bool)
-    low, high, mean, scale, b, C = fitted(s, every)
+    model = fitted(s, every)
     alarm = p > ws.LIMIT
     rows = {str(k): s.kind == k for k in np.unique(s.kind)}
     return {
@@ -622,15 +620,17 @@ def judged(work: Path) -> dict:
             for k, m in rows.items()
         },
         "by_group": {
-            str(g): {"photographs": int(m.sum()), "wrong": int(s.wrong[m].sum()), "expected": round(float(p[m].sum()), 1)}
-            for g in np.unique(s.group) for m in [s.group == g]
+            str(g): {"photographs": int((m := s.group == g).sum()), "wrong": int(s.wrong[m].sum()),
+                     "expected": round(float(p[m].sum()), 1)}
+            for g in np.unique(s.group)
         },
         "limit": ws.LIMIT,
         "false_alarms": {"right": int((~s.wrong).sum()), "named": int((alarm & ~s.wrong).sum()),
                          "interval": interval(int((alarm & ~s.wrong).sum()), int((~s.wrong).sum()))},
         "named_of_wrong": round(float(alarm[s.wrong].mean()), 3),
-        "model": {k: np.round(v, 5).tolist() for k, v in zip(
-            ("low", "high", "mean", "scale", "coefficients", "covariance"), (low, high, mean, scale, b, C), strict=True)},
+        "model": {
+            name: np.round(getattr(model, name), 5).tolist() for name in ("low", "high", "coefficients", "covariance")
+        },
     }  # fmt: skip
 
 

@@ -19,59 +19,42 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.numerics.arrays import Array
 from raybundle.ties.explained_matches import PairFits
 
-WRONG_SHARE = 0.01
-"""Of the extent of a part, by which a wrong station is off"""
-RAYS = 3
-"""Of a point that checks the station of a photograph: two always intersect, but for one coordinate"""
-NAMING = frozenset(
-    "image_contradicts weak_photographs cropped_photographs camera_kept_apart mirrored_photographs "
-    "identical_images repeated_structure".split()
-)
+NAMING = {
+    "image_contradicts", "weak_photographs", "cropped_photographs", "camera_kept_apart", "mirrored_photographs",
+    "identical_images", "repeated_structure",
+}  # fmt: skip
 """Warnings that name photographs not to rely on, beside all faults"""
-EVIDENCE = ("points", "second", "sigma", "turn", "unexplained", "part", "photographs", "named", "others_named")
+EVIDENCE = ("sigma", "unexplained", "photographs", "named")
+LEAST = 1e-5
+"""Standard deviation below which it makes no difference"""
 
 
 def evidence(result: Adjustment, fits: PairFits, notices: Sequence[Notice]) -> Array:
     """(n, k) what makes a wrong station of each image likelier, by `EVIDENCE`; NaN of images that are not judged.
 
-    points        few points with `RAYS` rays
-    second        few points in common with the photograph that has the second most
-    sigma, turn   standard deviation of the station, as a share of the extent; of the rotation [rad]
-    unexplained   share of its verified matches that the orientation does not fit
-    part          the same of the photograph of the part with the largest share
-    photographs   few photographs in the part
-    named         a fault or a warning of `NAMING` names it
-    others_named  or another photograph of its part
+    sigma        standard deviation of the station as a share of the extent, or of the rotation [rad]: the larger
+    unexplained  share of the verified matches that the orientation does not fit
+    photographs  few photographs in the part
+    named        a fault, or a warning of `NAMING`, names it
 
     fits     verified matches beside the orientation
     notices  of the result
     """
     block, network, precision = result.adjusted, result.network, result.precision
-    n, o, used = len(block.images.ids), block.observations, result.image_observations.used
+    n = len(block.images.ids)
     judged = block.images.oriented & np.array([not c.is_scene for c in block.cameras], bool)[block.images.camera]
     if network is None or precision is None or judged.sum() < 2:
         return np.full((n, len(EVIDENCE)), np.nan)
-    rays = np.bincount(o.point[used], minlength=len(block.points))
-    points = np.bincount(o.image[used & (rays[o.point] >= RAYS)], minlength=n)
-    most, second = np.zeros(n), np.zeros(n)
-    for column in (0, 1):
-        for k, common in zip(network.pair_images[:, column].tolist(), network.pair_points.tolist(), strict=True):
-            second[k] = max(second[k], min(most[k], common))
-            most[k] = max(most[k], common)
     matches, fitting = np.ones(n), np.ones(n)
     for column in (0, 1):
         np.add.at(matches, fits.ends[:, column], fits.matches)
         np.add.at(fitting, fits.ends[:, column], fits.fitting)
-    unexplained = np.log(0.01 + 1 - fitting / matches)
-    std = precision.image_std
-    with np.errstate(divide="ignore"):
-        sigma = np.log(np.linalg.norm(std[:, :3], axis=1) / _extent(block.images.centre[judged], network.distance))
-        turn = np.log(np.linalg.norm(std[:, 3:], axis=1))
+    std = np.linalg.norm(precision.image_std.reshape(n, 2, 3), axis=2)
+    std[:, 0] /= _extent(block.images.centre[judged], network.distance)
     grave = {i for x in notices if x.severity is Severity.FAULT or x.code in NAMING for i in (*x.ids, *x.also)}
-    named = np.array([i in grave for i in block.images.ids]) & judged
     table = np.column_stack([
-        -np.log1p(points), -np.log1p(second), np.clip(sigma, -12, 0), np.clip(turn, -12, 0), unexplained,
-        np.full(n, unexplained[judged].max()), np.full(n, -np.log(judged.sum())), named, np.full(n, named.any()),
+        np.log(np.clip(std.max(axis=1), LEAST, 1)), np.log(0.01 + 1 - fitting / matches),
+        np.full(n, -np.log(judged.sum())), [i in grave for i in block.images.ids],
     ])  # fmt: skip
     return np.where(judged[:, None], table, np.nan)
 
@@ -83,42 +66,51 @@ def _extent(centre: Array, distance: Array) -> float:
 
 LIMIT = 0.5
 """Probability from which on photographs are named."""
-FALSE_ALARMS = 0.0
+FALSE_ALARMS = 0.026
 """Share of right stations that are named so, on scenes that took no part in the fit"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Model:
-    """A logistic regression on standardised evidence."""
+    """A logistic regression."""
 
     low: Array
     """(k,) evidence is taken as no less: nothing is known of what lies beyond"""
     high: Array
-    mean: Array
-    scale: Array
     coefficients: Array
     """(k + 1,) the constant first"""
     covariance: Array
+    """(k + 1, k + 1)"""
 
 
-MODEL: Model | None = None
+MODEL = Model(
+    low=np.array([-9.03063, -4.50302, -2.48491, 0.0]),
+    high=np.array([-0.83885, -0.26707, -0.69315, 1.0]),
+    coefficients=np.array([6.40261, 0.59408, 1.09381, 1.05764, 1.27352]),
+    covariance=np.array([
+        [2.48651, 0.13358, 0.23953, 0.68138, -0.04932],
+        [0.13358, 0.0134, 0.00661, 0.02885, -0.00016],
+        [0.23953, 0.00661, 0.04793, 0.04886, -0.00944],
+        [0.68138, 0.02885, 0.04886, 0.25629, 0.03301],
+        [-0.04932, -0.00016, -0.00944, 0.03301, 0.26973],
+    ]),
+)  # fmt: skip
+"""From all scenes of `benchmarks/results/wrong_stations.json`"""
 
 
-def probabilities(table: Array, model: Model | None = MODEL) -> Array:
+def probabilities(table: Array, model: Model = MODEL) -> Array:
     """(n,) probability of a wrong station, of `evidence`; NaN where that is not judged.
 
-    The mean over the distribution of the coefficients (MacKay 1992, eq. 4.9): little is known of what is unlike the
-    scenes that they come from.
+    The mean over the distribution of the coefficients (MacKay 1992, eq. 4.9): of what is unlike the scenes that they
+    come from, little is known.
     """
-    x = np.column_stack([np.ones(len(table)), (np.clip(table, model.low, model.high) - model.mean) / model.scale])
+    x = np.column_stack([np.ones(len(table)), np.clip(table, model.low, model.high)])
     variance = np.einsum("ni,ij,nj->n", x, model.covariance, x)
     return expit(x @ model.coefficients / np.sqrt(1 + np.pi / 8 * variance))
 
 
 def with_probabilities(result: Adjustment, fits: PairFits, notices: Sequence[Notice]) -> Adjustment:
     """The result with `p_wrong`, and a warning that names photographs that are likely wrong; as `evidence`."""
-    if MODEL is None:
-        return result
     p = probabilities(evidence(result, fits, (*notices, *result.notices)))
     if not np.isfinite(p).any():
         return result
