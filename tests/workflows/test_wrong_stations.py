@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from raybundle.adjustment.records.notice import Notice
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import Ring, brown_camera, ring_scene
 from raybundle.results.folder import read_result, written_folder
+from raybundle.studio.answers import _p_wrong
 from raybundle.ties.explained_matches import PairFits
 from raybundle.ties.wrong_stations import EVIDENCE, LIMIT, MODEL, evidence, probabilities, with_probabilities
 
@@ -79,6 +81,7 @@ def test_probabilities_stand_in_the_result(result, tmp_path):
     read = read_result(tmp_path / "result")
     assert read.images.number["p_wrong"] == pytest.approx(done.p_wrong, rel=0.01)
     told = json.loads((tmp_path / "result/result.json").read_text())["p_wrong"]
+    assert _p_wrong(SimpleNamespace(source=tmp_path)) == told  # as the studio shows it
     assert told == dict(zip(read.images.text["image"], read.images.number["p_wrong"].tolist(), strict=True))
 
 

@@ -60,6 +60,7 @@ from raybundle.report.text.numbers import (
     with_sigma,
 )
 from raybundle.report.view import View, with_near_viewpoints
+from raybundle.ties.wrong_stations import LIMIT
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -146,7 +147,7 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: csr_
         i = int(images[row_of[p.name]])
         partners = int(partners_each[row_of[p.name]])
         share = float(covered[i])
-        if share < THIN or not partners:
+        if share < THIN or not partners or wrong[i] > LIMIT:
             marked.append(k)
         numbers = [grouped(float(count[i])), per_cent(many[i] / max(count[i], 1)), grouped(partners)]
         chance = per_cent(float(wrong[i])) if np.isfinite(wrong[i]) else NONE
@@ -168,7 +169,7 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: csr_
             note("report_photographs.neighbours_note", least=FEW),
             note("report_photographs.covered_note"),
             note("report_photographs.marked_note", share=THIN),
-            *([] if view.adjustment.p_wrong is None else [note("report_photographs.p_wrong_note")]),
+            *([] if view.adjustment.p_wrong is None else [note("report_photographs.p_wrong_note", limit=LIMIT)]),
         ),
         rest="images.csv",
         marked=marked,
