@@ -88,6 +88,15 @@ def test_what_was_left_out_is_told_and_escaped(free_case, tmp_path):
     assert headline("report_photographs.settings_note", {}) in words
 
 
+def test_the_probability_of_a_wrong_station_has_a_column(free_case, tmp_path):
+    facts = facts_of(free_case)
+    p = np.linspace(0.01, 0.875, len(free_case.given.images))
+    assert "P(wrong)" not in page(free_case, facts, tmp_path)
+    html = page(replace(free_case, p_wrong=p), facts, tmp_path)
+    assert "P(wrong)" in html
+    assert "88 %" in html
+
+
 def test_a_camera_far_from_its_start_is_remarked(free_case, tmp_path):
     camera = free_case.given.cameras[0].id
     far = CameraFact(camera=camera, name="x", photographs=3, source="EXIF", c_px=10.0, sigma_c_px=1.0)

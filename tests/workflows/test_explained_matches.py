@@ -11,7 +11,7 @@ from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import Ring, brown_camera, ring_scene
-from raybundle.ties.explained_matches import best_shares, unexplained_notice
+from raybundle.ties.explained_matches import best_shares, pair_fits, unexplained_notice
 
 CAMERA = brown_camera(size_px=(3000, 2000), pixel_mm=0.008)
 
@@ -46,16 +46,24 @@ def features(block, seed=1):
     return xy, [p for p in pairs if len(p.matches) >= 40]
 
 
+def shares(block, xy, pairs):
+    return best_shares(pair_fits(block, block.images.file, xy, pairs), len(block.images))
+
+
+def notices(block, xy, pairs, names=None):
+    return unexplained_notice(block, pair_fits(block, names or block.images.file, xy, pairs))
+
+
 def test_right_photographs_are_explained(truth):
     xy, pairs = features(truth)
-    assert best_shares(truth, xy, range(len(xy)), pairs).min() > 0.98
-    assert unexplained_notice(truth, truth.images.file, xy, pairs) == ()
+    assert shares(truth, xy, pairs).min() > 0.98
+    assert notices(truth, xy, pairs) == ()
 
 
 def test_a_stretched_photograph_is_named(truth):
     xy, pairs = features(truth)
     xy[3] = (xy[3] - [1500, 1000]) * [1.25, 1] + [1500, 1000]
-    (notice,) = unexplained_notice(truth, truth.images.file, xy, pairs)
+    (notice,) = notices(truth, xy, pairs)
     assert notice.ids == (truth.images.ids[3],)
     assert notice.values["median"] > 0.98
 
@@ -69,8 +77,8 @@ def test_photographs_that_are_stored_turned_are_explained(truth):
     for k, frame in frames.items():
         xy[k] = file_from_camera(xy[k], truth.cameras[0], frame)
     block = replace(truth, images=replace(truth.images, frames=frames))
-    assert best_shares(truth, xy, range(len(xy)), pairs).min() < 0.5
-    assert best_shares(block, xy, range(len(xy)), pairs).min() > 0.98
+    assert shares(truth, xy, pairs).min() < 0.5
+    assert shares(block, xy, pairs).min() > 0.98
 
 
 def test_a_misplaced_photograph_is_named_and_one_that_is_missing_is_not_needed(truth):
@@ -79,5 +87,5 @@ def test_a_misplaced_photograph_is_named_and_one_that_is_missing_is_not_needed(t
     rotation[2] = rotation_from_vector(np.array([0.03, 0.05, 0.0])) @ rotation[2]
     block = replace(truth, images=replace(truth.images, rotation=rotation))
     names = [*truth.images.file[:-1], "elsewhere.jpg"]
-    (notice,) = unexplained_notice(block, names, xy, pairs)
+    (notice,) = notices(block, xy, pairs, names)
     assert notice.ids == (truth.images.ids[2],)

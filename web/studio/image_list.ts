@@ -46,7 +46,8 @@ export class ImageList {
     const about = picture.oriented
       ? say("studio_photo.rays", { n: picture.rays }) + rms
       : say("studio_photo.not_oriented", { n: this.model.marksIn(picture.id).length });
-    return [canvas, h("span", { class: "about", title: picture.id }, h("b", {}, picture.id), h("small", { class: picture.oriented ? "" : "open" }, about))];
+    const chance = picture.p_wrong === null ? "" : `\n${say("studio_photo.p_wrong", { percent: 100 * picture.p_wrong })}`;
+    return [canvas, h("span", { class: "about", title: picture.id + chance }, h("b", {}, picture.id), h("small", { class: picture.oriented ? "" : "open" }, about))];
   }
 
   private seen(entry: IntersectionObserverEntry): void {

@@ -15,6 +15,7 @@ export interface ImageInfo {
   oriented: boolean;
   rays: number;
   rms_px: number | null;
+  p_wrong: number | null;
   turn: number;
   photo: boolean;
 }

@@ -116,6 +116,9 @@ class Adjustment:
     """Condition number of the scaled reduced normal matrix (estimate)."""
     group_factors: tuple[GroupFactor, ...] = ()
     """With `options.variance_groups`: what given standard deviations were multiplied by; `given` has the product."""
+    p_wrong: Array | None = None
+    """(n,) probability that the station of each image is wrong (`raybundle.ties.wrong_stations`), NaN where it is not
+    judged; None: nothing shows it."""
     noise: Noise = WHITE
     """What standard deviations rest on; tests and smallest detectable blunders rest on white noise in any case."""
     handle: Handle = field(default=EMPTY, compare=False)

@@ -10,7 +10,7 @@ from raybundle.errors import phrase
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.report.languages.language import Language
 from raybundle.report.map_axes import origin_words
-from raybundle.results.tables import TABLES
+from raybundle.results.tables import P_WRONG, TABLES
 
 README = "README.txt"
 COLUMNS: Mapping[str, str] = {
@@ -19,6 +19,7 @@ COLUMNS: Mapping[str, str] = {
     "x_px, y_px": "image_point",
     "sX, sY, sZ, somega_deg, sphi_deg, skappa_deg": "sigma",
     "sx_px, sy_px, sigma": "sigma_given",
+    "p_wrong": "p_wrong",
     "rays": "rays",
     "window": "window",
     "roughness": "roughness",
@@ -45,7 +46,8 @@ def readme(adjustment: Adjustment, files: Sequence[str], language: Language, fra
     block = adjustment.adjusted
     unit = "none" if adjustment.free_scale else block.length_unit
     stems = {name: name.partition(".")[0] for name in files}
-    there = {c for stem in stems.values() if stem in TABLES for part in TABLES[stem] for c in part}
+    later = set[str]() if adjustment.p_wrong is None else {P_WRONG}
+    there = later | {c for stem in stems.values() if stem in TABLES for part in TABLES[stem] for c in part}
     lines = [language.text(phrase("result_readme.title", name=block.name, version=__version__)), ""]
     for name in sorted(files):
         key = stems[name] if stems[name] in TABLES else name.replace(".", "_")

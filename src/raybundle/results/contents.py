@@ -15,6 +15,7 @@ from raybundle.adjustment.records.notice import gravest_first
 from raybundle.adjustment.result import Adjustment
 from raybundle.block.rejection import counts as rejections
 from raybundle.io.digits import (
+    PROBABILITY,
     SHARE,
     STD,
     TEST,
@@ -23,6 +24,7 @@ from raybundle.io.digits import (
     one,
     reported,
 )
+from raybundle.numerics.arrays import Array
 
 
 def result_json(adjustment: Adjustment) -> dict[str, Any]:
@@ -61,6 +63,7 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "mean_std": math.nan if a.network is None else one(a.network.mean_std, STD),
         "critical_w": one(a.critical_w, SHARE),
         "critical_tau": one(a.critical_tau, SHARE),
+        **({} if a.p_wrong is None else {"p_wrong": _p_wrong(a, a.p_wrong)}),
         "not_determinable": list(a.not_determinable),
         "not_significant": list(a.not_significant),
         "cameras": {_key(i): _parameters(i) for i in a.interior},
@@ -83,6 +86,12 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
             for n in gravest_first(a.notices)
         ],
     }
+
+
+def _p_wrong(a: Adjustment, p: Array) -> dict[str, float]:
+    """The probability that a station is wrong, by image."""
+    rounded = PROBABILITY.of(p)
+    return {a.given.images.ids[k]: float(rounded[k]) for k in np.flatnonzero(np.isfinite(p)).tolist()}
 
 
 def _version() -> str:

@@ -15,6 +15,7 @@ from raybundle.io.digits import (
     COUNT,
     EVERY,
     PIXEL,
+    PROBABILITY,
     REDUNDANCY,
     STD,
     TEST,
@@ -27,7 +28,7 @@ from raybundle.io.digits import (
 )
 from raybundle.numerics.arrays import Array
 from raybundle.observations import ObservationKind, in_order
-from raybundle.results.tables import LATER, SIGMA_ANGLES, Columns
+from raybundle.results.tables import LATER, P_WRONG, SIGMA_ANGLES, Columns
 
 Rules = dict[str, Digits]
 
@@ -54,7 +55,11 @@ def result_digits(a: Adjustment, name: str, columns: Columns) -> Rules:
 
 def _images() -> Rules:
     """All digits: what is computed by exterior orientations is known far better than each of their elements."""
-    return {**dict.fromkeys((*XYZ, *ANGLES), EVERY), **dict.fromkeys((*SIGMA_XYZ, *SIGMA_ANGLES), STD)}
+    return {
+        **dict.fromkeys((*XYZ, *ANGLES), EVERY),
+        **dict.fromkeys((*SIGMA_XYZ, *SIGMA_ANGLES), STD),
+        P_WRONG: PROBABILITY,
+    }
 
 
 def _points(a: Adjustment) -> Rules:

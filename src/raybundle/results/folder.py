@@ -28,7 +28,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.readable import readable, without_controls
 from raybundle.results.contents import clean, result_json
 from raybundle.results.digits import result_digits
-from raybundle.results.tables import ALWAYS, DATE, DATED, LATER, TABLES, result_table
+from raybundle.results.tables import ALWAYS, DATE, DATED, LATER, P_WRONG, TABLES, result_table
 
 PROJECT = "project"
 """Folder in a result folder where `raybundle calibrate` keeps what is finished"""
@@ -69,7 +69,7 @@ class ResultFolder:
     block: Block
     """RESULT/block: the adjusted values."""
     images: Table
-    """text image, camera, file; number X ... kappa_deg, sX ... skappa_deg"""
+    """text image, camera, file; number X ... kappa_deg, sX ... skappa_deg, p_wrong"""
     points: Table
     """text point, role; number X, Y, Z, sX, sY, sZ, rays, window, roughness, rXY, rXZ, rYZ"""
     observations: Table
@@ -183,6 +183,7 @@ def columns_of_table(name: str) -> tuple[Column, ...]:
         *(Column(name=n, kind="number", empty=True, optional=n in LATER) for n in numbers),
         *(Column(name=n, kind="text", empty=True) for n in last),
         *(Column(name=DATE, kind="text", empty=True, optional=True) for _ in range(name in DATED)),
+        *(Column(name=P_WRONG, kind="number", empty=True, optional=True) for _ in range(name == "images")),
     )
 
 

@@ -64,6 +64,11 @@ def _made(tree: Json) -> Made:
     return Made(by=by if by in {MARKS, ADJUST, EPOCHS} else ORIENT, base=base if _NAME.fullmatch(base) else "")
 
 
+def own_result(source: Path) -> Path | None:
+    """The current result folder of a project, or a result folder itself; None where there is none."""
+    return next((f for f in (source / RESULT, source) if (f / "result.json").is_file()), None)
+
+
 def project_of(folder: str | Path) -> Path | None:
     """The project folder that a folder is, or of which it is a result (or the block of one)."""
     folder = Path(folder)

@@ -31,6 +31,8 @@ LATER = ("window", "roughness", *CORRELATIONS)
 """Columns of points.csv that results of earlier versions lack."""
 DATE, DATED = "date", ("images", "points")
 """Column of results of several dates, and the tables that have it then, behind all others."""
+P_WRONG = "p_wrong"
+"""Column of images.csv of results of photographs, behind all others."""
 POINTS = (*XYZ, *SIGMA_XYZ, "rays", *LATER)
 OBSERVATIONS = (
     *("x_px", "y_px", "sx_px", "sy_px", "vx_px", "vy_px", "rx", "ry"),
@@ -111,6 +113,8 @@ def result_table(adjustment: Adjustment, name: str) -> Columns:
     assert tuple(columns) == (*first, *numbers, *last), name
     if name in DATED and adjustment.given.images.date is not None:
         columns[DATE] = _dates(adjustment, name, adjustment.given.images.date)
+    if name == "images" and adjustment.p_wrong is not None:
+        columns[P_WRONG] = adjustment.p_wrong
     return columns
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.errors import Severity, Text
+from raybundle.io.reading.trees import read_json
 from raybundle.measuring.frames import file_matrix, to_file
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.mark_tests import mark_verdict, off_images, point_test_of
@@ -19,6 +20,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.pipeline.project import masks_given
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
+from raybundle.results.project_results import own_result
 from raybundle.studio.desk import Desk, named
 
 TURNS = {6: 1, 3: 2, 8: 3}
@@ -32,13 +34,15 @@ def overview(desk: Desk) -> dict[str, Any]:
     o = block.observations
     rays = np.bincount(o.image, minlength=len(block.images))
     rms = _rms(desk)
+    wrong = _p_wrong(desk)
     images: list[dict[str, Any]] = []
     for k, name in enumerate(block.images.ids):
         width, height = desk.session.known.size_px[name]
         images.append({
             "id": name, "file": block.images.file[k], "width": width, "height": height,
             "camera": block.cameras[int(block.images.camera[k])].id, "oriented": bool(block.images.oriented[k]),
-            "rays": int(rays[k]), "rms_px": finite(rms[k]), "turn": _turn(desk, k), "photo": k in desk.tiles.paths,
+            "rays": int(rays[k]), "rms_px": finite(rms[k]), "p_wrong": wrong.get(name),
+            "turn": _turn(desk, k), "photo": k in desk.tiles.paths,
         })  # fmt: skip
     reported = None if a is None else verdict(view_of(a))
     return {
@@ -185,6 +189,15 @@ def finite(value: float) -> float | None:
 def numbers(values: Array) -> list[float | None]:
     """Numbers as JSON knows them."""
     return [finite(v) for v in values.tolist()]
+
+
+def _p_wrong(desk: Desk) -> Mapping[str, float]:
+    """Probability that the station of an image is wrong, as the result that is open states it."""
+    result = own_result(desk.source)
+    if result is None:
+        return {}
+    tree = read_json(result / "result.json")
+    return {n: v.number() for n, v in tree.get("p_wrong").mapping().items()} if tree.has("p_wrong") else {}
 
 
 def _rms(desk: Desk) -> Array:

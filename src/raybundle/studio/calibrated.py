@@ -24,9 +24,10 @@ from raybundle.report.parts import Figure, Figures, Folded, Heading, Part, Secti
 from raybundle.report.sections.interior import MOST_DRAWN, interior_section
 from raybundle.report.single_figure import svg_of
 from raybundle.report.view import View, view_of
+from raybundle.results.project_results import own_result
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
-from raybundle.studio.shelf import Shelf, own_result
+from raybundle.studio.shelf import Shelf
 
 STORED, COMPUTED = "stored", "computed"
 

@@ -14,7 +14,7 @@ from raybundle.errors import InputError
 from raybundle.measuring.journal import measured_result
 from raybundle.report.comparison.page import comparison
 from raybundle.results.folder import ResultFolder, read_result
-from raybundle.results.project_results import base_result, linked, project_of
+from raybundle.results.project_results import base_result, linked, own_result, project_of
 from raybundle.results.stored_options import as_mapping, options_of
 from raybundle.settings import as_typed
 from raybundle.studio.answers import finite
@@ -114,11 +114,6 @@ class Shelf:
                 self._shown[each.number] = _figures(each)
             found.append(self._shown[each.number])
         return found
-
-
-def own_result(source: Path) -> Path | None:
-    """The current result folder of a project, or a result folder itself; None where there is none."""
-    return next((f for f in (source / "result", source) if (f / "result.json").is_file()), None)
 
 
 def _figures(stored: Stored) -> dict[str, Any]:

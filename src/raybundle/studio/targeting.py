@@ -17,11 +17,11 @@ from starlette.routing import Route
 from raybundle.commands.target_settings import SheetSettings, run_sheet
 from raybundle.errors import phrase
 from raybundle.io.reading.trees import read_json
+from raybundle.results.project_results import own_result
 from raybundle.settings import as_typed
 from raybundle.studio.desk import Desk
 from raybundle.studio.detecting import Detecting
 from raybundle.studio.forms import fields_of, settings_of_form, table_of
-from raybundle.studio.shelf import own_result
 
 SHEET = SheetSettings(target="aicon14", codes="1-50", paper="A3", out=Path("sheet.pdf"))
 """What the form begins with: the sheet of the how-to on calibration."""

@@ -13,9 +13,10 @@ from raybundle.measuring.actions.decisions import with_decisions
 from raybundle.measuring.merge import merge
 from raybundle.measuring.session import Session
 from raybundle.measuring.start import adjusted, begun, standing_after
+from raybundle.results.project_results import own_result
 from raybundle.studio.answers import finite
 from raybundle.studio.desk import Desk
-from raybundle.studio.shelf import Origin, Shelf, own_result
+from raybundle.studio.shelf import Origin, Shelf
 from raybundle.studio.verbs import command_of_adjusting
 from raybundle.studio.watchers import Live, cause_of
 from raybundle.workflows.adjust import adjust

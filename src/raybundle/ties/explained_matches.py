@@ -8,6 +8,7 @@ good.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -19,7 +20,7 @@ from raybundle.block.frames import camera_from_file
 from raybundle.cameras.conversions import camera_rays, interiors
 from raybundle.errors import InputError
 from raybundle.matching.verify import STRONG, VerifiedPair, limit_px
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 
 UNEXPLAINED = 0.6
 """Share of the matches of its best pair that fit the orientation, below which a photograph is reported."""
@@ -31,20 +32,32 @@ FEWEST = 4
 """Photographs with such pairs: the others show what is usual."""
 
 
-def best_shares(block: Block, xy_px: Sequence[Array], rows: Sequence[int], pairs: Sequence[VerifiedPair]) -> Array:
-    """(n,) of each image of an adjusted block, the largest share of a strong pair's matches that fit; NaN: no pair.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PairFits:
+    """Pairs of oriented images of a block, and how many of their verified matches fit its orientation."""
 
-    xy_px  features of the photographs
-    rows   position of each photograph in the block, -1 where it has none
+    ends: Index
+    """(k, 2) images of the block"""
+    matches: Index
+    fitting: Index
+
+
+def pair_fits(block: Block, names: Sequence[str], xy_px: Sequence[Array], pairs: Sequence[VerifiedPair]) -> PairFits:
+    """How many matches of each pair fit an adjusted block; no pairs where a camera has no single projection centre.
+
+    names  files of the photographs
+    xy_px  their features
     A match fits where its rays miss each other by no more than the verification allows, `verify.limit_px`.
     """
-    cameras, of_image = interiors(block)
-    best, places = np.full(len(block.images), np.nan), lru_cache(KEPT)(xy_px.__getitem__)
+    position = {f: k for k, f in enumerate(block.images.file)}
+    rows, oriented = [position.get(n, -1) for n in names], block.images.oriented
+    places, (cameras, of_image) = lru_cache(KEPT)(xy_px.__getitem__), interiors(block)
+    found: list[tuple[int, int, int, int]] = []
     for p in pairs:
         i, j = rows[p.first], rows[p.second]
-        if i < 0 or j < 0 or not (block.images.oriented[i] and block.images.oriented[j]):
+        if i < 0 or j < 0 or not (oriented[i] and oriented[j]):
             continue
-        if p.geometry not in {"general", "planar"} or len(p.matches) < STRONG:
+        if p.geometry not in {"general", "planar"} or not len(p.matches):
             continue
         base = block.images.centre[j] - block.images.centre[i]
         rays: list[Array] = []
@@ -52,7 +65,10 @@ def best_shares(block: Block, xy_px: Sequence[Array], rows: Sequence[int], pairs
             camera, pixels = cameras[of_image[k]], places(photo)[p.matches[:, column]]
             if k in block.images.frames:
                 pixels = camera_from_file(pixels, camera, block.images.frames[k])
-            rays.append(camera_rays(camera, pixels.T).T @ block.images.rotation[k])
+            try:
+                rays.append(camera_rays(camera, pixels.T).T @ block.images.rotation[k])
+            except InputError:
+                return PairFits(ends=np.zeros((0, 2), int), matches=np.zeros(0, int), fitting=np.zeros(0, int))
         fits = np.ones(len(p.matches), bool)
         for one, other, k in ((*rays, j), (*rays[::-1], i)):
             normal = np.cross(one, base)
@@ -61,23 +77,23 @@ def best_shares(block: Block, xy_px: Sequence[Array], rows: Sequence[int], pairs
             c_px = camera.values[camera.sensor.scale_symbol] / camera.pixel_mm[0]
             off = np.abs(np.sum(normal * other, axis=1)) / length * c_px
             fits &= off < limit_px((camera.width_px, camera.height_px))
-        share = float(fits.mean())
-        best[[i, j]] = np.fmax(best[[i, j]], share)
+        found.append((i, j, len(p.matches), int(fits.sum())))
+    table = np.array(found, int).reshape(-1, 4)
+    return PairFits(ends=table[:, :2], matches=table[:, 2], fitting=table[:, 3])
+
+
+def best_shares(fits: PairFits, images: int) -> Array:
+    """(images,) of each image, the largest share of a strong pair's matches that fit; NaN: no such pair."""
+    best, strong = np.full(images, np.nan), fits.matches >= STRONG
+    share = fits.fitting[strong] / fits.matches[strong]
+    for column in (0, 1):
+        np.fmax.at(best, fits.ends[strong, column], share)
     return best
 
 
-def unexplained_notice(
-    block: Block, names: Sequence[str], xy_px: Sequence[Array], pairs: Sequence[VerifiedPair]
-) -> tuple[Notice, ...]:
-    """The fault that names these photographs; none where there are none, or too few to compare with.
-
-    names  files of the photographs, as `xy_px` has them
-    """
-    position = {f: k for k, f in enumerate(block.images.file)}
-    try:
-        best = best_shares(block, xy_px, [position.get(n, -1) for n in names], pairs)
-    except InputError:  # a camera without one projection centre
-        return ()
+def unexplained_notice(block: Block, fits: PairFits) -> tuple[Notice, ...]:
+    """The fault that names these photographs; none where there are none, or too few to compare with."""
+    best = best_shares(fits, len(block.images))
     known = np.isfinite(best)
     if known.sum() < FEWEST or float(np.median(best[known])) < OTHERS:
         return ()

@@ -36,7 +36,8 @@ _CODES = {
         "choice_unfinished result_unsettled rolling_shutter scale_unchecked scene_datum scene_prior small_angle "
         "approximate_scale relief_unknown start_behind "
         "start_parallel static_background systematic_residuals tables_not_read "
-        "target_without_normal two_cameras unstable_camera unusual_errors up_ambiguous up_uncertain weak_photographs"
+        "target_without_normal two_cameras unstable_camera unusual_errors up_ambiguous up_uncertain "
+        "weak_photographs wrong_stations"
     ),
     Severity.NOTE: (
         "attitudes attitudes_reading axes_fitted camera camera_joined check_points_open "

@@ -60,6 +60,7 @@ from raybundle.report.text.numbers import (
     with_sigma,
 )
 from raybundle.report.view import View, with_near_viewpoints
+from raybundle.ties.wrong_stations import LIMIT
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -128,6 +129,7 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: csr_
     network = view.adjustment.network
     covered = np.full(len(ids), math.nan) if network is None else network.coverage
     partners_each = partners_of(common)
+    wrong = np.full(len(ids), math.nan) if view.adjustment.p_wrong is None else view.adjustment.p_wrong
     rows: list[list[str]] = []
     marked: list[int] = []
     for k, p in enumerate(facts.photographs):
@@ -139,26 +141,27 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: csr_
             p.position or NONE,
         ]
         if p.name not in row_of:
-            rows.append([*about, *[NONE] * 5])
+            rows.append([*about, *[NONE] * 6])
             marked.append(k)
             continue
         i = int(images[row_of[p.name]])
         partners = int(partners_each[row_of[p.name]])
         share = float(covered[i])
-        if share < THIN or not partners:
+        if share < THIN or not partners or wrong[i] > LIMIT:
             marked.append(k)
         numbers = [grouped(float(count[i])), per_cent(many[i] / max(count[i], 1)), grouped(partners)]
-        rows.append([*about, *numbers, fixed(float(residual[i]), 2), per_cent(share)])
+        chance = per_cent(float(wrong[i])) if np.isfinite(wrong[i]) else NONE
+        rows.append([*about, *numbers, fixed(float(residual[i]), 2), per_cent(share), chance])
     columns = (
         text(phrase("label.photograph")), text(phrase("label.camera")), whole(phrase("report_photographs.size")),
         whole(phrase("report_photographs.taken")), text(phrase("report_photographs.position")),
         number(phrase("label.image_points")), number(phrase("report_photographs.in_three_images")),
         number(phrase("report_photographs.neighbours")), number(phrase("report_photographs.rms_residual"), "px"),
-        number(phrase("report_photographs.covered")),
+        number(phrase("report_photographs.covered")), number(phrase("report_photographs.p_wrong")),
     )  # fmt: skip
     cut = list(zip(*rows, strict=True)) if rows else [() for _ in columns]
     # what no photograph states needs no column
-    shown = [k for k, cells_ in enumerate(cut) if k not in (3, 4) or set(cells_) - {NONE}]
+    shown = [k for k, cells_ in enumerate(cut) if k not in (3, 4, 10) or set(cells_) - {NONE}]
     return table(
         [columns[k] for k in shown],
         [cut[k] for k in shown],
@@ -166,6 +169,7 @@ def _photo_table(view: View, facts: PhotographFacts, images: Index, common: csr_
             note("report_photographs.neighbours_note", least=FEW),
             note("report_photographs.covered_note"),
             note("report_photographs.marked_note", share=THIN),
+            *([] if view.adjustment.p_wrong is None else [note("report_photographs.p_wrong_note", limit=LIMIT)]),
         ),
         rest="images.csv",
         marked=marked,

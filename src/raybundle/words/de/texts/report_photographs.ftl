@@ -44,6 +44,10 @@ report_photographs-rms_residual = Verbesserung, RMS
 
 report_photographs-covered = Format abgedeckt
 
+report_photographs-p_wrong = P(falsch)
+
+report_photographs-p_wrong_note = P(falsch): Wahrscheinlichkeit, dass der Standpunkt um mehr als 1 % der Ausdehnung oder 1° falsch ist; hervorgehoben über { PERCENT($limit) } %.
+
 report_photographs-neighbours_note = Nachbarn: Aufnahmen mit { $least } gemeinsamen Punkten oder mehr.
 
 report_photographs-covered_note = Format abgedeckt: Anteil der 10 × 10 Zellen mit einem Bildpunkt.

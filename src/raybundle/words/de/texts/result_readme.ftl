@@ -40,6 +40,7 @@ result_readme-column = { $content ->
         [image_point] Bildpunkt: x nach rechts, y nach unten, von der linken oberen Ecke des Formats
         [sigma] Standardabweichungen a posteriori
         [sigma_given] Standardabweichungen der Beobachtungen a priori
+        [p_wrong] Wahrscheinlichkeit, dass der Standpunkt einer Aufnahme falsch ist
         [rays] Anzahl der Bildbeobachtungen in der Ausgleichung
         [window] Größe des Fensters eines Verknüpfungspunkts im Objektraum
         [roughness] Standardabweichung längs des Strahls aus dem Relief im Fenster; in sX, sY, sZ enthalten

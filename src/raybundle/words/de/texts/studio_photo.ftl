@@ -10,6 +10,8 @@ studio_photo-rays = { $n } { $n ->
         *[other] Strahlen
     }
 
+studio_photo-p_wrong = Wahrscheinlichkeit, dass der Standpunkt falsch ist: { NUM($percent, digits: 2) } %
+
 studio_photo-not_oriented = nicht orientiert{ $n ->
         [0] {""}
         [one] , { $n } Bildmessung

@@ -45,6 +45,7 @@ result_readme-column = { $content ->
         [image_point] image point: x right, y down, from the upper left corner of the format
         [sigma] standard deviations, a posteriori
         [sigma_given] standard deviations of observations, a priori
+        [p_wrong] probability that the station of a photograph is wrong
         [rays] number of image observations in the adjustment
         [window] size of the window of a tie point in object space
         [roughness] standard deviation along the ray from relief within the window; part of sX, sY, sZ

@@ -12,6 +12,9 @@ studio_photo-rays = { $n } { $n ->
         *[other] rays
     }
 
+# $percent = 2.0
+studio_photo-p_wrong = probability that the station is wrong: { NUM($percent, digits: 2) } %
+
 # $n = 2
 studio_photo-not_oriented = not oriented{ $n ->
         [0] {""}

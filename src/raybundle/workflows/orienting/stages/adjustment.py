@@ -24,8 +24,9 @@ from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.marks import Given
 from raybundle.placing.positions import GPS_M, flight_lines, without_idle
 from raybundle.placing.recorded_positions import with_relative_precision
-from raybundle.ties.explained_matches import unexplained_notice
+from raybundle.ties.explained_matches import pair_fits, unexplained_notice
 from raybundle.ties.points import FeatureStore
+from raybundle.ties.wrong_stations import with_probabilities
 from raybundle.workflows.final_adjustment import adjusted_component, final_adjustment, left_out, undetermined_component
 from raybundle.workflows.orienting.connected_components import (
     ConnectedComponent,
@@ -105,15 +106,21 @@ def adjust(i: Inputs, means: Means) -> Adjusted:
     rows = sum(len(a.given.observations) for a in every)
     cropped = [n for a in every for n in cropped_notices(a)]
     xy, names = i.features.xy_px(), [p.name for p in i.photos]
+    fits = [pair_fits(a.adjusted, names, xy, i.pairs) for a in every]
     reported = (
         *kept_joins(i.notices, {name for name, _ in left_out(done.adjustment, done.other_components)}),
         *cropped,
-        *(n for a in every for n in unexplained_notice(a.adjusted, names, xy, i.pairs)),
+        *(n for a, f in zip(every, fits, strict=True) for n in unexplained_notice(a.adjusted, f)),
         *incomplete_notice(i, done),
         *([] if i.dropped is None else [i.dropped.notice(rows)]),
     )
     adjustment = replace(done.adjustment, notices=(*reported, *done.adjustment.notices, *room.notices()))
-    return replace(done, adjustment=adjustment, lost=lost)
+    adjustment = with_probabilities(adjustment, fits[0], ())
+    parts = tuple(
+        replace(p, adjustment=with_probabilities(p.adjustment, f, reported))
+        for p, f in zip(done.other_components, fits[1:], strict=True)
+    )
+    return replace(done, adjustment=adjustment, other_components=parts, lost=lost)
 
 
 def kept_joins(notices: Sequence[Notice], left: AbstractSet[str]) -> list[Notice]:
