@@ -20,7 +20,7 @@ import numpy as np
 from block_coverage import ROOT, Map
 
 sys.path.insert(0, str(ROOT))
-from tests import slow  # noqa: E402
+from tests import slow
 
 LEAST, TIMES = 0.5, 2
 ALWAYS = (*slow.KEPT, "tests/words/", "tests/io/", "tests/hostile/test_fuzz.py", "tests/hostile/test_every_reader.py",
