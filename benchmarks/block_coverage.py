@@ -160,11 +160,11 @@ def pytest_configure(config):
 
 
 def recorder(place):
-    import numpy as np  # noqa: PLC0415
-    import pytest  # noqa: PLC0415
+    import numpy as np
+    import pytest
 
     sys.path.insert(0, str(ROOT))
-    from tests.slow import seconds  # noqa: PLC0415
+    from tests.slow import seconds
 
     path = place / f"hits-{os.getpid()}"
     path.write_bytes(bytes(len(builtins.ran_)))
@@ -230,7 +230,7 @@ def recorder(place):
 
 
 def packed(hits):
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     return base64.b64encode(zlib.compress(np.packbits(hits != 0).tobytes())).decode()
 
@@ -239,7 +239,7 @@ class Map:
     """Rows of tests, columns of blocks."""
 
     def __init__(self, path):
-        import numpy as np  # noqa: PLC0415
+        import numpy as np
 
         table = json.loads(Path(path).read_text(encoding="utf-8"))
         self.keys, tests = table["blocks"], table["tests"]
@@ -263,14 +263,14 @@ class Map:
 
 
 def unpacked(text, n):
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     return np.unpackbits(np.frombuffer(zlib.decompress(base64.b64decode(text)), np.uint8))[:n] > 0
 
 
 def merged(earlier, rows, keys):
     """A map of all that ran now, and of the other files of tests as the earlier map has them."""
-    import numpy as np  # noqa: PLC0415
+    import numpy as np
 
     every = list(dict.fromkeys([*keys, *(earlier["blocks"] if earlier else ())]))
     place = {key: i for i, key in enumerate(every)}

@@ -22,7 +22,7 @@ from block_coverage import ROOT, Map
 sys.path.insert(0, str(ROOT))
 from tests import slow
 
-LEAST, TIMES = 0.5, 2
+LEAST, TIMES = 0.2, 1
 ALWAYS = (*slow.KEPT, "tests/words/", "tests/io/", "tests/hostile/test_fuzz.py", "tests/hostile/test_every_reader.py",
           "tests/hostile/readers/", "tests/published/", "tests/docs/")  # fmt: skip
 
