@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from raybundle.orientation.candidates import Pose
+from raybundle.orientation.candidates import Pose, evaluate_pair
 from raybundle.orientation.projective.camera_constant import with_camera_constants
 from raybundle.orientation.projective.manual_points import _pair_cost
 from raybundle.orientation.projective.missing_data import Lack
@@ -30,6 +30,8 @@ def test_the_base_of_a_pair_becomes_one():
     first, second = (v / np.linalg.norm(v, axis=1)[:, None] for v in (points, points - pose.centre))
     assert _pair_cost(pose, first, second, 1e-3) == pytest.approx(0, abs=1e-9)
     assert pose.centre.tolist() == [1, 0, 0]
+    assert evaluate_pair(np.eye(3), pose.centre, first[:5], second[:5], 1e-3).inliers.sum() == 5
+    assert evaluate_pair(np.eye(3), pose.centre, first[:4], second[:4], 1e-3) is None
 
 
 @pytest.mark.parametrize(
