@@ -5,9 +5,10 @@
     python benchmarks/short_suite.py CPU.txt... --map MAP.json
 
 Long are all above `slow.MOST` seconds.  Of those above LEAST so many are short, and in that order, as bring the most
-blocks a second that fewer than TIMES other short tests run.  All below LEAST are short, and those of ALWAYS: what they
-hold (formats, damaged files, words) shows in no block.  A test that is not in the map keeps its place, as does one that
-was not measured, and all below `slow.MOST` without a map.  Of several measurements of a test the least counts.
+blocks a second that fewer than TIMES other short tests run, and one case of each function that has cases.  All below
+LEAST are short, and those of ALWAYS: what they hold (formats, damaged files, words) shows in no block.  A test that is
+not in the map keeps its place, as does one that was not measured, and all below `slow.MOST` without a map.  Of several
+measurements of a test the least counts.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from block_coverage import ROOT, Map
 sys.path.insert(0, str(ROOT))
 from tests import slow
 
-LEAST, TIMES = 0.2, 1
+LEAST, TIMES = 0.2, 2
 ALWAYS = (*slow.KEPT, "tests/words/", "tests/io/", "tests/hostile/test_fuzz.py", "tests/hostile/test_every_reader.py",
           "tests/hostile/readers/", "tests/published/", "tests/docs/")  # fmt: skip
 
@@ -66,7 +67,12 @@ def divided(table, spent, least=LEAST, times=TIMES):
     for i, name in enumerate(free):
         ran[i] = np.unpackbits(table.bits[row[name]])[:n]
     order = [free[i] for i in chosen(ran, np.array([spent[name] for name in free]), counts, times)]
-    return order, above | unknown | (set(free) - set(order))
+    long = above | unknown | (set(free) - set(order))
+    for function in {name.partition("[")[0] for name in free}:
+        cases = [name for name in spent if name.startswith(f"{function}[")]
+        if cases and long.issuperset(cases):
+            order.append(min(long & set(free) & set(cases), key=spent.__getitem__))
+    return order, long - set(order)
 
 
 def main():

@@ -31,9 +31,9 @@ def test_every_name_is_that_of_a_test():
 
 CPU = {"tests/a.py::cheap": 0.1, "tests/a.py::one": 1.0, "tests/a.py::two": 0.6, "tests/a.py::both": 1.1,
        "tests/a.py::nothing": 0.7, "tests/a.py::too_long": 1.6, "tests/smoke/test_s.py::demo": 9.0,
-       "tests/words/t.py::same": 0.8}  # fmt: skip
+       "tests/words/t.py::same": 0.8, "tests/a.py::case[x]": 0.9, "tests/a.py::case[y]": 0.8}  # fmt: skip
 RAN = {"cheap": "1000", "one": "0100", "two": "0010", "both": "0110", "nothing": "1000", "too_long": "1111",
-       "demo": "1000", "same": "1000"}  # fmt: skip
+       "demo": "1000", "same": "1000", "case[x]": "1000", "case[y]": "1000"}  # fmt: skip
 
 
 def coverage(ran):
@@ -54,9 +54,9 @@ def chosen_at(tmp_path, monkeypatch, *arguments):
 
 def test_what_brings_no_block_becomes_long(tmp_path, monkeypatch):
     found = chosen_at(tmp_path, monkeypatch, "--map", str(tmp_path / "map"), "--times", "1")
-    assert found == {"nothing", "too_long", "one", "two", "elsewhere"}
+    assert found == {"nothing", "too_long", "one", "two", "case[x]", "elsewhere"}
     found = chosen_at(tmp_path, monkeypatch, "--map", str(tmp_path / "map"), "--times", "2")
-    assert found == {"nothing", "too_long", "elsewhere"}
+    assert found == {"nothing", "too_long", "case[x]", "elsewhere"}
 
 
 def test_without_a_map_what_takes_too_long_becomes_long(tmp_path, monkeypatch):
