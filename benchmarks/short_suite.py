@@ -5,10 +5,10 @@
     python benchmarks/short_suite.py CPU.txt... --map MAP.json
 
 Long are all above `slow.MOST` seconds.  Of those above LEAST so many are short, and in that order, as bring the most
-blocks a second that fewer than TIMES other short tests run, and one case of each function that has cases.  All below
-LEAST are short, and those of ALWAYS: what they hold (formats, damaged files, words) shows in no block.  A test that is
-not in the map keeps its place, as does one that was not measured, and all below `slow.MOST` without a map.  Of several
-measurements of a test the least counts.
+blocks a second that fewer than TIMES other short tests run, and of each function the quickest case (of functions
+without cases where it takes less than WHOLE).  All below LEAST are short, and those of ALWAYS: what they hold (formats,
+damaged files, words) shows in no block.  A test that is not in the map keeps its place, as does one that was not
+measured, and all below `slow.MOST` without a map.  Of several measurements of a test the least counts.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from block_coverage import ROOT, Map
 sys.path.insert(0, str(ROOT))
 from tests import slow
 
-LEAST, TIMES = 0.2, 2
+LEAST, WHOLE, TIMES = 0.2, 0.5, 2
 ALWAYS = (*slow.KEPT, "tests/words/", "tests/io/", "tests/hostile/test_fuzz.py", "tests/hostile/test_every_reader.py",
           "tests/hostile/readers/", "tests/published/", "tests/docs/")  # fmt: skip
 
@@ -69,9 +69,10 @@ def divided(table, spent, least=LEAST, times=TIMES):
     order = [free[i] for i in chosen(ran, np.array([spent[name] for name in free]), counts, times)]
     long = above | unknown | (set(free) - set(order))
     for function in {name.partition("[")[0] for name in free}:
-        cases = [name for name in spent if name.startswith(f"{function}[")]
-        if cases and long.issuperset(cases):
-            order.append(min(long & set(free) & set(cases), key=spent.__getitem__))
+        cases = [name for name in spent if name.partition("[")[0] == function]
+        last = min(set(free) & set(cases), key=spent.__getitem__)
+        if long.issuperset(cases) and (len(cases) > 1 or spent[last] < WHOLE):
+            order.append(last)
     return order, long - set(order)
 
 
