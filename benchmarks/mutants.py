@@ -277,7 +277,9 @@ def attempt(stated, tests):
             else:
                 time.sleep(0.05)
         lines = output.read_text(encoding="utf-8", errors="replace").splitlines()
-        failed = [line for line in lines if line.startswith(("FAILED", "ERROR"))]
+        failed = [line for line in lines if line.startswith(("FAILED ", "ERROR "))]
+        if os.waitstatus_to_exitcode(status) == pytest.ExitCode.USAGE_ERROR and not failed:
+            return False, "not tried: pytest finds a test by no name"
         if os.waitstatus_to_exitcode(status) == BROKEN:
             raise RuntimeError("\n".join(lines[-20:]))
         return status != 0, failed[0] if failed else f"exit {os.waitstatus_to_exitcode(status)}"
