@@ -1,7 +1,7 @@
 # Everything from nothing but python3, pip and a C++ compiler; uv is used if it is there.
 #   make demo    simulate a testfield, calibrate it, print truth beside estimate and sigma, write the report
 #   make test    the tests
-#   make test-long  those that take more than 1.5 seconds each (tests/slow.txt) or need a browser
+#   make test-long  those of tests/slow.txt, and what needs a browser; PART=2/7 the second of seven parts
 #   make test-versions  the tests with every Python from 3.11 that is here, and with the oldest dependencies allowed
 #   make wheel   sdist and wheels as published, each installed into an empty environment and tried, for every Python here
 #   make check   the whole gate: format, lint, types, layers, generated files, docs
@@ -52,7 +52,7 @@ test: setup-dev
 	$(BIN)/python -m pytest -n 2 --dist loadfile -m "not long and not bench"
 
 test-long: setup-dev
-	$(BIN)/python -m pytest -n 2 -m "long and not bench"
+	$(BIN)/python -m pytest -n 2 -m "long and not bench" $(if $(PART),--part $(PART))
 
 test-versions: setup-dev
 	$(BIN)/python tools/versions.py $(VERSIONS) -n 2

@@ -1,12 +1,12 @@
 """Mutation testing of the numeric core: which small changes of the source no test notices.
 
-    python benchmarks/mutants.py map MAP.json TESTS...          which tests run which blocks of statements
-    python benchmarks/mutants.py try MAP.json RESULT.jsonl -n 120 --seed 1
+    python benchmarks/block_coverage.py MAP.json -- -n 2 --dist loadfile      which tests run which blocks of statements
+    python benchmarks/mutants.py MAP.json RESULT.jsonl -n 120 --seed 1
 
 A mutant changes one operator, comparison, number, condition or sign within a function.  The source stays as it is: a
 process that begins with the mutant compiles the changed text when it imports the module, as do the processes that its
 tests begin.  An own script, as mutmut and cosmic-ray run either the whole suite for each mutant or a copy of the
-package without its compiled part.
+package without its compiled part.  Tests of `tests/slow.txt` are not tried: what is measured is `make test`.
 
 Tests of a mutant: of all that ran its block of statements, in themselves, in fixtures or by importing it, and passed,
 first some that ran the least run block within the same statement (a condition decides on that); those in files that
@@ -29,10 +29,8 @@ from __future__ import annotations
 
 import argparse
 import ast
-import builtins
-import importlib.abc
-import importlib.machinery
-import importlib.util
+import functools
+import importlib
 import json
 import math
 import os
@@ -46,9 +44,8 @@ import traceback
 from pathlib import Path
 
 import pytest
+from block_coverage import PLAIN, ROOT, SOURCE, Finder, Map, blocks, files_of
 
-ROOT = Path(__file__).resolve().parents[1]
-SOURCE = ROOT / "src" / "raybundle"
 CORE = ["adjustment", "sensors", "observations", "surfaces/depths/refine.py"]
 SETTING = "RAYBUNDLE_MUTANT"
 """Environment variable that holds a mutant, for processes that tests begin"""
@@ -57,8 +54,6 @@ BUDGET_S = 25.0
 FEWEST, FIRST, SELDOM, MOST = 5, 8, 10, 150
 """Tests tried whatever they take; tried before all others are collected; of such as enter what a condition
 decides on; no more than these"""
-PLAIN = ("-q", "-p", "no:cacheprovider", "-o", "python_files=test_*.py")
-"""Arguments of pytest, which else compiles modules called `..._test.py` itself"""
 ARGUMENTS = ("-x", *PLAIN, "-W", "ignore::pytest.PytestAssertRewriteWarning")
 BROKEN = 77
 """Exit status of a process that did not get as far as its tests"""
@@ -174,76 +169,15 @@ def negated_already(test):
     )
 
 
-class Compiled(importlib.machinery.SourceFileLoader):
-    """Compiles a module from a changed tree, and keeps nothing of it."""
-
-    change = None
-
-    def get_code(self, fullname):
-        path = self.get_filename(fullname)
-        return compile(self.change(Path(path)), path, "exec", dont_inherit=True)
-
-
-class Finder(importlib.abc.MetaPathFinder):
-    """Modules of the package of which the file is watched."""
-
-    def __init__(self, files, change):
-        self.files, self.change = frozenset(files), change
-
-    def find_spec(self, fullname, path=None, target=None):
-        del path, target
-        if fullname.partition(".")[0] != SOURCE.name:
-            return None
-        place = SOURCE.parent.joinpath(*fullname.split("."))
-        for file, within in ((place / "__init__.py", [str(place)]), (place.with_suffix(".py"), None)):
-            if file in self.files:
-                loader = Compiled(fullname, str(file))
-                loader.change = self.change
-                return importlib.util.spec_from_file_location(
-                    fullname, file, loader=loader, submodule_search_locations=within
-                )
-        return None
-
-
 def install(stated):
     """From now on the module of a mutant is compiled with it."""
     name, first, last, new = json.loads(stated)
 
-    def changed(file):
+    def compiled(file):
         raw = file.read_bytes()
-        return raw[:first] + new.encode() + raw[last:]
+        return compile(raw[:first] + new.encode() + raw[last:], str(file), "exec", dont_inherit=True)
 
-    sys.meta_path.insert(0, Finder([ROOT / name], changed))
-
-
-def blocks(tree):
-    """(key, statements) of each block: name of the function, and number of the block within it."""
-
-    def within(body, name, count):
-        count[0] += 1
-        yield f"{name} {count[0]}", body
-        for statement in body:
-            if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
-                yield from outer(statement, name)
-                continue
-            for field in ("body", "orelse", "finalbody"):
-                if getattr(statement, field, None):
-                    yield from within(getattr(statement, field), name, count)
-            for part in (*getattr(statement, "handlers", ()), *getattr(statement, "cases", ())):
-                yield from within(part.body, name, count)
-
-    def outer(node, name=""):
-        if isinstance(node, (ast.ClassDef, ast.Module)):
-            for child in node.body:
-                yield from outer(child, f"{name}.{getattr(node, 'name', '')}")
-        elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
-            yield from within(node.body, f"{name}.{node.name}", [0])
-        else:
-            for child in ast.iter_child_nodes(node):
-                if isinstance(child, ast.stmt):
-                    yield from outer(child, name)
-
-    yield from outer(tree)
+    sys.meta_path.insert(0, Finder([ROOT / name], compiled))
 
 
 def blocks_of(file, line):
@@ -258,108 +192,30 @@ def blocks_of(file, line):
     return name, [key for key in within if key != name]
 
 
-class Recorder:
-    """pytest plugin: which blocks each test ran, those of its fixtures included, and its seconds."""
-
-    def __init__(self):
-        self.hit, self.keys, self.imported = bytearray(), [], set()
-        self.fixtures, self.tests, self.seconds, self.failed = {}, {}, {}, set()
-        builtins.ran_ = self.hit
-
-    def change(self, file):
-        tree = ast.parse(file.read_text(encoding="utf-8"))
-        for key, body in list(blocks(tree)):
-            line = ast.parse(f"ran_[{len(self.keys)}] = 1").body[0]
-            self.keys.append(f"{file.relative_to(ROOT)} {key}")
-            self.hit.append(0)
-            for node in ast.walk(line):
-                if isinstance(node, (ast.stmt, ast.expr)):
-                    ast.copy_location(node, body[0])
-            described = isinstance(body[0], ast.Expr) and isinstance(body[0].value, ast.Constant)
-            body.insert(int(described), line)
-        return tree
-
-    def taken(self):
-        found = {i for i, hit in enumerate(self.hit) if hit} if any(self.hit) else set()
-        self.hit[:] = bytes(len(self.hit))
-        return found
-
-    def pytest_collection_finish(self):
-        self.imported = self.taken()
-
-    @pytest.hookimpl(wrapper=True)
-    def pytest_fixture_setup(self, fixturedef, request):
-        del request
-        before = self.taken()
-        made = yield
-        own = self.fixtures[id(fixturedef)] = self.taken()
-        for i in before | own:
-            self.hit[i] = 1
-        return made
-
-    @pytest.hookimpl(wrapper=True)
-    def pytest_runtest_protocol(self, item, nextitem):
-        del nextitem
-        self.taken()
-        done = yield
-        ran = self.taken()
-        for name, found in item._fixtureinfo.name2fixturedefs.items():  # noqa: SLF001
-            del name
-            for one in found:
-                ran |= self.fixtures.get(id(one), set())
-        self.tests[item.nodeid] = sorted(ran)
-        return done
-
-    def pytest_runtest_logreport(self, report):
-        self.seconds[report.nodeid] = self.seconds.get(report.nodeid, 0.0) + report.duration
-        if not report.passed:
-            self.failed.add(report.nodeid)
+@functools.cache
+def source_of(path):
+    return (ROOT / path).read_text(encoding="utf-8")
 
 
-def make_map(args):
-    sys.path.insert(0, str(ROOT))
-    recorder = Recorder()
-    files = [file for package in args.packages for file in files_of(package)]
-    sys.meta_path.insert(0, Finder(files, recorder.change))
-    with tempfile.TemporaryDirectory() as place:
-        pytest.main([*PLAIN, f"--basetemp={place}/t", *args.arguments, *args.tests], plugins=[recorder])
-    table = {"seconds": {}, "tests": {}, "imported": []}
-    if Path(args.map).exists():
-        table = json.loads(Path(args.map).read_text(encoding="utf-8"))
-    table["imported"] = sorted({*table.get("imported", []), *(recorder.keys[i] for i in recorder.imported)})
-    again = {test.partition("::")[0] for test in recorder.tests}
-    for name in ("tests", "seconds"):  # what these files held before may be gone
-        table[name] = {test: v for test, v in table[name].items() if test.partition("::")[0] not in again}
-    for test, ran in recorder.tests.items():
-        table["seconds"][test] = round(recorder.seconds.get(test, 9.0), 3)
-        if test not in recorder.failed:
-            table["tests"][test] = [recorder.keys[i] for i in ran]
-    Path(args.map).write_text(json.dumps(table), encoding="utf-8")
-
-
-def files_of(package):
-    place = SOURCE / package
-    return sorted(f for f in place.rglob("*.py") if "generated" not in f.parts) if place.is_dir() else [place]
-
-
-def chosen_tests(table, file, line):
+def chosen_tests(table, long, file, line):
     """Tests that are worth trying, best first."""
+
+    def runners(key):
+        return [test for test in table.ran(f"{file.relative_to(ROOT)} {key}") if test not in long]
+
     own, within = blocks_of(file, line)
-    key = f"{file.relative_to(ROOT)} {own}"
-    ran_within = [found for w in within if (found := table["blocks"].get(f"{file.relative_to(ROOT)} {w}"))]
-    seldom = frozenset(min(ran_within, key=len, default=()))
-    ran = table["tests"] if key in table["imported"] else table["blocks"].get(key, [])
+    seldom = frozenset(min(filter(None, map(runners, within)), key=len, default=()))
+    ran = runners(own)
     module = ".".join(file.relative_to(SOURCE.parent).with_suffix("").parts)
     parent, _, name = module.rpartition(".")
     named = re.compile(rf"{re.escape(module)}\b|from {re.escape(parent)} import [^\n]*\b{name}\b")
     package = module.split(".")[1].rstrip("s")
-    seconds, texts = table["seconds"], table["texts"]
-    for test in () if texts else table["tests"]:
-        path = test.partition("::")[0]
-        texts[path] = texts.get(path) or (ROOT / path).read_text(encoding="utf-8")
+    seconds, texts = table.seconds, {}
+    for path in {test.partition("::")[0] for test in table.tests}:
+        texts[path] = source_of(path)
     if not ran:
         alone = [p for p, words in texts.items() if named.search(words) or ("subprocess" in words and package in p)]
-        ran = [test for test in table["tests"] if test.partition("::")[0] in alone]
+        ran = [test for test in table.tests if test.partition("::")[0] in alone and test not in long]
 
     def rank(test):
         path = test.partition("::")[0]
@@ -421,7 +277,9 @@ def attempt(stated, tests):
             else:
                 time.sleep(0.05)
         lines = output.read_text(encoding="utf-8", errors="replace").splitlines()
-        failed = [line for line in lines if line.startswith(("FAILED", "ERROR"))]
+        failed = [line for line in lines if line.startswith(("FAILED ", "ERROR "))]
+        if os.waitstatus_to_exitcode(status) == pytest.ExitCode.USAGE_ERROR and not failed:
+            return False, "not tried: pytest finds a test by no name"
         if os.waitstatus_to_exitcode(status) == BROKEN:
             raise RuntimeError("\n".join(lines[-20:]))
         return status != 0, failed[0] if failed else f"exit {os.waitstatus_to_exitcode(status)}"
@@ -442,11 +300,7 @@ def drawn(packages, n, seed):
 
 def try_mutants(args):
     sys.path.insert(0, str(ROOT))
-    table = json.loads(Path(args.map).read_text(encoding="utf-8"))
-    table["texts"], table["blocks"] = {}, {}
-    for test, keys in table["tests"].items():
-        for key in keys:
-            table["blocks"].setdefault(key, []).append(test)
+    table, long = Map(args.map), frozenset(Path(args.long).read_text(encoding="utf-8").splitlines())
     out = Path(args.result)
     rows = [json.loads(line) for line in out.read_text(encoding="utf-8").splitlines()] if out.exists() else []
     done = {(r["file"], *r["at"]) for r in rows}
@@ -456,7 +310,7 @@ def try_mutants(args):
             continue
         begun = time.time()
         raw = file.read_bytes()
-        tests = chosen_tests(table, file, mutant[0])
+        tests = chosen_tests(table, long, file, mutant[0])
         seen, why = attempt(json.dumps([name, *at[1:]]), tests) if tests else (False, "no test runs this block")
         row = {"package": package, "file": name, "at": at, "line": raw.decode().splitlines()[at[0] - 1].strip(),
                "old": raw[at[1]:at[2]].decode(), "new": at[3], "caught": seen, "why": why, "tests": len(tests),
@@ -481,25 +335,16 @@ def wilson(caught, n, z=1.96):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    ways = parser.add_subparsers(dest="way", required=True)
-    mapped = ways.add_parser("map")
-    mapped.add_argument("map")
-    mapped.add_argument("tests", nargs="+")
-    mapped.add_argument("--packages", nargs="+", default=CORE)
-    mapped.add_argument("--arguments", nargs="*", default=["-m", "not bench and not long"], help="of pytest")
-    tried = ways.add_parser("try")
-    tried.add_argument("map")
-    tried.add_argument("result")
-    tried.add_argument("-n", type=int, default=120)
-    tried.add_argument("--seed", type=int, default=1)
-    tried.add_argument("--packages", nargs="+", default=CORE)
+    parser.add_argument("map")
+    parser.add_argument("result")
+    parser.add_argument("-n", type=int, default=120)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--packages", nargs="+", default=CORE)
+    parser.add_argument("--long", default=ROOT / "tests/slow.txt", help="list of tests that are not tried")
     args = parser.parse_args()
-    if args.way == "map":
-        make_map(args)
-    else:
-        for name in ("hypothesis", "scipy.optimize", "scipy.sparse.linalg", "scipy.stats", "sympy"):
-            importlib.import_module(name)  # once for all mutants
-        try_mutants(args)
+    for name in ("hypothesis", "scipy.optimize", "scipy.sparse.linalg", "scipy.stats", "sympy"):
+        importlib.import_module(name)  # once for all mutants
+    try_mutants(args)
 
 
 if __name__ == "__main__":

@@ -46,6 +46,7 @@ SLOW = slow.names()
 
 def pytest_addoption(parser):
     parser.addoption("--cpu", metavar="FILE", help="append the processor seconds of each test, see tests/slow.py")
+    parser.addoption("--part", type=slow.part, metavar="K/N", help="of all selected tests the Kth of N parts")
 
 
 def pytest_configure(config):
@@ -53,11 +54,17 @@ def pytest_configure(config):
         config.pluginmanager.register(slow.Measured(config.getoption("--cpu")))
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items):
+@pytest.hookimpl(wrapper=True)
+def pytest_collection_modifyitems(config, items):
     for item in items:
         if item.nodeid in SLOW:
             item.add_marker(pytest.mark.long)
+    yield
+    if config.getoption("--part"):
+        k, n = config.getoption("--part")
+        first, last = (len(items) * i // n for i in (k - 1, k))
+        config.hook.pytest_deselected(items=[*items[:first], *items[last:]])
+        items[:] = items[first:last]
 
 
 def pytest_collection_finish():

@@ -1,14 +1,12 @@
-"""Which tests are long: those that took more than 1.5 seconds of processor time when they were last measured.
+"""Which tests are long: tests/slow.txt, which benchmarks/short_suite.py writes.
 
-    pytest --cpu FILE ...           records seconds (with xdist each worker appends)
-    python -m tests.slow FILE...    writes tests/slow.txt from that
-
-A test in the list has the mark `long`, as one that states it itself: `make test-long` runs both.  Those of KEPT stay in
-`make test`, however long they take: the main job, and whether standard deviations are true.
+They took more than MOST seconds of processor time (`pytest --cpu FILE`; with xdist each worker appends), or fewer and
+run no block of statements that two short tests do not run.  A test in the list has the mark `long`, as one that states
+it itself: `make test-long` runs both.  Those of KEPT stay in `make test`, however long they take: the main job, and
+whether standard deviations are true.
 """
 
 import resource
-import sys
 from pathlib import Path
 
 import pytest
@@ -29,6 +27,14 @@ def seconds():
     return sum(u.ru_utime + u.ru_stime for u in used)
 
 
+def part(text):
+    """(K, N) of `K/N`."""
+    k, n = map(int, text.split("/"))
+    if not 0 < k <= n:
+        raise ValueError(text)
+    return k, n
+
+
 class Measured:
     """Appends `seconds test` to a file."""
 
@@ -41,14 +47,3 @@ class Measured:
         yield
         with self.file.open("a", encoding="utf-8") as out:
             out.write(f"{seconds() - begun:.2f} {item.nodeid}\n")
-
-
-def main(files):
-    rows = [line.split(" ", 1) for f in files for line in Path(f).read_text(encoding="utf-8").splitlines()]
-    slow = {name for spent, name in rows if float(spent) > MOST and not name.startswith(KEPT)}
-    others = names() - {name for _, name in rows}  # not measured now
-    LIST.write_text("".join(f"{name}\n" for name in sorted(slow | others)), encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])

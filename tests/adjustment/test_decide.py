@@ -7,6 +7,7 @@ import pytest
 
 from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.decision.snooping import innocent
+from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.records.severity import Severity
 from raybundle.cameras.conversions import camera_from_forward, forward_fit
@@ -65,6 +66,15 @@ def test_what_is_not_significant_is_zero():
     assert set(left) >= {"A", "S"}
     assert all(p.value == 0 for p in left.values())
     assert f"A (camera {result.interior[0].camera})" in result.not_significant
+    (values,) = (n.values for n in result.notices if n.code == "not_significant")
+    camera = result.adjusted.cameras[0]
+    kept = tuple(s for s, p in result.interior[0].parameters.items() if p.status == "estimated")
+    free, without = (
+        adjust_block(replace(result.adjusted, cameras=(replace(camera, estimate=symbols),)), AdjustmentOptions(jobs=1))
+        for symbols in ((*kept, *values["symbols"]), kept)
+    )
+    grown = (without.weighted_square_sum / free.weighted_square_sum - 1) * free.redundancy
+    assert values["bic"] == pytest.approx(len(left) * np.log(1600) - grown, abs=1e-6)  # Schwarz 1978
 
 
 def test_what_lenses_seldom_have_is_held_with_a_remark_and_the_rest_with_a_caution():

@@ -50,9 +50,9 @@ def test_models_and_parameters_that_there_are_not_are_named(block):
 @pytest.mark.parametrize("name", ["window", "misfit", "relief", "sigma_curvature"])
 def test_figures_of_matching_are_positive(block, name):
     figures = np.full(len(block.points), np.nan)
-    figures[3] = -1e-3
-    with refused("cell.not_positive", file="points.csv", line=5, column=name):
-        adjust(replace(block, points=replace(block.points, **{name: figures})))
+    for figures[3] in (-1e-3, 0.0):
+        with refused("cell.not_positive", file="points.csv", line=5, column=name):
+            adjust(replace(block, points=replace(block.points, **{name: figures})))
 
 
 @pytest.mark.parametrize("spacing", [np.nan, 0.0, -0.02])

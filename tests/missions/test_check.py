@@ -19,7 +19,7 @@ from raybundle.io.photos.photo import find_photos
 from raybundle.missions.check import Limits, check_flight
 from raybundle.missions.mission import exposures
 from raybundle.missions.polygons import inside, signed_area
-from raybundle.missions.sharpness import blur_of, blurred, sharpness, tiles
+from raybundle.missions.sharpness import _running_median, blur_of, blurred, sharpness, tiles
 
 UAV = DATA / "photos/copr-uav/images"
 needs_uav = pytest.mark.skipif(not UAV.is_dir(), reason=f"{UAV} is absent")
@@ -162,8 +162,19 @@ def test_blur_is_found_in_pixels(length, axis, sharp):
     assert blur.px[5] == pytest.approx(length, abs=0.3)
 
 
+def test_photographs_are_compared_with_those_before_and_after():
+    """Of 12 with one unknown: each with the four on either side, at the ends with the nearest nine."""
+    values, known = np.arange(12.0)[:, None] ** 2 * [1.0, 2.0], np.arange(12) != 7
+    rows = np.delete(np.arange(12.0), 7)
+    found = _running_median(values, known)
+    assert np.isnan(found[7]).all()
+    first = np.clip(np.arange(11) - 4, 0, 2)
+    np.testing.assert_array_equal(found[known], rows[first + 4][:, None] ** 2 * [1.0, 2.0])
+
+
 def test_pictures_without_texture_are_not_known():
     flat = [sharpness(tiles(np.full((300, 300), 7.0, np.float32)))] * 3
+    assert len(tiles(texture())) == 12  # of 25, the half with the most texture
     blur = blur_of(flat, [tiles(texture())])
     assert np.isnan(blur.px).all()
     assert not blur.other.any()

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from tests.missions.cases import CAMERA, LEVEL, PLACE, mission, wish
 
-from raybundle.missions.mission import exposures
+from raybundle.missions.mission import Trigger, WayPoints, exposures
 from raybundle.missions.patterns import patterns
-from raybundle.missions.report import Spread, beside, mission_facts, overlaps, warnings
+from raybundle.missions.report import Spread, beside, mission_facts, overlaps, seconds_of, warnings
 
 GROUND = 100.0
 HALF = CAMERA.width_px / 2 / CAMERA.c_px, CAMERA.height_px / 2 / CAMERA.c_px
@@ -143,3 +143,29 @@ def test_overlaps_asked_for_alike_by_every_command():
 
     usual = {FlightSettings().overlap, MissionSettings(area="", out="").overlap, wish("nadir").overlap}
     assert usual == {(0.8, 0.7)}
+
+
+def test_time_in_the_air_is_that_of_its_parts():
+    """Up, ahead, up, down, down to where it began; braking at what is stopped for, a photograph taken standing."""
+    m = mission("nadir")
+    v = replace(m.vehicle, climb=4.0, descent=3.0, acceleration=2.0)
+    xyz = np.add(m.take_off, [[0, 0, 40], [0, 90, 40], [0, 90, 100], [0, 90, 20]])
+    way = WayPoints(
+        xyz=xyz, heading=np.zeros(4), pitch=np.zeros(4), speed=np.array([5.0, 6.0, 7.0, 8.0]), base=np.full(4, np.nan),
+        trigger=np.array([Trigger.START, Trigger.STOP, Trigger.NONE, Trigger.HERE]), line=np.zeros(4, int),
+        flight=np.zeros(4, int),
+    )  # fmt: skip
+    parts = [40 / 4, 90 / 5, 60 / 4, 80 / 3, 20 / 3, (5 + 6 + 8) / 2 / 2, 1.0]
+    fast, slow = (replace(m.camera, interval_s=s) for s in (0.7, 2.0))
+    assert seconds_of(replace(m, vehicle=v, way_points=way, camera=fast), 0) == pytest.approx(sum(parts), abs=1e-9)
+    assert seconds_of(replace(m, vehicle=v, way_points=way, camera=slow), 0) == pytest.approx(sum(parts) + 1, abs=1e-9)
+
+
+def test_figures_of_a_nadir_flight_are_those_of_its_height_and_speed():
+    m = mission("nadir")
+    facts = mission_facts(m, LEVEL)
+    height = m.way_points.xyz[0, 2] - 100.0
+    assert (facts.gsd.low, facts.gsd.high) == pytest.approx((height / m.camera.c_px,) * 2, rel=1e-9)
+    first = m.way_points.rows(m.way_points.line == 0)
+    lone = mission_facts(replace(m, way_points=first, lines=m.lines[:1]), LEVEL)
+    assert lone.interval_s == pytest.approx(np.nanmin(first.base / first.speed))

@@ -14,7 +14,7 @@ from raybundle.errors import DatumDefect
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.transform import similarity
-from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines, PointsOnLine
+from raybundle.observations.alignment import Levels, Lines, Planes, PlumbLines, PointsOnLine, _turned
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 from raybundle.report.write import write_result
@@ -185,3 +185,13 @@ def test_deviations_from_plumb_lines_tell_no_turn_about_the_vertical(spread):
     np.testing.assert_allclose(
         np.median(std, axis=0), np.median(expected.precision.object_point_std / expected.sigma0, axis=0), rtol=0.1
     )
+
+
+def test_turned_axes_stay_square_and_of_length_one():
+    e, u = rotation_from_vector(np.array([[0.3, -0.4, 0.9], [2.0, 1.0, 0.1]])).transpose(1, 0, 2)[:2]
+    step = np.array([[0.3, -0.2], [1e-3, 0.5]])
+    new, side = _turned(e, u, step)
+    aim = e + step[:, :1] * u + step[:, 1:] * np.cross(e, u)
+    np.testing.assert_allclose(new, aim / np.linalg.norm(aim, axis=1)[:, None], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(np.linalg.norm(side, axis=1), 1, rtol=0, atol=1e-15)
+    np.testing.assert_allclose((new * side).sum(axis=1), 0, rtol=0, atol=1e-15)

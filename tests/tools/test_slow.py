@@ -1,13 +1,21 @@
-"""The list of long tests names tests that there are."""
+"""The list of long tests names tests that there are, and is chosen by seconds and by blocks that are run."""
 
+import json
 import re
+import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests import slow
 
 ROOT = Path(__file__).parents[2]
+sys.path.append(str(ROOT / "benchmarks"))
+
+import block_coverage  # noqa: E402
+import short_suite  # noqa: E402
+from block_coverage import merged, packed, unpacked  # noqa: E402
 
 
 def test_every_name_is_that_of_a_test():
@@ -21,14 +29,69 @@ def test_every_name_is_that_of_a_test():
     assert not gone
 
 
-def test_what_is_measured_becomes_the_list(tmp_path, monkeypatch):
+CPU = {"tests/a.py::cheap": 0.1, "tests/a.py::one": 1.0, "tests/a.py::two": 0.6, "tests/a.py::both": 1.1,
+       "tests/a.py::nothing": 0.7, "tests/a.py::too_long": 1.6, "tests/smoke/test_s.py::demo": 9.0,
+       "tests/words/t.py::same": 0.8, "tests/a.py::case[x]": 0.9, "tests/a.py::case[y]": 0.8}  # fmt: skip
+RAN = {"cheap": "1000", "one": "0100", "two": "0010", "both": "0110", "nothing": "1000", "too_long": "1111",
+       "demo": "1000", "same": "1000", "case[x]": "1000", "case[y]": "1000"}  # fmt: skip
+
+
+def coverage(ran):
+    rows = [["", 0, packed(np.array([False] * 4))]]
+    rows += [[name, s, packed(np.array([*map(int, ran[name.rpartition(":")[2]])]))] for name, s in CPU.items()]
+    return merged(None, rows, ["a 1", "a 2", "a 3", "b 1"])
+
+
+def chosen_at(tmp_path, monkeypatch, *arguments):
     monkeypatch.setattr(slow, "LIST", tmp_path / "slow.txt")
-    (tmp_path / "slow.txt").write_text("tests/a.py::test_was_long\ntests/b.py::test_elsewhere\n")
-    (tmp_path / "cpu").write_text(
-        "0.10 tests/a.py::test_was_long\n2.00 tests/a.py::test_long[x y]\n9.00 tests/smoke/test_s.py::test_demo\n"
-    )
-    slow.main([tmp_path / "cpu"])
-    assert slow.names() == {"tests/a.py::test_long[x y]", "tests/b.py::test_elsewhere"}
+    slow.LIST.write_text("tests/a.py::two\ntests/b.py::elsewhere\n")
+    (tmp_path / "map").write_text(json.dumps(coverage(RAN)))
+    (tmp_path / "cpu").write_text("".join(f"{s} {name}\n" for name, s in CPU.items()))
+    monkeypatch.setattr("sys.argv", ["short_suite.py", str(tmp_path / "cpu"), *arguments])
+    short_suite.main()
+    return {name.rpartition(":")[2] for name in slow.names()}
+
+
+def test_what_brings_no_block_becomes_long(tmp_path, monkeypatch):
+    found = chosen_at(tmp_path, monkeypatch, "--map", str(tmp_path / "map"), "--times", "1")
+    assert found == {"nothing", "too_long", "one", "two", "case[x]", "elsewhere"}
+    found = chosen_at(tmp_path, monkeypatch, "--map", str(tmp_path / "map"), "--times", "2")
+    assert found == {"nothing", "too_long", "case[x]", "elsewhere"}
+
+
+def test_without_a_map_what_takes_too_long_becomes_long(tmp_path, monkeypatch):
+    assert chosen_at(tmp_path, monkeypatch) == {"too_long", "two", "elsewhere"}
+
+
+SOURCE = "def f(a):\n    if a:\n        a += 1\n    for b in a:\n        print(b)\n    return a\n"
+
+
+def test_a_condition_is_marked_on_both_sides(tmp_path, monkeypatch):
+    (tmp_path / "m.py").write_text(SOURCE)
+    keys = [key for key, _, _ in block_coverage.marked(block_coverage.tree_of(tmp_path / "m.py"))]
+    assert keys == ["..f 1", "..f 1 past 0", "..f 2", "..f 3"]
+    scope = {"ran_": bytearray(5)}
+    exec(block_coverage.instrumented(tmp_path / "m.py", 1), scope)  # noqa: S102
+    assert scope["f"](()) == ()
+    assert list(scope["ran_"]) == [0, 1, 1, 0, 0]
+    assert scope["f"]([]) == []
+
+
+def test_a_map_keeps_files_that_were_not_measured_now():
+    earlier = coverage(RAN)
+    now = [["", 0, packed(np.array([False] * 2))], ["tests/a.py::one", 0.2, packed(np.array([True, False]))]]
+    found = merged(earlier, now, ["b 1", "c 1"])
+    assert found["blocks"] == ["b 1", "c 1", "a 1", "a 2", "a 3"]
+    assert found["tests"].keys() == {"tests/a.py::one", "tests/smoke/test_s.py::demo", "tests/words/t.py::same"}
+    assert list(unpacked(found["tests"]["tests/smoke/test_s.py::demo"][1], 5)) == [False, False, True, False, False]
+    assert list(unpacked(found["tests"]["tests/a.py::one"][1], 5)) == [True, False, False, False, False]
+
+
+@pytest.mark.parametrize("text", ["0/7", "8/7", "x", "1"])
+def test_a_part_is_one_of_all(text):
+    assert slow.part("2/7") == (2, 7)
+    with pytest.raises(ValueError):
+        slow.part(text)
 
 
 def test_measuring_appends_seconds(tmp_path):
