@@ -117,10 +117,10 @@ def aligned(
     stable  (rows, columns) what has not moved; None: it is found
     raises  InputError where the stable area is too small, or does not determine the transformation
     """
-    plan, x, used, settled = np.zeros(2), np.zeros(5), np.zeros(new.shape, bool), False
+    plan, used, k = np.zeros(2), np.zeros(new.shape, bool), 0
     # slopes of the surface: those of the older model have the noise that the differences have, too
     design = _design(new.heights.height.astype(float), _places(new), new.cell)
-    for k in range(ROUNDS):
+    while True:
         height = old(plan)
         known = new.known & np.isfinite(height) & (True if stable is None else stable)
         if known.sum() < FEWEST:
@@ -135,7 +135,8 @@ def aligned(
         used = used & known
         x = _solved(design[used], d[used])
         plan = plan + x[RIGHT:]
-        if settled := np.abs(x[RIGHT:]).max() < CLOSE * new.cell:
+        k, settled = k + 1, bool(np.abs(x[RIGHT:]).max() < CLOSE * new.cell)
+        if settled or k == ROUNDS:
             break
     values = np.concatenate([x[:RIGHT], plan])
     rest = d - design @ x
