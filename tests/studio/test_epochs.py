@@ -15,9 +15,9 @@ from raybundle.words import headline
 from raybundle.workflows.epochs.movements import Displacements
 from raybundle.workflows.epochs.tables import EPOCHS, write_displacements
 from tests.studio.conftest import BASE
-from tests.studio.test_browser import context, page
+from tests.studio.test_browser import address, context, page
 
-__all__ = ["context", "page"]  # fixtures
+__all__ = ["address", "context", "page"]  # fixtures
 DAYS = ("2026-05-01", "2026-06-01", "2026-07-01")
 BY = np.array([0.03, 0.0, 0.04])
 SIGMA = 0.002

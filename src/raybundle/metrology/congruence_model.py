@@ -271,9 +271,8 @@ class Stayed:
         each = m.rows(np.arange(m.points))
         v = self.misfit
         u = v[each]
-        S = m.weights[each[:, :, None], each[:, None, :]] - np.einsum(
-            "mhi,mhj->hij", self.taken[:, each], self.taken[:, each], optimize=True
-        )
+        taken = self.taken.T[each]
+        S = m.weights[each[:, :, None], each[:, None, :]] - taken @ taken.swapaxes(1, 2)
         # the displacements of points that moved, by least squares
         C = self.inverse.T @ self.inverse
         u[self.moved] = (C @ m.misfit[self.rows]).reshape(-1, each.shape[1])

@@ -263,7 +263,7 @@ def _best_views(
     shape: tuple[int, int],
     progress: Progress,
     *,
-    past: bool,
+    past: bool = True,
 ) -> tuple[dict[int, Array], Array, Array]:
     """Where in each photograph the places (n, 3) lie (n, 2), and for each place the photograph to take, -1: none.
 

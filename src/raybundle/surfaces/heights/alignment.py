@@ -117,10 +117,10 @@ def aligned(
     stable  (rows, columns) what has not moved; None: it is found
     raises  InputError where the stable area is too small, or does not determine the transformation
     """
-    plan, x, used = np.zeros(2), np.zeros(5), np.zeros(new.shape, bool)
+    plan, used, k = np.zeros(2), np.zeros(new.shape, bool), 0
     # slopes of the surface: those of the older model have the noise that the differences have, too
     design = _design(new.heights.height.astype(float), _places(new), new.cell)
-    for k in range(ROUNDS):
+    while True:
         height = old(plan)
         known = new.known & np.isfinite(height) & (True if stable is None else stable)
         if known.sum() < FEWEST:
@@ -135,17 +135,18 @@ def aligned(
         used = used & known
         x = _solved(design[used], d[used])
         plan = plan + x[RIGHT:]
-        if np.abs(x[RIGHT:]).max() < CLOSE * new.cell:
+        k, settled = k + 1, bool(np.abs(x[RIGHT:]).max() < CLOSE * new.cell)
+        if settled or k == ROUNDS:
             break
-    else:
-        raise InputError("old_heights.not_converged", shift=[float(v) for v in plan], cell=new.cell)
     values = np.concatenate([x[:RIGHT], plan])
     rest = d - design @ x
     noise = _noise(rest, used, new)
     moved = height + np.nan_to_num(design) @ x
     model = _model(moved, noise, new)
     covariance, both = _with_errors(model, new, design, used)
-    _check(covariance, new.cell)
+    _check(covariance, new.cell)  # what is not determined does not settle either
+    if not settled:
+        raise InputError("old_heights.not_converged", shift=[float(v) for v in plan], cell=new.cell)
     share = float(used.sum() / (new.known & np.isfinite(height)).sum())
     return *both, Alignment(
         values=values, covariance=covariance, stable=used, share=share, given=stable is not None, noise=noise

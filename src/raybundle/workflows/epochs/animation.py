@@ -73,7 +73,7 @@ def _draw(draw: ImageDraw.ImageDraw, at: Array, seen: Array, sure: bool) -> None
 
 
 def _arrow(
-    draw: ImageDraw.ImageDraw, start: tuple[float, float], end: tuple[float, float], colour: Sequence[int]
+    draw: ImageDraw.ImageDraw, start: tuple[float, float], end: tuple[float, float], colour: tuple[int, int, int]
 ) -> None:
     way = np.arctan2(end[1] - start[1], end[0] - start[0])
     head = min(16.0, float(np.hypot(end[0] - start[0], end[1] - start[1])))
