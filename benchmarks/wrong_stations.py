@@ -508,16 +508,19 @@ class Sample:
     subset: np.ndarray
     kind: np.ndarray
     """what is odd about it or its subset"""
+    scenes: int
 
 
 def sample(work: Path) -> Sample:
     """What was drawn."""
     evidence, wrong, group, subset, kind = [], [], [], [], []
+    there = set[str]()
     for k, file in enumerate(sorted((work / "draws").glob("*.npz"))):
         raw = dict(np.load(file))
         scene, of, _, how, failed = json.loads(str(raw["about"]))
         if failed:
             continue
+        there.add(scene)
         odd = json.loads(str(raw["odd"]))
         for part in range(sum(key.endswith(":names") for key in raw)):
             table = ws.evidence(*stand_in(raw, part))[raw[f"{part}:rows"]]
@@ -534,7 +537,7 @@ def sample(work: Path) -> Sample:
                     )
                     kind.append(odd.get(names[n], beside))
     each = (np.array(v) for v in (evidence, wrong, group, subset, kind))
-    return Sample(*each)
+    return Sample(*each, scenes=len(there))
 
 
 PRIOR = 3.0
@@ -612,7 +615,7 @@ def judged(work: Path) -> dict:
     alarm = p > ws.LIMIT
     rows = {str(k): s.kind == k for k in np.unique(s.kind)}
     return {
-        "photographs": len(p), "wrong": int(s.wrong.sum()), "subsets": len(np.unique(s.subset)),
+        "photographs": len(p), "wrong": int(s.wrong.sum()), "subsets": len(np.unique(s.subset)), "scenes": s.scenes,
         "reliability": reliability(p, s, every),
         "by_kind": {
             k: {"photographs": int(m.sum()), "wrong": int(s.wrong[m].sum()), "expected": round(float(p[m].sum()), 1),

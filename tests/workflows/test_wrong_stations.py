@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -14,7 +15,15 @@ from raybundle.planning.synthetic_networks import Ring, brown_camera, ring_scene
 from raybundle.results.folder import read_result, written_folder
 from raybundle.studio.answers import _p_wrong
 from raybundle.ties.explained_matches import PairFits
-from raybundle.ties.wrong_stations import EVIDENCE, LIMIT, MODEL, evidence, probabilities, with_probabilities
+from raybundle.ties.wrong_stations import (
+    EVIDENCE,
+    FALSE_ALARMS,
+    LIMIT,
+    MODEL,
+    evidence,
+    probabilities,
+    with_probabilities,
+)
 
 CAMERA = brown_camera(size_px=(3000, 2000), pixel_mm=0.008)
 ODD = 3
@@ -62,6 +71,16 @@ def test_no_evidence_makes_a_wrong_station_less_likely():
     worst, best, beyond = probabilities(np.stack([MODEL.high, MODEL.low, 2 * MODEL.low]))
     assert worst > LIMIT > best
     assert beyond == best  # of stronger evidence than there was nothing is known
+
+
+def test_the_model_is_that_of_the_benchmark():
+    results = Path(__file__).parents[2] / "benchmarks/results/wrong_stations.json"
+    kept = json.loads(results.read_text(encoding="utf-8"))
+    for name, values in kept["model"].items():
+        assert getattr(MODEL, name) == pytest.approx(np.array(values)), name
+    alarms = kept["false_alarms"]
+    assert pytest.approx(alarms["named"] / alarms["right"], abs=5e-4) == FALSE_ALARMS
+    assert kept["limit"] == LIMIT
 
 
 def test_images_without_orientation_are_not_judged(result):

@@ -46,7 +46,8 @@ report_photographs-covered = Format abgedeckt
 
 report_photographs-p_wrong = P(falsch)
 
-report_photographs-p_wrong_note = P(falsch): Wahrscheinlichkeit, dass der Standpunkt um mehr als 1 % der Ausdehnung oder 1° falsch ist; hervorgehoben über { PERCENT($limit) } %.
+report_photographs-p_wrong_note = P(falsch): Wahrscheinlichkeit, dass der Standpunkt falsch ist; hervorgehoben über { PERCENT($limit) } %.
+    .why = Falsch: um mehr als 1 % der Ausdehnung oder 1°.
 
 report_photographs-neighbours_note = Nachbarn: Aufnahmen mit { $least } gemeinsamen Punkten oder mehr.
 

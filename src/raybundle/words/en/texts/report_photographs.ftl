@@ -52,7 +52,8 @@ report_photographs-covered = format covered
 report_photographs-p_wrong = P(wrong)
 
 # $limit = 0.5
-report_photographs-p_wrong_note = P(wrong): probability that the station is wrong by more than 1 % of the extent or 1°; marked above { PERCENT($limit) } %.
+report_photographs-p_wrong_note = P(wrong): probability that the station is wrong; marked above { PERCENT($limit) } %.
+    .why = Wrong: more than 1 % of the extent or 1° off.
 
 # $least = 30
 report_photographs-neighbours_note = Neighbours: photographs with { $least } common points or more.
