@@ -53,7 +53,7 @@ def test_this_would_notice():
 
 FLAG = re.compile(r"(?<![\w-])--[a-z]")
 OF_OTHER_PROGRAMS = ("pyproj sync --file", "pip install --no-deps")
-TELLS_COMMANDS = {"commands/show.py", "studio/runnable.py", "studio/verbs.py"}
+TELLS_COMMANDS = {"commands/show.py", "studio/products.py", "studio/runnable.py", "studio/verbs.py"}
 """What makes command lines: of actions, of runs, of the studio itself."""
 
 

@@ -149,6 +149,7 @@ def test_place_of_a_picture_and_height_with_its_standard_deviation(client, surfa
     at = {"file": "surface/heights.tif", "column": 20.4, "row": 0.2}
     found = client.get("/api/picture/place", params=at).json()
     assert found == {"height": pytest.approx(20), "sigma": pytest.approx(0.02)}
+    assert client.get("/api/picture/place", params=at | {"file": "surface/orthophoto.tif"}).json() == found
     assert client.get("/api/picture/place", params=at | {"column": 7.5}).json()["height"] is None
     assert client.get("/api/picture/place", params=at | {"column": 70}).json() == {"height": None, "sigma": None}
 

@@ -214,7 +214,7 @@ export class Epochs {
     // an arrow of a round length
     const [length, unit] = lengthUnit(60 / this.view.scale * this.pixel / this.factor);
     const long = (length / this.pixel) * this.factor * this.view.scale;
-    const words = withUnit(short(length * unit.per, 2), this.found.unit ? unit.name : "");
+    const words = this.found.unit ? withUnit(short(length * unit.per, 2), unit.name) : short(length, 2);
     arrow(pen, 14, height - 18, 14 + long, height - 18, INK, 2);
     pen.lineWidth = 4;
     pen.lineJoin = "round";
@@ -322,7 +322,7 @@ export class Epochs {
     const longest = Math.max(...every.flatMap((r) => r.length), 0.001);
     const picked = this.found.rows.find((r) => r.name === this.chosen && r.at);
     if (picked && !rows.includes(picked)) rows.unshift(picked);
-    this.count.textContent = say("studio_epochs.count", { n: every.length, shown: Math.min(every.length, MOST_ROWS), unit: this.found.unit ? lengthUnit(longest)[1].name : "" });
+    this.count.textContent = say("studio_epochs.count", { n: every.length, shown: Math.min(every.length, MOST_ROWS), unit: this.found.unit ? lengthUnit(longest)[1].name : "–" });
     const [, unit] = lengthUnit(longest);
     const lengths = this.found.unit ? unit : { per: 1, name: "" };
     const head = h("thead", {}, h("tr", {}, h("th", { scope: "col" }, say("studio_epochs.point")), h("th", { scope: "col" }, say("studio_epochs.since")),

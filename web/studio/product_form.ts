@@ -82,7 +82,7 @@ export class ProductForm {
     if (!run) return;
     this.bar.value = run.share;
     this.status.textContent = headline(run);
-    this.words.textContent = run.words;
+    this.words.textContent = run.outcome === "running" ? run.words : `${run.command}\n\n${run.words}`;
     this.words.classList.toggle("bad", run.outcome === "failed");
     if (run.outcome === "done") void this.show();
   }

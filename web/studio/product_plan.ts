@@ -73,7 +73,7 @@ export class ProductPlan implements Leaf {
   }
 
   async show(): Promise<void> {
-    if (this.has && this.picture?.path !== this.select.value) await this.open(this.select.value);
+    if (this.has) await this.open(this.select.value); // it may have been made anew
     this.resized();
   }
 
@@ -83,7 +83,9 @@ export class ProductPlan implements Leaf {
       this.picture = { ...(await ask<ProductPicture>("/api/picture", { file: path })), path };
       this.select.value = path;
       this.shown = null;
-      if (before?.width !== this.picture.width || before.height !== this.picture.height) {
+      const p = this.picture;
+      const same = before && before.width === p.width && before.height === p.height && String(before.place) === String(p.place);
+      if (!same || (before.path === p.path && before.stamp !== p.stamp)) {
         this.corners = [];
         this.whole();
       } else this.fetchSoon();
@@ -108,7 +110,7 @@ export class ProductPlan implements Leaf {
       each.disabled = !placed;
       each.setAttribute("aria-pressed", String(mode === this.mode));
     }
-    for (const [mode, each] of this.uses) each.hidden = mode !== this.kind || this.corners.length < (mode === "area" ? 3 : 2);
+    for (const [mode, each] of this.uses) each.hidden = !this.picture?.path.startsWith("surface/") || mode !== this.kind || this.corners.length < (mode === "area" ? 3 : 2);
   }
 
   /** The corners in coordinates of the plane or the map, as commands take them. */
@@ -155,7 +157,7 @@ export class ProductPlan implements Leaf {
     const turn = ++this.turn;
     const view = { left: this.left, top: this.top, width: this.canvas.clientWidth / this.scale, height: this.canvas.clientHeight / this.scale };
     const query = new URLSearchParams({ ...Object.fromEntries(Object.entries(view).map(([k, v]) => [k, String(v)])),
-      across: String(Math.min(4096, this.canvas.width)), down: String(Math.min(4096, this.canvas.height)) });
+      stamp: p.stamp, across: String(Math.min(4096, this.canvas.width)), down: String(Math.min(4096, this.canvas.height)) });
     try {
       const answer = await fetch(`/product/picture/${p.path.split("/").map(encodeURIComponent).join("/")}?${query}`);
       if (!answer.ok) throw new Error(((await answer.json()) as { error: string }).error);

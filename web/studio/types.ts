@@ -358,6 +358,8 @@ export interface ProductPicture {
   width: number;
   height: number;
   heights: boolean;
+  /** Changes when the file is made anew. */
+  stamp: string;
   place: [number, number, number, number] | null;
   system: string;
 }

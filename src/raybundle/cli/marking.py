@@ -74,7 +74,9 @@ def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
     fine = [m for m in tested if m.severity is not Severity.WARNING]
     bad = [m for m in tested if m.severity is Severity.WARNING]
     if verb == "control":
-        bad += of_texts(control_remarks(folder, arguments["file"]))
+        found = of_texts(control_remarks(folder, arguments["file"]))
+        fine += [m for m in found if m.severity is not Severity.WARNING]
+        bad += [m for m in found if m.severity is Severity.WARNING]
     report(Summary(done=[*first, action, *fine], notices=[*bad, *of_texts(lines)], files=begun))
 
 

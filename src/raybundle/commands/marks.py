@@ -183,7 +183,8 @@ def control_remarks(folder: str | Path, file: str) -> tuple[Text, ...]:
     found = [*assumed]
     if missing:
         other = {p for _, p in state.marks} - {p.point for p in action.points} - set(block.points.ids)
-        make = warning if other else note  # marks under names without coordinates: the names may differ
+        # others of the table are seen, or there are marks without coordinates: the names may differ
+        make = warning if other or len(missing) < len(action.points) else note
         found.append(Text.of(make("mark.control_unmarked", n=len(missing), of=len(action.points), points=missing)))
     return tuple(found)
 
@@ -200,11 +201,11 @@ def control_in_block(folder: str | Path, action: GiveControl, block: Block | Non
 
     frame = passed_on(Path(folder)).frame
     action = action if frame is None else _in_frame(action, frame)
+    block = read_block(given_block(_standing(folder))) if block is None else block
     xy = np.array([[np.nan if v is None else v for v in p.xyz[:2]] for p in action.points]).reshape(-1, 2)
-    if like_degrees(xy):
+    if like_degrees(xy) and not any(c.is_scene for c in block.cameras):
         x, y = np.nanmedian(xy, axis=0).tolist()
         raise InputError("control_file.degrees", x=x, y=y, file=Path(action.file))
-    block = read_block(given_block(_standing(folder))) if block is None else block
     check_reach(block, action, "" if frame is None else frame.crs)
     return action
 

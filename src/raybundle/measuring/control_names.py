@@ -51,7 +51,7 @@ def check_reach(block: Block, action: GiveControl, crs: str = "") -> None:
     if float(apart[nearest]) > limit:
         raise InputError(
             "mark.control_apart", file=action.file, point=action.points[nearest].point, distance=float(apart[nearest]),
-            extent=extent, limit=limit, unit=block.length_unit, crs=crs,
+            extent=extent, limit=limit, unit=block.length_unit, crs=crs or "none",
         )  # fmt: skip
 
 

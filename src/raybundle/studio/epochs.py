@@ -70,20 +70,27 @@ class Epochs:
             read = self._current()
             if read is None:
                 return {"dates": [], "rows": [], "picture": None, "why": ""}
-            p = read.pictures
-            shown = None if p is None else {"width": p.grid.width, "height": p.grid.height, "pixel": p.grid.pixel}
-            names = [str(d["date"]) for d in read.about["dates"]]
-            return {
-                "dates": names, "rows": [*_areas(read, names), *_points(read, names)], "picture": shown,
-                "why": read.why, "unit": "" if self.desk.block.free_scale else "m", "of": read.stamp[-1],
-            }  # fmt: skip
+            try:
+                return self._reported(read)
+            except (KeyError, TypeError, ValueError, IndexError, AttributeError, np.linalg.LinAlgError) as error:
+                file = self.desk.source / EPOCHS
+                raise InputError("file.not_understood", detail=f"{type(error).__name__}: {error}", file=file) from None
+
+    def _reported(self, read: _Read) -> dict[str, Any]:
+        p = read.pictures
+        shown = None if p is None else {"width": p.grid.width, "height": p.grid.height, "pixel": p.grid.pixel}
+        names = [str(d["date"]) for d in read.about["dates"]]
+        return {
+            "dates": names, "rows": [*_areas(read, names), *_points(read, names)], "picture": shown,
+            "why": read.why, "unit": "" if self.desk.block.free_scale else "m", "of": read.stamp[-1],
+        }  # fmt: skip
 
     def _current(self) -> _Read | None:
         """What the result holds now; None: no displacements."""
         result = own_result(self.desk.source)
         if result is None or not all((result / n).is_file() for n in (DISPLACEMENTS, EPOCHS)):
             return None
-        stamp = (self.desk.times, (result / DISPLACEMENTS).stat().st_mtime_ns)
+        stamp = (self.desk.times, *((result / n).stat().st_mtime_ns for n in (EPOCHS, DISPLACEMENTS)))
         if self._read is None or self._read.stamp != stamp:
             pictures, why = None, ""
             try:

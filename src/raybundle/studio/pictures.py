@@ -21,6 +21,8 @@ from raybundle.numerics.arrays import Array, Mask
 SUFFIXES = frozenset({".tif", ".tiff", ".png", ".jpg", ".jpeg"})
 MOST_PX = 4096
 """Width and height of a part, on the screen"""
+LEAST_PX = 1e-3
+"""Width and height of a part, in pixels of the raster"""
 SAMPLE_PX = 512
 """Of the copy from which the range of heights is taken"""
 SUN = np.array([-1.0, -1.0, 1.4]) / math.sqrt(3.96)
@@ -49,7 +51,8 @@ class Pictures:
             t = data.transform
             placed = not t.is_identity and t.b == t.d == 0
             return {
-                "width": data.width, "height": data.height, "heights": _is_heights(data),
+                "width": data.width, "height": data.height, "stamp": str(file.stat().st_mtime_ns),
+                "heights": _is_heights(data) or (placed and _heights_of(file).is_file()),
                 "place": [t.c, t.f, t.a, -t.e] if placed else None,
                 "system": data.crs.to_string() if data.crs else "",
             }  # fmt: skip
@@ -57,6 +60,14 @@ class Pictures:
     def place(self, file: Path, given: Mapping[str, Any]) -> dict[str, Any]:
         """The height at a pixel and its standard deviation, from the raster of heights and that beside it."""
         column, row = _numbers(given, "column", "row")
+        with _opened(file) as data:
+            own, t = _is_heights(data), data.transform
+        if not own:
+            x, y, file = t.c + t.a * column, t.f + t.e * row, _heights_of(file)
+            if not file.is_file():
+                return {"height": None, "sigma": None}
+            with _opened(file) as data:
+                column, row = (x - data.transform.c) / data.transform.a, (y - data.transform.f) / data.transform.e
         height = _value(file, column, row)
         beside = file.with_name(f"{file.stem}_sigma{file.suffix}")
         sigma = _value(beside, column, row) if beside.is_file() else None
@@ -66,8 +77,8 @@ class Pictures:
         """A window of a raster at a size of the screen, as PNG; what is beyond it or unknown is transparent."""
         left, top, width, height = _numbers(given, "left", "top", "width", "height")
         across, down = (round(v) for v in _numbers(given, "across", "down"))
-        if not (0 < across <= MOST_PX and 0 < down <= MOST_PX and width > 0 and height > 0):
-            raise InputError("value.not_one_of", entry="across", given=f"{across} x {down}", known=[f"1 ... {MOST_PX}"])
+        if not (1 < across <= MOST_PX and 1 < down <= MOST_PX and min(width, height) > LEAST_PX):
+            raise InputError("value.not_one_of", entry="across", given=f"{across} x {down}", known=[f"2 ... {MOST_PX}"])
         with _opened(file) as data:
             if _is_heights(data):
                 picture = self._shaded(file, data, (left, top, width, height), (down, across))
@@ -103,6 +114,11 @@ class Pictures:
             return self._ranges[key]
 
 
+def _heights_of(picture: Path) -> Path:
+    """The heights that stand beside an orthophoto."""
+    return picture.with_name("heights.tif")
+
+
 @contextmanager
 def _opened(file: Path) -> Generator[Any]:
     library = raster_library(file)
@@ -131,7 +147,7 @@ def _band(data: Any, band: int, window: tuple[float, ...], shape: tuple[int, int
     within, at = _inside(data, window, shape)
     if at is not None:
         read = data.read(band, window=at, out_shape=z[within].shape, masked=True)
-        z[within] = np.ma.filled(read.astype(float), np.nan)
+        z[within] = np.ma.filled(read.astype(float), np.nan) * data.scales[band - 1] + data.offsets[band - 1]
     return z, np.isfinite(z)
 
 

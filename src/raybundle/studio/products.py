@@ -65,15 +65,17 @@ class Product:
     """setting that takes the corners of what is drawn on a picture"""
     progress: bool = True
     """whether the command shows it"""
+    photos: bool = False
+    """whether it takes folders of photographs"""
 
 
 PRODUCTS = {p.name: p for p in (
     Product(
-        name="surface", command=("surface",), settings=SurfaceSettings,
+        name="surface", command=("surface",), settings=SurfaceSettings, photos=True,
         shown=("density", "dsm", "ortho", "mesh", "las", "extent", "thin", "vertical", "pdf", "free_scale"),
     ),
     Product(
-        name="facade", command=("facade",), settings=FacadeSettings,
+        name="facade", command=("facade",), settings=FacadeSettings, photos=True,
         shown=("wall", "pixel", "density", "fill", "scale", "paper", "grid", "section", "extent"),
     ),
     Product(
@@ -149,16 +151,23 @@ class Making:
         if p.of and not (source / HEIGHTS).is_file():
             raise InputError("product.needs_heights", command=shlex.join(["raybundle", *p.command]), folder=str(source))
         if p.out:
-            _exports(source.parent if p.of else source).mkdir(exist_ok=True)
+            folder = _exports(source.parent if p.of else source)
+            try:
+                folder.mkdir(exist_ok=True)
+            except OSError as error:
+                raise InputError("file.not_writable", detail=error.strerror or str(error), file=folder) from None
 
 
 def _exports(source: Path) -> Path:
     return source / EXPORTS
 
 
-def _usual(p: Product, source: Path) -> Any:
+def _usual(p: Product, desk: Desk) -> Any:
     """Its settings as they are before anyone changes them; new files under a name that is free."""
+    source = desk.source
     given: dict[str, Any] = {"source": source / p.of if p.of else source, **dict(p.usual)}
+    if p.photos and desk.photos:
+        given["photos"] = tuple(desk.photos)
     if p.out:
         folder, n = _exports(source), 1
         stem = p.out[0].partition("{")[0]
@@ -239,13 +248,13 @@ class Products:
         return run.reported() if run is not None and isinstance(run.what, Making) else None
 
     def _making(self, p: Product, values: Mapping[str, Any]) -> Making:
-        usual = _usual(p, self.desk.source)
+        usual = _usual(p, self.desk)
         own = {f.name: getattr(usual, f.name) for f in fields(usual)}
         apart = {name for name in own if name not in p.shown}
         return Making(product=p, settings=settings_of_form(p.settings, values, own, apart))
 
     def _form(self, p: Product, values: Mapping[str, Any]) -> dict[str, Any]:
-        made, usual = self._making(p, values), _usual(p, self.desk.source)
+        made, usual = self._making(p, values), _usual(p, self.desk)
         plain = {f["name"]: f["value"] for f in fields_of(usual)}
         shown = {f["name"]: {**f, "default": plain[f["name"]]} for f in fields_of(made.settings)}
         if p.name == "exchange":
@@ -288,7 +297,8 @@ def _product(name: object) -> Product:
 def _files(folder: Path) -> Iterator[Path]:
     """The files of a folder in which something is to be looked at; nothing that a link leads to."""
     for entry in sorted(folder.iterdir()):
-        if entry.name.startswith(".") or entry.is_symlink():
+        odd = any("\ud800" <= c <= "\udfff" for c in entry.name)  # bytes that are no text
+        if odd or entry.name.startswith(".") or entry.is_symlink():
             continue
         if entry.is_file():
             yield entry

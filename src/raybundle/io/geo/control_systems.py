@@ -34,6 +34,14 @@ def like_degrees(xy: Array) -> bool:
     return bool(within and 0 < wide < 1 and (middle > OFFSET * wide).all())
 
 
+def check_degrees(files: Sequence[ControlFile]) -> None:
+    """Raise InputError for longitude and latitude in a file without a coordinate system: they would be metres."""
+    for f in files:
+        if f.crs is None and like_degrees(f.xyz[:, :2]):
+            x, y = np.nanmedian(f.xyz[:, :2], axis=0).tolist()
+            raise InputError("control_file.degrees", x=x, y=y, file=f.path)
+
+
 def in_one_system(files: Sequence[ControlFile], crs: str | None = None) -> tuple[ControlFile, ...]:
     """The files, of which those that name no coordinate system stand in that of the others, or else in `crs`.
 
@@ -89,8 +97,6 @@ def _in_named(file: ControlFile, crs: str | None) -> ControlFile:
         return file
     x, y = np.median(xy, axis=0).tolist()
     if crs is None:
-        if like_degrees(xy):
-            raise InputError("control_file.degrees", x=x, y=y, file=file.path)
         if max(abs(x), abs(y)) < MAP_M:
             return file
         assumed = note("control_file.cartesian_assumed", name=file.path.name, x=x, y=y)

@@ -1,7 +1,7 @@
 # $n = 2
 # $limit = 0.5
 # $largest = 0.83
-# $false_alarms = 0.004
+# $false_alarms = 0.034
 # $ids = ["IMG_7", "IMG_8"]
 wrong_stations = { $n } { $n ->
         [one] station is

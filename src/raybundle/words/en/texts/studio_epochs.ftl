@@ -34,7 +34,7 @@ studio_epochs-count = { $n } { $n ->
 
 studio_epochs-point = Point or area
 
-studio_epochs-since = Moved since
+studio_epochs-since = First seen moved
 
 # $verdict = "untested"
 studio_epochs-verdict = { $verdict ->
