@@ -158,7 +158,11 @@ def test_control_without_marks_and_longitude_and_latitude_are_named_at_once(tmp_
     table.write_text(f"point,X,Y,Z\n{rows}")
     assert main(["mark", "control", str(tmp_path / "block"), str(table)]) == 0
     printed = capsys.readouterr().out
-    assert "warning" not in printed  # nothing is marked yet
+    assert "1 of 3 control points" in printed
+    table.write_text(f"point,X,Y,Z\nG1,{x},{y},{z}\n")
+    assert main(["mark", "control", str(tmp_path / "block"), str(table)]) == 0
+    assert "warning" not in capsys.readouterr().out  # nothing is marked yet
+    table.write_text(f"point,X,Y,Z\n{rows}")
     assert main(["mark", "put", str(tmp_path / "block"), image, "else-where", "100", "100"]) == 0
     capsys.readouterr()
     assert main(["mark", "control", str(tmp_path / "block"), str(table)]) == 0

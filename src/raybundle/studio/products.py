@@ -155,7 +155,9 @@ class Making:
             try:
                 folder.mkdir(exist_ok=True)
             except OSError as error:
-                raise InputError("file.not_writable", detail=error.strerror or str(error), file=folder) from None
+                raise InputError(
+                    "file.not_writable", detail=error.strerror or str(error), refused=True, file=folder
+                ) from None
 
 
 def _exports(source: Path) -> Path:
