@@ -173,7 +173,7 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
         return journal.append_verb(verb, arguments, id=id, author=operator)
 
 
-def control_remarks(folder: str | Path, file: str) -> tuple[Text, ...]:
+def control_remarks(folder: str | Path, file: str) -> tuple[str, ...]:
     """What was assumed of a table of control that was given, and the points that no photograph shows yet."""
     action, assumed = control_of(file)
     project, state = _standing(folder), marks(folder)
