@@ -35,11 +35,15 @@ def test_axe_finds_nothing_serious(page):  # noqa: F811
     page.evaluate(script)
     for width, height in SIZES:
         page.set_viewport_size({"width": width, "height": height})
-        tabs = page.locator("#tabs [role=tab]")
+        tabs = page.locator("#tabs [role=tab]:visible")
         for k in range(tabs.count()):
             tabs.nth(k).click()
             page.wait_for_timeout(300)
-            parts = page.locator("#decide-bar button:visible").all() if (width, height) == SIZES[0] else []
+            parts = (
+                page.locator("#decide-bar button:visible, #products-bar button:visible").all()
+                if (width, height) == SIZES[0]
+                else []
+            )
             for part in parts or [tabs.nth(k)]:
                 part.click()
                 page.wait_for_timeout(300)
