@@ -110,7 +110,7 @@ def test_a_volume_without_heights_is_refused(client):
     "path",
     [
         "project.db", "project.toml", "result/../project.db", "result/block/block.toml", "/etc/hosts", "",
-        "surface/work/x",
+        "surface/work/x", "surface/" + "x" * 5000, "surface/%00",
     ],
 )  # fmt: skip
 def test_only_listed_files_are_sent(client, surface, path):

@@ -15,8 +15,10 @@ import numpy as np
 from PIL import Image
 
 from raybundle.errors import InputError
+from raybundle.io.geo.rasters import scale_and_offset
 from raybundle.io.raster_library import raster_errors, raster_library
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces.files.heights import HEIGHTS
 
 SUFFIXES = frozenset({".tif", ".tiff", ".png", ".jpg", ".jpeg"})
 MOST_PX = 4096
@@ -116,7 +118,7 @@ class Pictures:
 
 def _heights_of(picture: Path) -> Path:
     """The heights that stand beside an orthophoto."""
-    return picture.with_name("heights.tif")
+    return picture.with_name(HEIGHTS)
 
 
 @contextmanager
@@ -147,7 +149,8 @@ def _band(data: Any, band: int, window: tuple[float, ...], shape: tuple[int, int
     within, at = _inside(data, window, shape)
     if at is not None:
         read = data.read(band, window=at, out_shape=z[within].shape, masked=True)
-        z[within] = np.ma.filled(read.astype(float), np.nan) * data.scales[band - 1] + data.offsets[band - 1]
+        scale, offset = scale_and_offset(data, band)
+        z[within] = np.ma.filled(read.astype(float), np.nan) * scale + offset
     return z, np.isfinite(z)
 
 

@@ -33,9 +33,10 @@ from raybundle.studio.forms import fields_of, settings_of_form, table_of
 from raybundle.studio.guard import POLICY_HEADER
 from raybundle.studio.pictures import Pictures
 from raybundle.studio.running import Running
+from raybundle.surfaces.files.heights import HEIGHTS
 
-EXPORTS, SURFACE, HEIGHTS = "exports", "surface", "heights.tif"
-"""Folders of what is made, in that which is open, and the file that holds heights"""
+EXPORTS, SURFACE = "exports", "surface"
+"""Folders of what is made, in that which is open"""
 SHOWN = {"surface": "surface", "facade*": "facade", EXPORTS: "exports", "result": "result"}
 """Folders whose files are listed, and what they are called"""
 APART = frozenset({"work", "cache", "block"})
@@ -239,10 +240,10 @@ class Products:
 
     def _file(self, path: str) -> Path:
         """A file that is listed; everything else is none."""
-        file = self.desk.source / path
+        name, _, inner = path.partition("/")
         for folder, _ in self._folders():
-            if path.startswith(f"{folder.name}/") and file in set(_files(folder)):
-                return file
+            if folder.name == name and _is_listed(folder, inner):
+                return folder / inner
         raise HTTPException(404, phrase("studio_page.no_page"))
 
     def _run(self) -> dict[str, Any] | None:
@@ -294,6 +295,17 @@ def _product(name: object) -> Product:
     if found is None:
         raise HTTPException(400, phrase("studio_page.bad_request", name="name", kind="text"))
     return found
+
+
+def _is_listed(folder: Path, inner: str) -> bool:
+    """Whether `_files` of a folder has a file, without a look at all others: parts of pictures are asked for often."""
+    parts = inner.split("/")
+    entries = [folder.joinpath(*parts[: k + 1]) for k in range(len(parts))]
+    odd = any(not p or p.startswith(".") or "\0" in p for p in parts) or bool(APART & {*parts[:-1]})
+    try:
+        return not odd and not any(e.is_symlink() for e in entries) and entries[-1].is_file()
+    except OSError:  # a name that is too long
+        return False
 
 
 def _files(folder: Path) -> Iterator[Path]:
