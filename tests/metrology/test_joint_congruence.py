@@ -4,10 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.stats import kstest
 from tests.metrology.measured_sets import free_covariance, places, root_of
 
 from raybundle.errors import InputError
+from raybundle.metrology.areas import Hypothesis
 from raybundle.metrology.congruence import congruence
+from raybundle.metrology.congruence_model import Factor, Family, model_of
 from raybundle.metrology.point_set import PointSet
 
 SIGMA = 1e-5
@@ -72,6 +75,59 @@ def test_an_area_is_found_that_no_single_point_shows():
     size, before, after = done.patch_sizes[0]
     assert size == 5
     assert before <= after < np.median(done.detectable)
+
+
+def test_the_mean_of_an_area_is_of_points_that_move_alike():
+    # two points of the patch that moved far, the others little: they are no part of it
+    epochs, rng = Joint(60, common=1.0), np.random.default_rng(8)
+    near = np.argsort(np.linalg.norm(epochs.xyz - epochs.xyz[0], axis=1))[:17]
+    by = np.zeros((17, 3))
+    by[:, 2] = 3.3 * SIGMA
+    by[[1, 2]] = [1e3 * SIGMA, 0, 0]
+    chi = []
+    for _ in range(10):
+        sets, C = epochs.draw(rng, [(near, by)])
+        done = congruence(sets, joint=C, patches=True)
+        assert done.moved[near[1:3]].all()
+        assert not done.in_area[near[1:3]].any()
+        for area in done.areas:
+            assert not set(area.points) & set(near[1:3])
+            if set(area.points) <= set(near):
+                e = area.displacement[0] - by[0]
+                chi.append(e @ np.linalg.solve(area.covariance[0], e))
+                assert not area.uneven
+                assert area.longest[0] < 10 * SIGMA
+    assert len(chi) >= 6
+    assert np.mean(chi) < 7  # 3, more as areas that are found are the larger ones
+
+
+def test_a_group_that_moved_unevenly_is_called_so():
+    epochs, rng = Joint(40, common=1.0), np.random.default_rng(8)
+    wall = [f"P{k}" for k in range(10)]
+    for by in (np.tile([0, 20 * SIGMA, 0], (10, 1)), np.linspace(0, 60, 10)[:, None] * [0, SIGMA, 0]):
+        sets, C = epochs.draw(rng, [(np.arange(10), by)])
+        (area,) = congruence(sets, joint=C, groups={"wall": wall}).areas
+        true = np.linalg.norm(by, axis=1)
+        assert area.moved
+        assert area.uneven == (np.ptp(true) > 0)
+        assert area.shortest[0] == pytest.approx(true.min(), abs=5 * SIGMA)
+        assert area.longest[0] == pytest.approx(true.max(), abs=5 * SIGMA)
+
+
+def test_points_of_a_piece_agree_as_often_as_stated():
+    epochs, rng = Joint(30, common=1.0), np.random.default_rng(5)
+    piece = np.argsort(epochs.xyz[:, 0])[:8]
+    moved = np.isin(np.arange(30), piece)
+    p, whole = [], []
+    for _ in range(80):
+        sets, C = epochs.draw(rng, [(piece, [0, 0, 50 * SIGMA])])
+        model = model_of(sets[0], sets[1:], ~moved, scale=False, joint=C)
+        p.append(model.agreement(piece, moved, Factor(1.0, np.inf)))
+        family = Family.of([Hypothesis(name="piece", points=piece)], 30, [0.05])
+        whole.append(model.area(family, 0, moved, 0.05).p_uniform)
+    assert np.mean(np.concatenate(p) < 0.1) == pytest.approx(0.1, abs=0.04)
+    assert np.mean(np.array(whole) < 0.2) == pytest.approx(0.2, abs=0.14)
+    assert kstest(np.concatenate(p)[::8], "uniform").pvalue > 0.001
 
 
 def test_a_group_of_the_user_is_tested_by_its_mean():

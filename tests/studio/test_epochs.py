@@ -72,6 +72,16 @@ def test_displacements_are_reported_with_their_dates_and_band(client):
         assert 0 <= row["place"][1] <= found["picture"]["height"]
 
 
+def test_an_area_of_points_that_moved_unevenly_has_their_range(client, project):
+    path = project / "result" / EPOCHS
+    about = json.loads(path.read_text())
+    about["areas"][0] |= {"uneven": True}
+    for row in about["areas"][0]["displacements"]:
+        row |= {"shortest_m": 0.001, "longest_m": 0.2}
+    path.write_text(json.dumps(about))
+    assert client.get("/api/epochs").json()["rows"][0]["between"] == [[0.001, 0.2]] * 2
+
+
 def test_each_date_has_a_picture_of_the_same_pixels(client):
     shape = client.get("/api/epochs").json()["picture"]
     each = []

@@ -15,6 +15,8 @@ export interface Moved {
   first: number;
   at: number[];
   moved: boolean[];
+  /** Least and largest displacements of the points of an area that did not move alike, at each date. */
+  between?: [number, number][] | null;
   /** Points of an area. */
   points?: string[];
   /** Against the first date: in the axes of the block, with standard deviations; lengths; along the largest one. */
@@ -235,7 +237,7 @@ export class Epochs {
 
   /** An arrow in the plane of the picture, and a dot for what is across it: as large, towards the viewer or away. */
   private vector(pen: CanvasRenderingContext2D, row: Moved): void {
-    if (!row.place) return;
+    if (!row.place || row.between) return;
     const [u, v] = this.view.toScreen(...row.place);
     const k = row.at.indexOf(this.at);
     const chosen = row.name === this.chosen;
@@ -291,7 +293,7 @@ export class Epochs {
     let best = 14;
     let name = "";
     for (const row of this.found.rows) {
-      if (!row.place || row.verdict === "stable") continue;
+      if (!row.place || row.between || row.verdict === "stable") continue;
       const [a, b] = this.view.toScreen(...row.place);
       const far = Math.hypot(a - u, b - v);
       if (far < best) [best, name] = [far, row.name];
@@ -304,7 +306,8 @@ export class Epochs {
   private rows(kind: (typeof KINDS)[number]): Moved[] {
     const wanted = this.found.rows.filter((r) => r.at && r.verdict !== "stable" &&
       (kind === "every" || (kind === "untested" ? r.verdict === "untested" : r.verdict === "moved" || r.verdict === "moved_area")));
-    return wanted.sort((a, b) => Number(b.area) - Number(a.area) || Math.max(...b.length) - Math.max(...a.length));
+    const even = (r: Moved): number => Number(r.area && !r.between);
+    return wanted.sort((a, b) => even(b) - even(a) || Number(b.area) - Number(a.area) || Math.max(...b.length) - Math.max(...a.length));
   }
 
   private choose(name: string): void {
@@ -331,7 +334,8 @@ export class Epochs {
     const show = picked && !picked.area ? button("studio_epochs.visit", () => this.visit(picked.name)) : "";
     this.chart.replaceChildren(...(picked ? [
       h("h3", {}, say("studio_epochs.over_time", { name: picked.name, n: picked.points?.length ?? 0 })),
-      band(picked, dates, lengths, this.at), h("p", { class: "note" }, this.axes(picked, lengths)), show,
+      band(picked, dates, lengths, this.at), picked.between ? h("p", { class: "note" }, say("studio_epochs.mean_of_uneven")) : "",
+      h("p", { class: "note" }, this.axes(picked, lengths)), show,
     ] : [h("p", { class: "note" }, say("studio_epochs.nothing_chosen"))]));
   }
 
@@ -341,6 +345,7 @@ export class Epochs {
       const k = r.at.indexOf(j + 1);
       if (k < 0) return h("td", {}, "–");
       const digits = decimalsOf(r.sigma[k] * per);
+      if (r.between) return h("td", { class: r.moved[k] ? "sure" : "" }, say("studio_epochs.uneven", { least: fixed(r.between[k][0] * per, digits), largest: fixed(r.between[k][1] * per, digits) }));
       return h("td", { class: r.moved[k] ? "sure" : "" }, `${fixed(r.length[k] * per, digits)} ± ${fixed(r.sigma[k] * per, digits)}`);
     });
     const name = sign(r.name, say("studio_epochs.choose", { name: r.name }), () => this.choose(r.name), "link");

@@ -505,8 +505,14 @@ def _movement(m: Movements, significance: float) -> list[Message]:
             note("displacement.largest", point=d.point[k], start=names[d.start[k]], end=names[d.end[k]],
                  length_mm=MM * float(d.length[k]), sigma_mm=MM * float(np.sqrt(u @ d.covariance[k] @ u)))
         )  # fmt: skip
-    for a in [a for a in areas if a.given] or areas[:1]:
+    for a in [a for a in areas if a.given] or sorted(areas, key=lambda a: a.uneven)[:1]:
         j = int(np.linalg.norm(a.displacement, axis=1).argmax())
+        if a.uneven:
+            first.append(
+                note("displacement.area_uneven", name=a.name, n=len(a.points), shortest_mm=MM * float(a.shortest[j]),
+                     longest_mm=MM * float(a.longest[j]), end=names[j + 1])
+            )  # fmt: skip
+            continue
         u = a.displacement[j] / max(float(np.linalg.norm(a.displacement[j])), 1e-300)
         first.append(
             note("displacement.area", name=a.name, n=len(a.points),

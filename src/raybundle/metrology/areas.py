@@ -47,6 +47,14 @@ class AreaTest:
     """length of the smallest mean displacement that is found with 80 % probability [m]"""
     detectable_before: float
     """the same if nothing else moved"""
+    p_uniform: float
+    """probability that its points have one displacement in common"""
+    uneven: bool
+    """whether they have not: the mean displacement is then that of no point"""
+    shortest: Array
+    """(k - 1,) length of the smallest displacement of a point, of each later epoch [m]"""
+    longest: Array
+    """(k - 1,) of the largest [m]"""
 
     @property
     def covariance(self) -> Array:

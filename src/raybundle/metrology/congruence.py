@@ -21,7 +21,7 @@ from raybundle.metrology.congruence_model import LEAST, Factor, Family, Model, a
 from raybundle.metrology.consensus import stable_starts
 from raybundle.metrology.point_set import PointSet
 from raybundle.metrology.surface_strain import SurfaceStrain, surface_strains
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import cross_matrix
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import SimilarityTransform, robust_similarity
@@ -212,7 +212,11 @@ def congruence(
     d, joined = model.displacements(moved)
     j, i = np.meshgrid(np.arange(len(d)), np.arange(n), indexing="ij")
     strained = [k for k, a in enumerate(family.areas) if a.given or len(a.points) == STRAINED]
-    shown = [*range(len(named)), *(k for k in state.active if not family.areas[k].given)]
+    pieces = [
+        (k, replace(a, points=_piece(model, state, k, alpha))) for k in state.active if not (a := family.areas[k]).given
+    ]
+    limits = [*family.limits[: len(named)].tolist(), *(float(family.limits[k]) for k, _ in pieces)]
+    shown = Family.of((*named, *(a for _, a in pieces)), n, limits, factors)
     least, least_before = model.detectable(moved, alpha), model.detectable(np.zeros(n, bool), alpha)
     if errors is not None:
         each = model.covariances(moved)
@@ -230,7 +234,7 @@ def congruence(
         freedom=model.freedom, significance=significance, scale=free_scale,
         transforms=tuple(axes_onto(s, first, ~moved, scale=free_scale) for s in sets[1:]),
         alternatives=() if joint is not None else _alternatives(model, moved, known, ids, (alpha, significance)),
-        areas=tuple(model.area(family, k, moved) for k in shown),
+        areas=tuple(model.area(shown, k, moved, significance / len(limits)) for k in range(len(limits))),
         in_area=moved & ~state.own, patch_sizes=model.patch_sizes(family, moved, own),
     )  # fmt: skip
 
@@ -245,7 +249,7 @@ def patch_variances(epochs: Sequence[PointSet], joint: Array, *, scale: bool) ->
     alike, none = _alike(sets[0], sets[1:], scale=scale), np.zeros(n, bool)
     model = model_of(sets[0], sets[1:], alike, scale=scale, joint=joint)
     empty, alpha = Family.of([], n, []), SIGNIFICANCE / n
-    moved = _moved(model, _State(own=none, active=(), family=empty), alpha, none, empty).moved
+    moved = _moved(model, _State(own=none, active=(), family=empty, stay=none), alpha, none, empty).moved
     family = Family.of(patches_of(sets[0].xyz), n, [])
     sizes = np.array([len(a.points) for a in family.areas])
     some = np.flatnonzero(family.sums @ ~moved > 1)
@@ -302,20 +306,22 @@ class _State:
     own: Mask
     active: tuple[int, ...]
     family: Family
+    stay: Mask
+    """(n,) points of active areas that stayed: where they lie fits no movement, and not that of their areas"""
 
     @property
     def moved(self) -> Mask:
         """(n,) all of them."""
-        found = self.own.copy()
+        found = np.zeros_like(self.own)
         for k in self.active:
             found[self.family.areas[k].points] = True
-        return found
+        return (found & ~self.stay) | self.own
 
     @classmethod
     def of(cls, moved: Mask, family: Family, model: Model, alpha: float) -> _State:
         """A start: the points that moved by their own tests, and areas of points of which most did."""
         if not len(family.areas) or not moved.any():
-            return cls(own=moved, active=(), family=family)
+            return cls(own=moved, active=(), family=family, stay=np.zeros_like(moved))
         _, p = model.tests(moved)
         inside = family.sums @ moved
         size = family.sums.sum(axis=1)
@@ -331,7 +337,7 @@ class _State:
             if model.of_areas(family, np.array([k]), back)[1][0] < family.limits[k]:
                 active.append(k)
                 left[points] = False
-        return cls(own=moved & (p < alpha), active=tuple(active), family=family)
+        return cls(own=moved & (p < alpha), active=tuple(active), family=family, stay=np.zeros_like(moved))
 
 
 def _with_errors(model: Model, moved: Mask, own: Mask, p: Array, errors: PointErrors) -> Array:
@@ -387,8 +393,8 @@ def _moved(model: Model, state: _State, alpha: float, fixed: Mask, family: Famil
     """
     state = replace(state, own=state.own & ~fixed)
     free = (family.sums @ fixed) == 0
-    seen = set[tuple[bytes, tuple[int, ...]]]()
-    while (key := (state.own.tobytes(), state.active)) not in seen:
+    seen = set[tuple[bytes, tuple[int, ...], bytes]]()
+    while (key := (state.own.tobytes(), state.active, state.stay.tobytes())) not in seen:
         seen.add(key)
         own, moved = state.own, state.moved
         _, p = model.tests(moved)
@@ -402,6 +408,11 @@ def _moved(model: Model, state: _State, alpha: float, fixed: Mask, family: Famil
         if weak and max(weak)[0] >= 1.0:
             state = replace(state, active=tuple(k for k in state.active if k != max(weak)[1]))
             continue
+        if (other := _not_of_its_area(model, state, p, alpha)) is not None:
+            stay = state.stay.copy()
+            stay[other] = True
+            state = replace(state, stay=stay)
+            continue
         worst = np.where(moved | fixed, np.inf, p)
         if worst.min() < alpha and (~moved).sum() > LEAST - 1:
             own = own.copy()
@@ -412,9 +423,39 @@ def _moved(model: Model, state: _State, alpha: float, fixed: Mask, family: Famil
             break
         ratio = np.where(free, model.together(family, moved) / family.limits, np.inf)
         ratio = np.where(np.isnan(ratio), np.inf, ratio)
+        ratio[list(state.active)] = np.inf
         if ratio.min() < 1.0:
-            state = replace(state, active=(*state.active, int(ratio.argmin())))
+            k = int(ratio.argmin())
+            stay = state.stay.copy()
+            stay[family.areas[k].points] = False
+            state = replace(state, active=(*state.active, k), stay=stay)
     return state
+
+
+def _not_of_its_area(model: Model, state: _State, p: Array, alpha: float) -> int | None:
+    """The point that moved with areas alone, fits no movement, and agrees least with the movement of any of them."""
+    best = np.full(model.points, -1.0)
+    for k in state.active:
+        points = _piece(model, state, k, alpha)
+        if len(points) > 1:
+            agreement = model.agreement(points, state.moved, state.family.single)
+            best[points] = np.maximum(best[points], agreement)
+    best[state.own | (p < alpha) | (best < 0)] = np.inf
+    worst = int(best.argmin())
+    return worst if best[worst] < alpha else None
+
+
+def _piece(model: Model, state: _State, area: int, alpha: float) -> Index:
+    """Points of an active area that moved, without those that moved by their own tests and not as the others."""
+    moved = state.moved
+    points = state.family.areas[area].points
+    points = points[moved[points]]
+    while len(points) > 2 and state.own[points].any():
+        p = np.where(state.own[points], model.agreement(points, moved, state.family.single), np.inf)
+        if p.min() >= alpha:
+            break
+        points = np.delete(points, p.argmin())
+    return points
 
 
 def _without(model: Model, state: _State, area: int) -> float:

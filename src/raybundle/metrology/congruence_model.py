@@ -179,8 +179,11 @@ class Model:
             found.append((size, float(np.median(least[0])), float(np.median(least[1]))))
         return tuple(found)
 
-    def area(self, family: Family, which: int, moved: Mask) -> AreaTest:
-        """The test of an area as a whole: its mean displacement against all else that stayed."""
+    def area(self, family: Family, which: int, moved: Mask, level: float) -> AreaTest:
+        """The test of an area as a whole: its mean displacement against all else that stayed.
+
+        level  probability below which its points did not move alike
+        """
         area, limit, factor = family.areas[which], float(family.limits[which]), float(family.factors[which])
         none, one, freedom = np.zeros(self.points, bool), np.array([which]), float(family.freedom[which])
         back = moved.copy()
@@ -189,12 +192,43 @@ class Model:
         F, p = self.of_areas(family, one, back)
         C = np.linalg.pinv(S, rcond=1e-10, hermitian=True)
         before = self.stayed(none).shifts(family, one)[1][0] / factor
+        d, uniform = self._uniform(area.points, moved, family.single)
+        length = np.linalg.norm(d.reshape(-1, self.later, 3), axis=2)
         return AreaTest(
             name=area.name, given=area.given, points=area.points, displacement=(C @ u).reshape(self.later, 3),
             joint=C.reshape(self.later, 3, self.later, 3), F=float(F[0]), p_value=float(p[0]),
             moved=bool(p[0] < limit), detectable=self._least(S, limit, freedom),
-            detectable_before=self._least(before, limit, freedom),
+            detectable_before=self._least(before, limit, freedom), p_uniform=uniform, uneven=uniform < level,
+            shortest=length.min(axis=0), longest=length.max(axis=0),
         )  # fmt: skip
+
+    def _uniform(self, points: Index, moved: Mask, each: Factor) -> tuple[Array, float]:
+        """Displacements (m, 3 k) of points, and the probability that they have one in common."""
+        d, C = self.stayed(moved | np.isin(np.arange(self.points), points)).displaced(points)
+        freedom = d.size - d.shape[1]
+        if freedom == 0:
+            return d, 1.0
+        P = np.linalg.pinv(C.reshape(d.size, -1), rcond=1e-10, hermitian=True)
+        Z = np.tile(np.eye(d.shape[1]), (len(d), 1))
+        v = d.ravel() - Z @ np.linalg.solve(Z.T @ P @ Z, Z.T @ (P @ d.ravel()))
+        unknown = max(1 / each.freedom + 1 / self.freedom, 1e-9)
+        return d, fisher_tail(max(float(v @ P @ v), 0.0) / freedom / each.variance, freedom, 1 / unknown)
+
+    def agreement(self, points: Index, moved: Mask, each: Factor) -> Array:
+        """(m,) of points that moved, two or more, the probability of each to share the mean displacement of the rest.
+
+        each  of the variances of single points
+        """
+        from scipy.special import fdtrc
+
+        d, C = self.stayed(moved).displaced(points)
+        m, dof = d.shape
+        # of each its displacement less the mean of the others: (m d_i - sum) / (m - 1)
+        u = (m * d - d.sum(axis=0)) / (m - 1)
+        row, at = C.sum(axis=2), np.arange(m)
+        S = m**2 * C[at, :, at, :] - m * (row + row.swapaxes(1, 2)) + row.sum(axis=0)
+        F, _ = self.tested(u / np.sqrt(each.variance), S / (m - 1) ** 2)
+        return np.asarray(fdtrc(dof, 1 / max(1 / each.freedom + 1 / self.freedom, 1e-9), F))
 
     def displacements(self, moved: Mask) -> tuple[Array, Array]:
         """(k, n, 3) displacements in the datum of points that stayed, and their joint covariance (k, n, 3, k, n, 3)."""
@@ -280,6 +314,15 @@ class Stayed:
         S[self.moved] = C[own[:, :, None], own[:, None, :]]
         return u, S
 
+    def displaced(self, points: Index) -> tuple[Array, Array]:
+        """(m, 3 k) displacements of points that moved, and their joint covariance (m, 3 k, m, 3 k)."""
+        m = self.model
+        size = 3 * m.later
+        own = np.searchsorted(np.flatnonzero(self.moved), points)
+        mine = self.inverse[:, (size * own[:, None] + np.arange(size)).ravel()]
+        d = mine.T @ (self.inverse @ m.misfit[self.rows])
+        return d.reshape(-1, size), (mine.T @ mine).reshape(len(points), size, len(points), size)
+
     def shifts(self, family: Family, areas: Index) -> tuple[Array, Array]:
         """What common displacements (h, 3 k) of the points of areas weigh in the misfit, and their weights.
 
@@ -310,6 +353,8 @@ class Family:
     """(h,) by which variances of their mean displacements are larger than those of the adjustment"""
     freedom: Array
     """(h,) with which these are known"""
+    single: Factor
+    """of points alone"""
 
     @classmethod
     def of(
@@ -323,7 +368,7 @@ class Family:
         return cls(
             areas=tuple(areas), sums=sums_of(areas, points), limits=np.array(limits), of_model=[],
             factors=np.interp(size, at, [f.variance for _, f in by]),
-            freedom=1 / np.maximum(np.interp(size, at, [1 / f.freedom for _, f in by]), 1e-9),
+            freedom=1 / np.maximum(np.interp(size, at, [1 / f.freedom for _, f in by]), 1e-9), single=by[0][1],
         )  # fmt: skip
 
     def weights(self, model: Model) -> Array:

@@ -162,7 +162,9 @@ def _areas(read: _Read, names: list[str]) -> list[dict[str, Any]]:
         found.append({
             "name": a["name"], "area": True, "verdict": MOVED if a["moved"] else STABLE, "first": 0,
             "at": [order[r["to"]] for r in each], "moved": [a["moved"] and q < level for q in p],
-            "points": a["points"], **_series(read, v, C, p), **_place(read, xyz),
+            "points": a["points"],
+            "between": [[r["shortest_m"], r["longest_m"]] for r in each] if a.get("uneven") else None,
+            **_series(read, v, C, p), **_place(read, xyz),
         })  # fmt: skip
     return found
 

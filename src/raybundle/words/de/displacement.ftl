@@ -39,6 +39,8 @@ displacement-largest = Größte Verschiebung: { $point }, { NUM($length_mm, digi
 
 displacement-area = { $name } ({ $n } Punkte): mittlere Verschiebung { NUM($length_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm bis { $end }.
 
+displacement-area_uneven = { $name } ({ $n } Punkte): ungleichmäßige Verschiebung, { NUM($shortest_mm, digits: 2) } mm bis { NUM($longest_mm, digits: 3) } mm bis { $end }.
+
 displacement-changes = { $n } frühere Verschiebungen: geändert um { NUM($median, digits: 2) } Standardabweichungen (Median), { NUM($largest, digits: 2) } (größte, { $point }).
     .why = { $changed } { $changed ->
         [one] Punkt änderte

@@ -71,6 +71,13 @@ displacement-largest = Largest displacement: { $point }, { NUM($length_mm, digit
 # $end = "2026-06-01"
 displacement-area = { $name } ({ $n } points): mean displacement { NUM($length_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm until { $end }.
 
+# $name = "area 3"
+# $n = 12
+# $shortest_mm = 3.8
+# $longest_mm = 106.0
+# $end = "2026-06-01"
+displacement-area_uneven = { $name } ({ $n } points): uneven displacement, { NUM($shortest_mm, digits: 2) } mm to { NUM($longest_mm, digits: 3) } mm until { $end }.
+
 # $n = 300
 # $median = 0.05
 # $largest = 0.8

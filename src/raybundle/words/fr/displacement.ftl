@@ -29,6 +29,8 @@ displacement-largest = Plus grand déplacement : { $point }, { NUM($length_mm, d
 
 displacement-area = { $name } ({ $n } points) : déplacement moyen { NUM($length_mm, digits: 3) } mm ± { NUM($sigma_mm, digits: 2) } mm jusqu’au { $end }.
 
+displacement-area_uneven = { $name } ({ $n } points) : déplacement inégal, de { NUM($shortest_mm, digits: 2) } mm à { NUM($longest_mm, digits: 3) } mm jusqu’au { $end }.
+
 displacement-changes = { $n } déplacements antérieurs : changés de { NUM($median, digits: 2) } écarts-types (médiane), { NUM($largest, digits: 2) } (maximum, { $point }).
 
 displacement-dates_changed = Dates changées : { LIST($before, most: 5) } sont devenues { LIST($now, most: 5) }.

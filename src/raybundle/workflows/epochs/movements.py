@@ -12,7 +12,7 @@ from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.measuring.joint import Joint
-from raybundle.metrology.congruence import SIGNIFICANCE
+from raybundle.metrology.congruence import SIGNIFICANCE, Congruence
 from raybundle.metrology.congruence_model import POWER
 from raybundle.metrology.trends import Trend
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -139,6 +139,7 @@ def movements(
     errors = None if s.errors is None else MatchingErrors.of(result, s.errors.shares, s.errors.variance)
     moved, doubtful, p = _by_point(found, dated, errors, alpha)
     near = _near_moved(dated, others, s.congruence.xyz, s.congruence.in_area)
+    near = [n and not k for n, k in zip(near, _keep_their_place(found, dated, s.congruence, alpha), strict=True)]
     alike = _near_moved(dated, others, s.congruence.xyz, s.congruence.moved)
     doubtful = [d and not a for d, a in zip(doubtful, alike, strict=True)]
     moved = [m and not d for m, d in zip(moved, doubtful, strict=True)]
@@ -268,6 +269,32 @@ def _near_moved(dated: Dated, bases: Index, xyz: Array, moved: Mask | None) -> l
     k = min(NEIGHBOURS, len(moved))
     nearest = np.asarray(KDTree(xyz).query(_places(dated, bases), k=k)[1]).reshape(len(bases), k)
     return (2 * moved[nearest].sum(axis=1) > k).tolist()
+
+
+def _keep_their_place(found: _Found, dated: Dated, c: Congruence, alpha: float) -> list[bool]:
+    """Whether points agree with no displacement, and not with the mean of the points of areas around each.
+
+    Limits: covariances between a point and those around it are not counted; a point that is not displaced at one of its
+    dates is judged by the others.
+    """
+    if c.in_area is None or not c.in_area.any():
+        return [False] * len(dict.fromkeys(found.base.tolist()))
+    from scipy.spatial import KDTree
+
+    around = np.flatnonzero(c.in_area)
+    order = np.array(list(dict.fromkeys(found.base.tolist())), np.int64)
+    k = min(NEIGHBOURS, len(around))
+    nearest = around[np.asarray(KDTree(c.xyz[around]).query(_places(dated, order), k=k)[1]).reshape(len(order), k)]
+    row = np.searchsorted(np.sort(order), found.base)
+    beside = nearest[np.argsort(order, kind="stable")][row]
+    first = found.start == 0  # displacements of areas are against the first date
+    later = np.maximum(found.end - 1, 0)
+    mean = c.displacement[later[:, None], beside].mean(axis=1)
+    C = found.covariance + c.covariance[later[:, None], beside].mean(axis=1)
+    still = _tests(found.vector, found.covariance, found.freedom)[1] >= alpha
+    other = first & (_tests(found.vector - mean, C, found.freedom)[1] < alpha)
+    kept = np.array([still[found.base == b].all() and other[found.base == b].any() for b in order], bool)
+    return kept.tolist()
 
 
 def _all_rows(

@@ -223,11 +223,13 @@ def epochs_json(m: Movements, limit: Limit | None, changes: Changes | None) -> d
 def _area(a: AreaTest, ids: Sequence[str], names: Sequence[str]) -> dict[str, Any]:
     return {
         "name": a.name, "given": a.given, "points": [ids[k] for k in a.points.tolist()], "moved": a.moved, "F": a.F,
-        "p": a.p_value, "detectable_before_m": a.detectable_before, "detectable_m": a.detectable,
+        "p": a.p_value, "p_uniform": a.p_uniform, "uneven": a.uneven,
+        "detectable_before_m": a.detectable_before, "detectable_m": a.detectable,
         "displacements": [
             {
                 "from": names[0], "to": names[j + 1], "d_m": a.displacement[j].tolist(),
                 "sigma_m": np.sqrt(np.diag(a.covariance[j])).tolist(), "covariance_m2": a.covariance[j].tolist(),
+                "shortest_m": float(a.shortest[j]), "longest_m": float(a.longest[j]),
             }
             for j in range(len(a.displacement))
         ],

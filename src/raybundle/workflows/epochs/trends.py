@@ -32,7 +32,7 @@ def trends(
         return ()
     days = np.array([date.fromisoformat(name).toordinal() for name in dates.names], float)
     freedom = float(result.redundancy) if result.redundancy > 0 else float("inf")
-    made = [_of_area(a, days) for a in areas if a.moved or a.given]
+    made = [_of_area(a, days) for a in areas if a.given or (a.moved and not a.uneven)]
     joint = Joint.of(result, dated.place)
     there = {
         b: [k for k in np.flatnonzero(dated.at[b] >= 0).tolist() if joint.takes_part(int(dated.at[b, k]))]

@@ -39,6 +39,10 @@ studio_epochs-verdict = { $verdict ->
         *[not_significant] nicht signifikant
     }
 
+studio_epochs-mean_of_uneven = Ihre Punkte haben sich ungleichmäßig verschoben. Die Kurve ist ihr Mittel.
+
+studio_epochs-uneven = ungleichmäßig, { $least } bis { $largest }
+
 studio_epochs-over_time = { $name }{ $n ->
         [0] {""}
         *[other] {" "}({ $n } Punkte)

@@ -44,6 +44,12 @@ studio_epochs-verdict = { $verdict ->
         *[not_significant] not significant
     }
 
+studio_epochs-mean_of_uneven = Its points moved unevenly. The curve is their mean.
+
+# $least = "3.8"
+# $largest = "106.0"
+studio_epochs-uneven = uneven, { $least } to { $largest }
+
 # $name = "t12"
 # $n = 0
 studio_epochs-over_time = { $name }{ $n ->
