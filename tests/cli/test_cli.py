@@ -244,6 +244,20 @@ def test_a_bar_appears_on_a_terminal_after_a_while(monkeypatch):
         tell("adjusting", 1.0)
 
 
+def test_without_a_terminal_a_line_appears_now_and_then(monkeypatch, capsys):
+    from raybundle.cli import progress
+    from raybundle.numerics.progress import Counted
+
+    with progress.reporting("auto") as tell:
+        tell("adjusting", 0.5)
+    assert not capsys.readouterr().err
+    monkeypatch.setattr(progress, "LINES", 0.0)
+    with progress.reporting("auto") as tell:
+        tell("adjusting", 0.5)
+        tell("depth maps", Counted(0.25, 1, 4, 90.0))
+    assert capsys.readouterr().err.splitlines() == ["adjusting: 50 %", "depth maps: 25 %, 1.5 min left"]
+
+
 def test_doctor(capsys):
     assert run("doctor", "--json") == 0
     report = json.loads(capsys.readouterr().out)

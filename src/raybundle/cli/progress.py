@@ -1,4 +1,4 @@
-"""Progress on a terminal, as JSON lines, or not at all."""
+"""Progress on a terminal, as lines of text or of JSON, or not at all."""
 
 from __future__ import annotations
 
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 PATIENCE = 2.0
 """Seconds before a bar appears."""
+LINES = 30.0
+"""Seconds between lines of text, and before the first."""
 
 
 @contextmanager
@@ -33,6 +35,8 @@ def reporting(mode: str) -> Generator[Progress]:
             yield terminal
         finally:
             terminal.close()
+    elif mode == "auto" and sys.stderr is not None:
+        yield _Lines()
     else:
         yield silent
 
@@ -60,6 +64,26 @@ class _JsonLines:
             print(json.dumps(line), file=sys.stderr, flush=True)  # noqa: T201  (this is the output asked for)
 
 
+class _Lines:
+    """A line of text on stderr now and then, once the work has taken longer."""
+
+    def __init__(self) -> None:
+        self.next = time.monotonic() + LINES
+
+    def __call__(self, stage: str, share: float) -> None:
+        if isinstance(share, Remark) or (now := time.monotonic()) < self.next:
+            return
+        self.next = now + LINES
+        left = share.seconds_left / 60 if isinstance(share, Counted) else None
+        text = phrase("progress.line", stage=_name(stage), share=min(max(share, 0.0), 1.0), left=left or 0.0)
+        with contextlib.suppress(OSError, ValueError):
+            print(text, file=sys.stderr, flush=True)  # noqa: T201  (as the bar on a terminal)
+
+
+def _name(stage: str) -> str:
+    return phrase("progress.stage", stage=re.sub(r"\W+", "_", stage), name=stage)
+
+
 class _Terminal:
     """A bar with stage, share and time left, once the work has taken two seconds."""
 
@@ -84,7 +108,7 @@ class _Terminal:
         if stage != self.stage or self.task is None:
             if self.task is not None:
                 self.bar.remove_task(self.task)
-            self.shown = phrase("progress.stage", stage=re.sub(r"\W+", "_", stage), name=stage)
+            self.shown = _name(stage)
             self.task = self.bar.add_task(self.shown, total=1.0)
             self.stage = stage
         self.bar.update(self.task, description=self.shown, completed=min(max(share, 0.0), 1.0))

@@ -65,3 +65,8 @@ progress-stage = { $stage ->
         [writing_tables] Tabellen schreiben
         *[other] { $name }
     }
+
+progress-line = { $stage }: { PERCENT($share) } %{ $left ->
+        [0] {""}
+       *[other] , noch { NUM($left, digits: 2) } min
+    }
