@@ -44,8 +44,8 @@ def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
         type=click.Choice(["auto", "json", "none"]),
         default="auto",
         show_default=True,
-        help="Progress display. auto: a bar on a terminal, a line every 30 s when piped. json: one JSON object per line "
-        "on stderr.",
+        help="Progress display. auto: a bar on a terminal, a line every 30 s when piped. json: one JSON object per "
+        "line on stderr.",
     )(function)
 
 
