@@ -2,6 +2,8 @@
 
 import shlex
 import signal
+from concurrent.futures import ThreadPoolExecutor
+from types import SimpleNamespace
 
 import pytest
 
@@ -199,3 +201,16 @@ def test_nothing_runs_in_a_block(client, studio, project, monkeypatch):
     assert found["form"] is None
     assert found["why"] == message("studio.nothing_to_run").text(COMMAND_LINE)
     assert client.post("/api/run", json={}).status_code == 409
+
+
+def test_nothing_is_adjusted_while_a_run_begins(studio):
+    with ThreadPoolExecutor(1) as pool:
+        asked = []
+        what = SimpleNamespace(
+            check=lambda: asked.append(pool.submit(studio.running.adjust)), child_words=("--version",), titles=(),
+            origin=None, name="", command="", records=list,
+        )  # fmt: skip
+        studio.running.begin(what)
+        assert asked[0].result() is False
+    studio.running.wait()
+    assert not studio.work.busy

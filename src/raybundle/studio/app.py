@@ -111,7 +111,7 @@ class Studio:
             "/api/control": self._control,
             "/api/fiducials": self._fiducials,
             "/api/snap": lambda given: snapped(self.desk, given),
-            "/api/adjust": lambda _: {"begun": not self.running.busy and self.work.begin(measured=True)},
+            "/api/adjust": lambda _: {"begun": self.running.adjust()},
             "/api/stop": lambda _: self._stop(),
             "/api/run": lambda _: self.running.begin(),
             "/api/run/settings": lambda given: self.running.choose(table_of(given, "values")),

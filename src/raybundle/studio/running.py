@@ -130,6 +130,11 @@ class Running:
             self._thread.start()
         return self.reported()
 
+    def adjust(self) -> bool:
+        """Adjust with what was measured; False where something runs or is adjusted."""
+        with self._lock:
+            return not self.busy and self.work.begin(measured=True)
+
     def stop(self) -> bool:
         """Stop between two tasks; asked again, at once.  False where nothing runs."""
         if self.run is None or not self.busy:
