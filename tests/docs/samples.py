@@ -198,6 +198,22 @@ def heights(folder):
     folder_of(made(wall, sigma=4e-4, common=1e-3, rng=rng), folder / "october/surface")
 
 
+def pit_project(folder):
+    """A block and a surface beside it that a line can be drawn on."""
+    import numpy as np
+
+    from raybundle.io.block.folder import write_block
+    from raybundle.planning.simulate import Survey, simulate
+    from tests.surface.height_models import folder_of, made
+    from tests.workflows.dated_network import SCENE
+
+    write_block(simulate(SCENE, Survey(seed=1)).observed, folder / "pit-project")
+    slope = made(
+        np.tile(np.linspace(0, 2, 90), (60, 1)), cell=0.1, sigma=0.01, common=0.01, rng=np.random.default_rng(1)
+    )
+    folder_of(slope, folder / "pit-project/surface")
+
+
 def quarry(folder):
     """Surfaces of a quarry at three dates, whose piles grow and shrink, their outlines, and an older model."""
     from tests.surface.quarry import written
@@ -208,6 +224,7 @@ def quarry(folder):
 SAMPLES = {
     "heights": heights,
     "quarry": quarry,
+    "pit-project": pit_project,
     "dates": dates,
     "specimen": specimen,
     "facade": facade,

@@ -2,6 +2,7 @@
 
 import pytest
 
+from raybundle.measuring.journal import journal_path, state_of
 from raybundle.words import headline
 from tests.studio.browser import Hand
 from tests.studio.test_browser import address, context
@@ -31,6 +32,17 @@ def test_an_area_is_drawn_and_files_are_made(context, surface, address, project)
     for (x, y), (column, row) in zip(drawn, corners, strict=True):
         assert x == pytest.approx(LEFT + CELL * column, abs=2 * CELL / scale)
         assert y == pytest.approx(TOP - CELL * row, abs=2 * CELL / scale)
+    page.click("#product-plan")
+    page.fill("#drawing-name", "pile")
+    page.fill("#drawing-note", "gravel")
+    page.click("#drawing-keep")
+    page.get_by_title(headline("studio_product.edit", {"name": "pile"})).wait_for()
+    assert state_of(journal_path(project)).drawings["pile"].note == "gravel"
+    page.get_by_title(headline("studio_product.erase", {"name": "pile"})).click()
+    page.locator("#drawings:visible").wait_for(state="detached")
+    page.click("#undo")
+    page.get_by_title(headline("studio_product.edit", {"name": "pile"})).click()
+    page.locator("#plan-use-area:visible").wait_for()
     page.click("#product-exchange")
     page.select_option("#product-exchange-to", "ply")
     page.locator("code.command:visible", has_text="--to ply").wait_for()

@@ -3,6 +3,7 @@ import { ask } from "./api";
 import { afterPause, button, h } from "./dom";
 import { Model } from "./model";
 import { fixed } from "./numbers";
+import { Kept, ProductDrawings } from "./product_drawings";
 import { ProductFolder, ProductPicture } from "./types";
 import { say } from "./words";
 import type { Leaf } from "./leaf";
@@ -12,6 +13,8 @@ type XY = [number, number];
 const ZOOM = 0.0016;
 const FIRST = ["orthophoto.tif", "heights.tif", "facade.tif"];
 const REACH = 8;
+const NEW = "#1f5a96";
+const KEPT = "#8a2be2";
 
 export class ProductPlan implements Leaf {
   readonly root = h("section", { class: "leaf whole", "aria-label": say("studio_product.part", { part: "plan" }), hidden: true });
@@ -34,6 +37,7 @@ export class ProductPlan implements Leaf {
   private readonly fetchSoon = afterPause(() => void this.fetch(), 120);
   private readonly valueSoon = afterPause(() => void this.value(), 120);
   private at: XY | null = null;
+  private readonly kept: ProductDrawings;
 
   /** drawn  gets the product and the corners of what was drawn for it */
   constructor(private readonly model: Model, private readonly drawn: (product: string, corners: string) => void) {
@@ -53,6 +57,10 @@ export class ProductPlan implements Leaf {
     this.root.append(h("div", { class: "deeds" }, h("label", { for: "plan-file" }, say("studio_product.picture")), this.select,
       ...this.modes.map(([, b]) => b), clear, ...this.uses.map(([, b]) => b), button("studio_space.all", () => this.whole())),
       this.canvas, this.place);
+    this.kept = new ProductDrawings(model, () => this.enough() ? { kind: this.kind, corners: this.corners.map((c) => this.rounded(c)) } : null,
+      (d) => this.again(d), () => this.begin(""));
+    this.root.append(this.kept.root);
+    model.on("state", () => this.paint());
     this.listen();
     new ResizeObserver(() => this.resized()).observe(this.canvas);
     this.buttons();
@@ -84,6 +92,8 @@ export class ProductPlan implements Leaf {
       this.select.value = path;
       this.shown = null;
       const p = this.picture;
+      const [folder] = path.split("/");
+      this.kept.turn(folder === "surface" ? folder : `${folder}/surface`);
       const same = before && before.width === p.width && before.height === p.height && String(before.place) === String(p.place);
       if (!same || (before.path === p.path && before.stamp !== p.stamp)) {
         this.corners = [];
@@ -110,17 +120,42 @@ export class ProductPlan implements Leaf {
       each.disabled = !placed;
       each.setAttribute("aria-pressed", String(mode === this.mode));
     }
-    for (const [mode, each] of this.uses) each.hidden = !this.picture?.path.startsWith("surface/") || mode !== this.kind || this.corners.length < (mode === "area" ? 3 : 2);
+    for (const [mode, each] of this.uses) each.hidden = !this.picture?.path.startsWith("surface/") || mode !== this.kind || !this.enough();
+    this.kept.offer();
+  }
+
+  private enough(): boolean {
+    return !!this.picture?.place && this.corners.length >= (this.kind === "area" ? 3 : 2);
+  }
+
+  /** Draw what was kept again. */
+  private again(d: Kept): void {
+    const place = this.picture?.place;
+    if (!place) return;
+    this.begin(d.kind);
+    this.corners = d.corners.map((c) => this.inPicture(c));
+    this.buttons();
+    this.paint();
+  }
+
+  private inPicture([X, Y]: XY): XY {
+    const place = this.picture!.place!;
+    return [(X - place[0]) / place[2], (place[1] - Y) / place[3]];
+  }
+
+  /** Coordinates in the plane or the map, to a tenth of a pixel. */
+  private rounded(corner: XY): XY {
+    const decimals = this.decimals();
+    return this.object(corner)!.map((v) => Number(v.toFixed(decimals))) as XY;
+  }
+
+  private decimals(): number {
+    return Math.max(0, Math.ceil(-Math.log10(Math.abs(this.picture!.place![2]))) + 1);
   }
 
   /** The corners in coordinates of the plane or the map, as commands take them. */
   private text(): string {
-    const { place } = this.picture!;
-    const decimals = Math.max(0, Math.ceil(-Math.log10(Math.abs(place![2]))) + 1);
-    return this.corners.map(([x, y]) => {
-      const [X, Y] = this.object([x, y])!;
-      return `${X.toFixed(decimals)} ${Y.toFixed(decimals)}`;
-    }).join(", ");
+    return this.corners.map((corner) => this.object(corner)!.map((v) => v.toFixed(this.decimals())).join(" ")).join(", ");
   }
 
   private object([column, row]: XY): XY | null {
@@ -182,21 +217,21 @@ export class ProductPlan implements Leaf {
       c.imageSmoothingEnabled = true;
       c.drawImage(image, (left - this.left) * s, (top - this.top) * s, width * s, height * s);
     }
-    const on = this.corners.map(([x, y]) => [(x - this.left) * s, (y - this.top) * s] as XY);
+    const onScreen = (corners: XY[]) => corners.map(([x, y]) => [(x - this.left) * s, (y - this.top) * s] as XY);
+    c.font = `${13 * ratio}px system-ui, sans-serif`;
+    if (this.picture?.place) for (const d of this.kept.here) {
+      const on = onScreen(d.corners.map((corner) => this.inPicture(corner)));
+      stroke(c, on, d.kind, ratio, KEPT);
+      c.strokeStyle = "#fff";
+      c.lineWidth = 3 * ratio;
+      c.strokeText(d.drawing, on[0][0] + 6 * ratio, on[0][1] - 6 * ratio);
+      c.fillStyle = KEPT;
+      c.fillText(d.drawing, on[0][0] + 6 * ratio, on[0][1] - 6 * ratio);
+    }
+    const on = onScreen(this.corners);
     if (!on.length) return;
-    const path = new Path2D();
-    on.forEach(([x, y], k) => (k ? path.lineTo(x, y) : path.moveTo(x, y)));
-    if (this.kind === "area" && on.length > 2) path.closePath();
-    if (this.kind === "area") {
-      c.fillStyle = "rgba(31, 90, 150, .18)";
-      c.fill(path);
-    }
-    for (const [colour, width] of [["#fff", 4], ["#1f5a96", 2]] as const) {
-      c.strokeStyle = colour;
-      c.lineWidth = width * ratio;
-      c.stroke(path);
-    }
-    c.fillStyle = "#1f5a96";
+    stroke(c, on, this.kind, ratio, NEW);
+    c.fillStyle = NEW;
     for (const [x, y] of on) c.fillRect(x - 3 * ratio, y - 3 * ratio, 6 * ratio, 6 * ratio);
   }
 
@@ -282,7 +317,7 @@ export class ProductPlan implements Leaf {
     if (!p?.place || !this.at) return;
     const at = this.at;
     const [X, Y] = this.object(at)!;
-    const decimals = Math.max(0, Math.ceil(-Math.log10(Math.abs(p.place[2]))) + 1);
+    const decimals = this.decimals();
     const values = { x: fixed(X, decimals), y: fixed(Y, decimals), z: "none", s: "none" };
     if (p.heights) {
       try {
@@ -295,5 +330,20 @@ export class ProductPlan implements Leaf {
       }
     }
     this.place.textContent = say("studio_product.place", values);
+  }
+}
+
+function stroke(c: CanvasRenderingContext2D, on: XY[], kind: Drawing, ratio: number, colour: string): void {
+  const path = new Path2D();
+  on.forEach(([x, y], k) => (k ? path.lineTo(x, y) : path.moveTo(x, y)));
+  if (kind === "area") {
+    if (on.length > 2) path.closePath();
+    c.fillStyle = `${colour}2e`;
+    c.fill(path);
+  }
+  for (const [each, width] of [["#fff", 4], [colour, 2]] as const) {
+    c.strokeStyle = each;
+    c.lineWidth = width * ratio;
+    c.stroke(path);
   }
 }

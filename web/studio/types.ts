@@ -54,6 +54,7 @@ export interface State {
   rejected: [string, string][];
   renamed: Record<string, string>;
   masks: { mask: string; image: string; camera: boolean; polygon: [number, number][] }[];
+  drawings: { drawing: string; kind: "line" | "area"; corners: [number, number][]; layer: string; note: string; surface: string }[];
 }
 
 /** How far the photographs are oriented, and what the others lack. */

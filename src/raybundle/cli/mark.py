@@ -12,7 +12,7 @@ import click
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.cli.common import FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options, facts, print_outcome
 from raybundle.cli.marking import command, do, subcommand, words
-from raybundle.cli.marking_areas import control, find, mask, unmask
+from raybundle.cli.marking_areas import control, draw, erase, find, mask, unmask
 from raybundle.cli.marks_shown import shown
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
 from raybundle.cli.settings import options_of, values_of
@@ -24,7 +24,7 @@ from raybundle.errors import InputError, Severity, named, note
 from raybundle.report.languages import checked_language
 from raybundle.report.paper.needed import check_typesetter
 
-__all__ = ["command", "control", "find", "mask", "unmask"]
+__all__ = ["command", "control", "draw", "erase", "find", "mask", "unmask"]
 NO_NUMBER = "-"
 """What stands for a coordinate that is not known."""
 

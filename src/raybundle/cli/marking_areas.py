@@ -1,4 +1,4 @@
-"""`raybundle mark control | find | mask | unmask`: tables, panels and areas."""
+"""`raybundle mark control | find | mask | unmask | draw | erase`: tables, panels, areas and lines."""
 
 from __future__ import annotations
 
@@ -108,6 +108,46 @@ def unmask(folder: Path, mask: str, author: str) -> None:
       raybundle mark unmask facade-project tree
     """
     do(folder, "unmask", author, mask=mask)
+
+
+@subcommand("draw")
+@click.argument("drawing", metavar="NAME")
+@click.option(
+    "--line", metavar="'X,Y X,Y'",
+    help="Corners of a line in the coordinates of the surface. Write X and Y with a comma and corners with a blank "
+    "between them.",
+)  # fmt: skip
+@click.option("--area", metavar="'X,Y X,Y X,Y'", help="Corners of an area.")
+@click.option("--layer", default="lines", show_default=True, metavar="TEXT", help="Layer in CAD and GIS.")
+@click.option("--note", default="", metavar="TEXT", help="Attribute: remark.")
+@click.option("--surface", default="surface", show_default=True, metavar="NAME", help="Surface folder in the project.")
+def draw(folder: Path, drawing: str, line: str, area: str, layer: str, note: str, surface: str, author: str) -> None:
+    """Draw a line or an area on a surface. A drawing of the same name is replaced.
+
+    `raybundle heights drawing` writes drawings for CAD and GIS, with heights.
+
+    \b
+    Example:
+      raybundle mark draw pit-project edge --line "2.5,1 4,1.5 6,1" --layer breaklines
+      raybundle mark draw pit-project pile --area "1,1 4,1 3,3" --note gravel
+    """
+    if bool(line) == bool(area):
+        raise InputError("surface_drawing.line_or_area")
+    kind = "line" if line else "area"
+    do(folder, "draw", author, drawing=drawing, kind=kind, corners=_corners(line or area), layer=layer, note=note,
+       surface=surface)  # fmt: skip
+
+
+@subcommand("erase")
+@click.argument("drawing", metavar="NAME")
+def erase(folder: Path, drawing: str, author: str) -> None:
+    """Remove a drawn line or area.
+
+    \b
+    Example:
+      raybundle mark erase pit-project edge
+    """
+    do(folder, "erase", author, drawing=drawing)
 
 
 def _corners(text: str) -> list[list[float]]:

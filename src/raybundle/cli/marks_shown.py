@@ -32,6 +32,8 @@ def shown(state: State) -> list[str]:
     for name, m in state.masks.items():
         where = f"all photographs of the camera of {m.image}" if m.camera else m.image
         lines.append(f" mask {name}: {counted(len(m.polygon), 'corner')}, in {where}")
+    for name, d in state.drawings.items():
+        lines.append(f" {d.kind} {name}: {counted(len(d.corners), 'corner')}, layer {d.layer}, on {d.surface}")
     return lines
 
 

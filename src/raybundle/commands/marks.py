@@ -157,7 +157,7 @@ def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **a
 
     verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, reject_beyond (quantity:
             w, sigma, rays or redundancy, and limit, of the last adjustment), parameter, fiducial, control (file: a
-            table), mask, unmask, undo, redo
+            table), mask, unmask, draw, erase, undo, redo
     raises  InputError where it cannot be done
     """
     with open_journal(folder) as journal:
@@ -370,5 +370,6 @@ def as_plain(state: State) -> dict[str, Any]:
         "rejected": [{"image": i, "point": p} for i, p in sorted(state.rejected)],
         "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
         "masks": [{"mask": n, **asdict(m)} for n, m in state.masks.items()],
+        "drawings": [{"drawing": n, **asdict(d)} for n, d in state.drawings.items()],
         "renamed": dict(state.renamed), "can_undo": state.can_undo, "can_redo": state.can_redo,
     }  # fmt: skip

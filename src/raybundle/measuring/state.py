@@ -112,6 +112,22 @@ class MaskedArea:
     """whether it holds for all images of the same camera"""
 
 
+DrawingKind = Literal["line", "area"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drawing:
+    """A line or an area on a surface."""
+
+    kind: DrawingKind
+    corners: tuple[tuple[float, float], ...]
+    """in the coordinates of the surface; of an area without the first one again"""
+    layer: str
+    note: str
+    surface: str
+    """folder within the project"""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class State:
     """All that is measured."""
@@ -132,13 +148,14 @@ class State:
     parameters: Mapping[Key, Choice] = field(default_factory=dict[Key, Choice])
     """(camera, symbol) -> what was decided of that parameter"""
     masks: Mapping[str, MaskedArea] = field(default_factory=dict[str, MaskedArea])
+    drawings: Mapping[str, Drawing] = field(default_factory=dict[str, Drawing])
     can_undo: int = 0
     """actions that can be taken back"""
     can_redo: int = 0
 
     @property
     def adjusts(self) -> bool:
-        """Whether something of it takes part in an adjustment: masks alone do not."""
+        """Whether something of it takes part in an adjustment: masks and drawings alone do not."""
         return any((
             self.marks, self.points, self.bars, self.lines, self.datum, self.fiducials, self.rejected, self.renamed,
             self.parameters,
@@ -174,6 +191,7 @@ class Draft:
     renamed: dict[str, str] = field(default_factory=dict[str, str])
     parameters: dict[Key, Choice] = field(default_factory=dict[Key, Choice])
     masks: dict[str, MaskedArea] = field(default_factory=dict[str, MaskedArea])
+    drawings: dict[str, Drawing] = field(default_factory=dict[str, Drawing])
 
     @classmethod
     def of(cls, state: State) -> Draft:
@@ -181,7 +199,7 @@ class Draft:
         return cls(
             dict(state.marks), dict(state.points), dict(state.bars), dict(state.lines), state.datum,
             dict(state.fiducials), set(state.rejected), dict(state.renamed), dict(state.parameters),
-            dict(state.masks),
+            dict(state.masks), dict(state.drawings),
         )  # fmt: skip
 
     def done(self, can_undo: int, can_redo: int) -> State:
@@ -191,7 +209,8 @@ class Draft:
             bars=MappingProxyType(self.bars), lines=MappingProxyType(self.lines), datum=self.datum,
             fiducials=MappingProxyType(self.fiducials), rejected=frozenset(self.rejected),
             renamed=MappingProxyType(self.renamed), parameters=MappingProxyType(self.parameters),
-            masks=MappingProxyType(self.masks), can_undo=can_undo, can_redo=can_redo,
+            masks=MappingProxyType(self.masks), drawings=MappingProxyType(self.drawings),
+            can_undo=can_undo, can_redo=can_redo,
         )  # fmt: skip
 
     def drop_points(self, gone: set[str]) -> None:

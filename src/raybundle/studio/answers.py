@@ -105,6 +105,8 @@ def plain_state(state: State) -> dict[str, Any]:
         "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
         "masks": [{"mask": n, "image": m.image, "camera": m.camera, "polygon": [list(xy) for xy in m.polygon]}
                   for n, m in state.masks.items()],
+        "drawings": [{"drawing": n, "kind": d.kind, "corners": [list(xy) for xy in d.corners], "layer": d.layer,
+                      "note": d.note, "surface": d.surface} for n, d in state.drawings.items()],
     }  # fmt: skip
 
 

@@ -21,6 +21,7 @@ from raybundle.commands.archive import ArchiveSettings
 from raybundle.commands.convert import ConvertSettings
 from raybundle.commands.facade import FacadeSettings
 from raybundle.commands.heights.contours import HeightsContoursSettings
+from raybundle.commands.heights.drawing import HeightsDrawingSettings
 from raybundle.commands.heights.section import HeightsSectionSettings
 from raybundle.commands.heights.volume import HeightsVolumeSettings
 from raybundle.commands.surface import SurfaceSettings
@@ -92,6 +93,10 @@ PRODUCTS = {p.name: p for p in (
         name="contours", command=("heights", "contours"), settings=HeightsContoursSettings, of=SURFACE,
         shown=("interval", "rough", "fill"), progress=False, many=True,
         out=("contours-{n}.svg", "contours-{n}.dxf", "contours-{n}.geojson"),
+    ),
+    Product(
+        name="drawing", command=("heights", "drawing"), settings=HeightsDrawingSettings, of=SURFACE,
+        shown=("layer", "fill"), progress=False, many=True, out=("drawing-{n}.dxf", "drawing-{n}.gpkg"),
     ),
     Product(
         name="exchange", command=("convert",), settings=ConvertSettings, out=("exchange-{n}",), usual=(("to", "gpkg"),),

@@ -61,6 +61,13 @@ def _mask(folder: str, a: Mapping[str, Any]) -> list[str]:
     return _given(folder, ["--polygon", corners, *(["--all-images"] if a["camera"] else [])], a["mask"], a["image"])
 
 
+def _draw(folder: str, a: Mapping[str, Any]) -> list[str]:
+    corners = " ".join(f"{_short(x)},{_short(y)}" for x, y in a["corners"])
+    given = [("--layer", "layer", "lines"), ("--note", "note", ""), ("--surface", "surface", "surface")]
+    more = [word for flag, name, usual in given if a[name] != usual for word in (flag, str(a[name]))]
+    return _given(folder, [f"--{a['kind']}", corners, *more], a["drawing"])
+
+
 def _words(*names: str) -> Callable[[str, Mapping[str, Any]], list[str]]:
     """A verb whose arguments stand as they are."""
     return lambda folder, a: _given(folder, [], *(a[n] for n in names if a[n] != ""))
@@ -72,7 +79,8 @@ _WORDS: Mapping[str, Callable[[str, Mapping[str, Any]], list[str]]] = {
     "rename": _words("point", "to"), "forget": _words("point"), "bar": _words("start", "end", "length", "sigma"),
     "unbar": _words("start", "end"), "datum": _words("origin", "axis", "plane"), "reject": _words("image", "point"),
     "accept": _words("image", "point"), "reject_beyond": _beyond, "parameter": _words("camera", "symbol", "choice"),
-    "control": _words("file"), "mask": _mask, "unmask": _words("mask"), "undo": _words(), "redo": _words(),
+    "control": _words("file"), "mask": _mask, "unmask": _words("mask"), "draw": _draw,
+    "erase": _words("drawing"), "undo": _words(), "redo": _words(),
 }  # fmt: skip
 _SUBCOMMANDS = {"reject_beyond": "reject"}
 """Verbs that are options of another."""

@@ -11,6 +11,7 @@ SUBCOMMANDS = {
     "time-series": "Volumes of several dates, and significant changes between them.",
     "section": "Profiles along lines, as table, picture or drawing.",
     "contours": "Contour lines, without the wiggles that are noise.",
+    "drawing": "Lines and areas drawn on a surface, for CAD and GIS.",
     "ground": "Separate the ground from what stands on it: a terrain model.",
     "difference": "Detect significant movements between two surfaces.",
 }

@@ -20,8 +20,8 @@ WIDEST_PX = 1e5
 """Standard deviation of a mark: no format is wider."""
 
 
-def check_name(kind: Literal["point", "line", "mask", "table"], name: str) -> None:
-    """Raise InputError for a text that cannot be the name of a point or line."""
+def check_name(kind: Literal["point", "line", "mask", "table", "drawing", "layer", "note"], name: str) -> None:
+    """Raise InputError for a text that cannot be a name."""
     if not name or name != name.strip() or not name.isprintable() or len(name) > LONGEST:
         raise InputError("mark.bad_name", kind=kind, name=quoted(name), n=len(name), most=LONGEST)
 

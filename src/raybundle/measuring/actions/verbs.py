@@ -27,6 +27,7 @@ from raybundle.measuring.actions.checks import (
 )
 from raybundle.measuring.actions.control import GiveControl
 from raybundle.measuring.actions.decisions import RejectBeyond, SetParameter
+from raybundle.measuring.actions.drawings import Draw, Erase
 from raybundle.measuring.actions.masks import SetMask, Unmask
 from raybundle.measuring.names import Known
 from raybundle.measuring.state import (
@@ -430,7 +431,7 @@ class Redo(_Turn):
 
 _KINDS: tuple[type[Action], ...] = (
     Put, Move, Remove, Point, Rename, Forget, SetBar, Unbar, SetLine, SetDatum, Reject, Accept, RejectBeyond,
-    SetParameter, Fiducial, GiveControl, SetMask, Unmask, Undo, Redo,
+    SetParameter, Fiducial, GiveControl, SetMask, Unmask, Draw, Erase, Undo, Redo,
 )  # fmt: skip
 VERBS: dict[str, type[Action]] = {kind.verb: kind for kind in _KINDS}
 """Every verb -> its type."""

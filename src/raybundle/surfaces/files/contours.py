@@ -7,9 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.io.drawings import Drawn, Label, write_dxf, write_geojson, write_gpkg
+from raybundle.io.drawings import Drawn, Label
 from raybundle.numerics.arrays import Array
 from raybundle.surfaces.files.drawings import EVERY, contours_svg, decimals_of, label_of
+from raybundle.surfaces.files.drawn import write_drawn
 from raybundle.surfaces.files.input import Opened
 from raybundle.surfaces.heights.contours import Contour
 
@@ -19,8 +20,7 @@ LETTER_CELLS, LABEL_CELLS = 3.0, 30.0
 
 def write_contours(o: Opened, found: Sequence[Contour], interval: float, path: Path) -> None:
     """Lines with their heights, in the coordinates of the grid; of a map in its system."""
-    kind = path.suffix.lower()
-    if kind == ".svg":
+    if path.suffix.lower() == ".svg":
         corner = (o.file.left, o.file.top)
         path.write_text(contours_svg(found, o.model.shape, o.file.cell, corner, o.unit), encoding="utf-8")
         return
@@ -33,13 +33,7 @@ def write_contours(o: Opened, found: Sequence[Contour], interval: float, path: P
         for main in [round(c.height / interval) % EVERY == 0]
         for line in c.lines
     ]  # fmt: skip
-    if kind == ".dxf":
-        about = {"surface": o.file.block or o.folder.name, "unit": o.unit or "none: the scale is free"}
-        write_dxf(path, drawn, _labels(o, found, interval), o.unit, about)
-    elif kind == ".gpkg":
-        write_gpkg(path, drawn, "contours", o.file.wkt)
-    else:
-        write_geojson(path, drawn, o.file.wkt)
+    write_drawn(o, drawn, lambda: _labels(o, found, interval), "contours", path)
 
 
 def _with_height(o: Opened, line: Array, height: float) -> Array:

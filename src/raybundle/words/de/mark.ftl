@@ -33,6 +33,9 @@ mark-not_rejected = Punkt { $point } in Bild { $image } ist nicht von Hand verwo
 
 mark-bad_name = { $kind ->
         [line] Linie
+        [drawing] Zeichnung
+        [layer] Layer
+        [note] Notiz
         [mask] Maske
         [table] Tabelle
        *[point] Punkt
@@ -90,6 +93,16 @@ mark-no_mask = Es gibt keine Maske { $mask }.
        *[other] Masken sind: { $known }.
      }
     .do = Den Namen korrigieren.
+
+mark-drawing_corners = { $drawing } hat { $n } Ecken; möglich sind { $least } bis { $most }.
+    .do = Neu zeichnen.
+
+mark-no_drawing = Es gibt keine Zeichnung { $drawing }.
+    .why = { $n ->
+        [0] Nichts ist gezeichnet.
+       *[other] Zeichnungen sind: { $known }.
+     }
+    .do = Einen dieser Namen verwenden.
 
 mark-no_masks_at_all = Keine Maske ist gezeichnet oder aus einem Ordner gelesen.
     .do = Eine im Studio oder mit raybundle mark mask zeichnen.

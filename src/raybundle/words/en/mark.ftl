@@ -62,6 +62,9 @@ mark-not_rejected = Point { $point } in image { $image } is not rejected by hand
 # $most = 200
 mark-bad_name = { $kind ->
         [line] Line
+        [drawing] Drawing
+        [layer] Layer
+        [note] Note
         [mask] Mask
         [table] Table
        *[point] Point
@@ -153,6 +156,23 @@ mark-no_mask = There is no mask { $mask }.
        *[other] Masks are: { $known }.
      }
     .do = Correct the name.
+
+# $drawing = "edge"
+# $n = 1
+# $least = 2
+# $most = 5000
+mark-drawing_corners = { $drawing } has { $n } corners; { $least } to { $most } are possible.
+    .do = Draw it again.
+
+# $drawing = "edge"
+# $n = 1
+# $known = ["pile"]
+mark-no_drawing = There is no drawing { $drawing }.
+    .why = { $n ->
+        [0] Nothing is drawn.
+       *[other] Drawings are: { $known }.
+     }
+    .do = Use one of these names.
 
 mark-no_masks_at_all = No mask is drawn or read from a folder.
     .do = Draw one in the studio, or with raybundle mark mask.

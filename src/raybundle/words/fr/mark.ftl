@@ -20,6 +20,9 @@ mark-not_rejected = Le point { $point } dans l'image { $image } n'est pas rejet�
 
 mark-bad_name = { $kind ->
         [line] La ligne
+        [drawing] Le dessin
+        [layer] Le calque
+        [note] La note
         [mask] Le masque
         [table] La table
        *[point] Le point
@@ -49,6 +52,10 @@ mark-mask_corners = Le masque { $mask } a { $n } sommets ; 3 à { $most } sont p
 mark-mask_area = Masque { $mask } : ses sommets entourent { NUM($area_px2, digits: 2) } px², moins de { $least_px2 } px².
 
 mark-no_mask = Il n'y a pas de masque { $mask }.
+
+mark-drawing_corners = { $drawing } a { $n } sommets ; { $least } à { $most } sont possibles.
+
+mark-no_drawing = Il n'y a pas de dessin { $drawing }.
 
 mark-no_masks_at_all = Aucun masque n'est dessiné ni lu d'un dossier.
 

@@ -125,6 +125,8 @@ studio_page-verb = { $verb ->
         [control] Passpunkttabelle
         [mask] Maske
         [unmask] Maske entfernen
+        [draw] zeichnen
+        [erase] löschen
         [undo] rückgängig
         [redo] wiederholen
         *[other] { $verb }

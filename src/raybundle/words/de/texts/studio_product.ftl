@@ -8,6 +8,7 @@ studio_product-part = { $part ->
         [volume] Volumen
         [section] Profil
         [contours] Höhenlinien
+        [drawing] Zeichnung
         [exchange] Austauschdateien
         [archive] Archiv
         [pages] Seiten
@@ -20,6 +21,7 @@ studio_product-about = { $product ->
         [volume] Volumen über und unter einer Basis mit Standardabweichungen. Die Fläche auf dem Plan zeichnen.
         [section] Profil entlang einer Linie: Tabelle, Bild, Zeichnung. Die Linie auf dem Plan zeichnen.
         [contours] Höhenlinien für GIS und CAD.
+        [drawing] Linien und Flächen, die auf dem Plan gezeichnet sind, mit Höhen, für CAD und GIS.
         [exchange] Dateien für andere Programme: GIS, CAD, COLMAP, Metashape, OPF, LAS.
         *[archive] Ein Paket zur Ablage: Ergebnis, Aufnahmebogen, Parameter, Prüfsummen (RO-Crate).
     }
@@ -34,6 +36,30 @@ studio_product-use = { $shape ->
         [area] Volumen dieser Fläche
         *[line] Profil entlang dieser Linie
     }
+
+studio_product-name = Name
+
+studio_product-layer = Layer
+
+studio_product-note = Notiz
+
+studio_product-keep = Behalten
+    .title = Das Gezeichnete im Projekt behalten; Rückgängig nimmt es zurück
+
+studio_product-kept = { $name } ist im Projekt.
+
+studio_product-drawings = Zeichnungen
+
+studio_product-default_name = { $shape ->
+        [area] Fläche
+        *[line] Linie
+    } { $n }
+
+studio_product-erase = { $name } löschen
+
+studio_product-erased = { $name } ist gelöscht.
+
+studio_product-edit = { $name } ändern
 
 studio_product-page = Seite
 

@@ -136,6 +136,8 @@ studio_page-verb = { $verb ->
         [control] control table
         [mask] mask
         [unmask] remove mask
+        [draw] draw
+        [erase] erase
         [undo] undo
         [redo] redo
         *[other] { $verb }

@@ -9,6 +9,7 @@ studio_product-part = { $part ->
         [volume] Volume
         [section] Profile
         [contours] Contours
+        [drawing] Drawing
         [exchange] Exchange files
         [archive] Archive
         [pages] Pages
@@ -22,6 +23,7 @@ studio_product-about = { $product ->
         [volume] Volume above and below a base, with standard deviations. Draw the area on the plan.
         [section] Profile along a line: table, picture, drawing. Draw the line on the plan.
         [contours] Contours of the heights for GIS and CAD.
+        [drawing] Lines and areas drawn on the plan, with heights, for CAD and GIS.
         [exchange] Files for other programs: GIS, CAD, COLMAP, Metashape, OPF, LAS.
         *[archive] One package for deposit: result, record, parameters, checksums (RO-Crate).
     }
@@ -38,6 +40,36 @@ studio_product-use = { $shape ->
         [area] Volume of this area
         *[line] Profile along this line
     }
+
+studio_product-name = Name
+
+studio_product-layer = Layer
+
+studio_product-note = Note
+
+studio_product-keep = Keep
+    .title = Keep what is drawn in the project; Undo takes it back
+
+# $name = "edge"
+studio_product-kept = { $name } kept.
+
+studio_product-drawings = Drawings
+
+# $shape = "area"
+# $n = 3
+studio_product-default_name = { $shape ->
+        [area] area
+        *[line] line
+    } { $n }
+
+# $name = "edge"
+studio_product-erase = Remove { $name }
+
+# $name = "edge"
+studio_product-erased = { $name } removed.
+
+# $name = "edge"
+studio_product-edit = Edit { $name }
 
 studio_product-page = Page
 
