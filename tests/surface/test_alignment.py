@@ -204,6 +204,14 @@ def test_heights_rounded_to_whole_units_are_refused(quarry, tmp_path, capsys, dt
     assert refusal(capsys, "heights", "difference", old, surface)[0] == "old_heights.whole_units"
 
 
+def test_heights_in_feet_are_refused(quarry, tmp_path, capsys):
+    old = changed(quarry, tmp_path / "old.tif", lambda z: (z - np.nanmean(z)) / 0.3048 + np.nanmean(z))
+    surface = quarry / DATES[2] / "surface"
+    code, values = refusal(capsys, "heights", "difference", old, surface)
+    assert (code, values["feet"]) == ("old_heights.other_unit", "yes")
+    assert values["ratio"] == pytest.approx(3.28, rel=0.1)
+
+
 def test_a_point_cloud_is_compared_with_a_surface(quarry, tmp_path, capsys):
     laspy = pytest.importorskip("laspy")
     rng = np.random.default_rng(34)

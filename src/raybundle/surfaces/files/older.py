@@ -18,6 +18,9 @@ from raybundle.surfaces.files.input import CLOUDS, Opened, covered_by, outlined
 from raybundle.surfaces.heights.alignment import Alignment, aligned
 from raybundle.surfaces.heights.height_model import HeightModel
 
+FOOT, ALIKE, SPREAD = 0.3048, 0.1, 0.3
+"""[m]; shares by which the median ratio of heights may differ from it, and ratios from their median: what moved gives
+ratios that differ among themselves"""
 MARGIN = 32
 """Cells around the grid of a surface from which points of a cloud are taken"""
 
@@ -53,11 +56,31 @@ def align_older(path: Path, o: Opened, stable: Sequence[str]) -> Aligned:
     def at(plan: Array) -> Array:
         return np.asarray(grid.at(places - plan), float).reshape(o.model.shape)
 
+    _check_unit(at(np.zeros(2)), o.model.heights.height, path)
     fixed = None
     if stable:
         fixed = covered_by(o, outlined(o, stable, None)) > 0.5
     old, surface, alignment = aligned(at, o.model, fixed)
     return Aligned(old=old, surface=surface, alignment=alignment, remarks=grid.remarks)
+
+
+def _check_unit(old: Array, new: Array, path: Path) -> None:
+    """Raise InputError where differences of heights across the surface are all those of feet against metres."""
+    found = list[Array]()
+    for axis, size in enumerate(new.shape):
+        lag = max(1, size // 4)
+        both = [np.take(z, np.arange(lag, size), axis) - np.take(z, np.arange(size - lag), axis) for z in (old, new)]
+        found.append(np.stack([b.ravel() for b in both]))
+    d_old, d_new = (d := np.hstack(found))[:, np.isfinite(d).all(axis=0)]
+    large = np.abs(d_new) > np.quantile(np.abs(d_new), 0.75) if len(d_new) else np.zeros(0, bool)
+    if not large.any():
+        return
+    ratios = d_old[large] / d_new[large]
+    ratio = float(np.median(ratios))
+    spread = float(np.median(np.abs(ratios - ratio)))
+    for feet, metres in ((True, 1 / FOOT), (False, FOOT)):
+        if abs(ratio / metres - 1) < ALIKE and spread / metres < SPREAD:
+            raise InputError("old_heights.other_unit", ratio=ratio, feet="yes" if feet else "no", file=path)
 
 
 def _box(o: Opened) -> Array:

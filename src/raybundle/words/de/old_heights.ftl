@@ -34,6 +34,13 @@ old_heights-far = Das andere Modell liegt in der Höhe { NUM($up, digits: 4) } m
     .why = Höhenbezüge unterscheiden sich um weniger.
     .do = Einheit und Höhenbezug beider prüfen.
 
+old_heights-other_unit = Das andere Modell hat eine andere Einheit: seine Höhenunterschiede sind { NUM($ratio, digits: 3) } mal so groß.
+    .why = { $feet ->
+        [yes] Ein Meter hat 3,28 Fuß.
+       *[other] Ein Fuß hat 0,305 Meter.
+     }
+    .do = Das Modell in der Einheit der Oberfläche angeben.
+
 old_heights-whole_units = Die Höhen des anderen Modells sind auf ganze Einheiten gerundet.
     .why = Gerundete Höhen bestimmen weder Neigungen noch die Verschiebung in der Lage.
     .do = Das Modell mit Nachkommastellen angeben.

@@ -48,6 +48,15 @@ old_heights-far = The other model lies { NUM($up, digits: 4) } m off in height (
     .why = Vertical datums differ by less.
     .do = Check unit and vertical datum of both.
 
+# $ratio = 3.28
+# $feet = "yes"
+old_heights-other_unit = The other model has another unit: its height differences are { NUM($ratio, digits: 3) } times those of the surface.
+    .why = { $feet ->
+        [yes] A metre has 3.28 feet.
+       *[other] A foot has 0.305 metres.
+     }
+    .do = Give the model in the unit of the surface.
+
 old_heights-whole_units = The heights of the other model are rounded to whole units.
     .why = Rounded heights do not determine slopes and the shift in plan.
     .do = Give the model with decimals.

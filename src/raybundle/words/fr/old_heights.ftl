@@ -18,4 +18,6 @@ old_heights-narrow = L'ajustement repose sur { PERCENT($share) } % des altitudes
 
 old_heights-far = L'autre modèle s'écarte de { NUM($up, digits: 4) } m en altitude (limite { NUM($limit, digits: 3) } m).
 
+old_heights-other_unit = L'autre modèle a une autre unité : ses dénivelées sont { NUM($ratio, digits: 3) } fois celles de la surface.
+
 old_heights-whole_units = Les altitudes de l'autre modèle sont arrondies à l'unité.
