@@ -280,12 +280,15 @@ def with_movements(
     same = {"test": None, "yes": True, "no": False}[settings.shared_cameras]
 
     def tested(block: Block) -> tuple[Movements, Any]:
-        weights = done.weights
+        weights, before = done.weights, None
         if weights is not None and done.matches:
-            block, weights = weighted_apart(block, Dates.of(of_image), done.matches, weights, adjusting, progress)
+            block, weights, before = weighted_apart(
+                block, Dates.of(of_image), done.matches, weights, adjusting, progress
+            )
         return movements(
             block, Dates.of(of_image), significance=settings.significance, groups=groups_of(settings.group, block),
             datum=settings.datum_points, same_cameras=same, progress=progress, options=adjusting,
+            before=before,
         ), weights  # fmt: skip
 
     less: list[Notice] = []

@@ -428,7 +428,7 @@ def _squares(rows: Array) -> Array:
 
 
 def _squared(u: Array, S: Array) -> Array:
-    """u' S^-1 u (h,) of vectors (h, i); directions in which S (h, i, i) is singular are left out."""
+    """U' S^-1 u (h,) of vectors (h, i); directions in which S (h, i, i) is singular are left out."""
     n, found = u.shape[1], np.zeros(len(u))
     trace = np.maximum(np.trace(S, axis1=1, axis2=2), 1e-300)
     with np.errstate(invalid="ignore"):

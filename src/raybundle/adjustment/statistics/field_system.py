@@ -384,6 +384,7 @@ def widened(system: System, images: Index, kind: type[WithFields]) -> tuple[Syst
 
 
 def widened_state(system: System, wide: System, state: State) -> State:
+    """The state of the system whose images carry fields: fields are zero."""
     interior = np.zeros((len(wide.interior), wide.stride))
     interior[: len(system.interior), : system.stride] = state.interior
     for i in np.flatnonzero(wide.interior_of_image != system.interior_of_image):

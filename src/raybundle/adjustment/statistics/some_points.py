@@ -20,7 +20,7 @@ from raybundle.adjustment.statistics.field_system import (
     widened_state,
 )
 from raybundle.adjustment.statistics.fields import WithFields
-from raybundle.adjustment.statistics.noise import Outside, Spread
+from raybundle.adjustment.statistics.noise import Outside
 from raybundle.adjustment.statistics.system_state import Work
 from raybundle.adjustment.system.assemble import State, System
 from raybundle.adjustment.system.images_numpy import image_residuals

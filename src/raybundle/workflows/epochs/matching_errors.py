@@ -203,12 +203,13 @@ class MatchingErrors:
     def _of_places(self, log: Array, image: Index, centre: Array) -> Array:
         """Shares of differences of places, of the halves of the rays of a point at a date."""
         found: list[Array] = []
-        for count, rows in _by_count(self.rows.values()).items():
+        for count, every in _by_count(self.rows.values()).items():
             if count < 4:
                 continue
-            c = centre[image[rows]] - centre[image[rows]].mean(axis=1, keepdims=True)
+            c = centre[image[every]] - centre[image[every]].mean(axis=1, keepdims=True)
             way = np.linalg.svd(c, full_matrices=False)[2][:, 0]
-            rows = np.take_along_axis(rows, np.argsort(np.einsum("gmi,gi->gm", c, way), axis=1, kind="stable"), axis=1)
+            order = np.argsort(np.einsum("gmi,gi->gm", c, way), axis=1, kind="stable")
+            rows = np.take_along_axis(every, order, axis=1)
             sets = len(_sets(count // 2)) * len(_sets(count - count // 2))
             for some in np.array_split(rows, len(rows) * sets // TOGETHER + 1):
                 halves = [self._placed(r, log) for r in (some[:, : count // 2], some[:, count // 2 :])]
