@@ -52,17 +52,18 @@ def moved_ground(ground, by):
     return replace(ground, height=height, colour=colour)
 
 
-def write_dates(folder, by=BY):
-    """Photographs of both dates in folder/DATE; ground and camera are one."""
+def write_dates(folder, by=BY, dates=DATES):
+    """Photographs of some dates in folder/DATE; ground and camera are one, the part moves from date to date."""
     ground = gravel_pit(SIZE, cell=0.014, seed=5)
     own = camera()
-    for k, date in enumerate(DATES):
+    for k, date in enumerate(dates):
         (folder / date).mkdir(parents=True)
         rng = np.random.default_rng(10 + k)
+        moved = moved_ground(ground, tuple(k * np.array(by))) if k else ground
         for i, (centre, turn) in enumerate(zip(*views(20 + k), strict=True)):
             view = View(name=f"{k}_{i}", camera=own, centre=centre, rotation=turn)
-            pixels = (ground if k == 0 else moved_ground(ground, by)).photograph(view, rng)
-            write_photograph(folder / date / f"{k}_{i}.jpg", pixels, own, _taken(k, i, centre))
+            pixels = moved.photograph(view, rng)
+            write_photograph(folder / date / f"{k}_{i}.jpg", pixels, own, _taken(date, i, centre))
         _write_positions(folder, k)
     return folder
 
@@ -77,8 +78,8 @@ def _write_positions(folder, k):
     (folder / f"{k}.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
 
 
-def _taken(k, i, centre):
+def _taken(date, i, centre):
     place = (15.0 + centre[0] / (111320 * np.cos(np.radians(47.0))), 47.0 + centre[1] / 111320, 400.0 + centre[2])
     return Taken(
-        model="demo", focal_mm=12.0, when=f"{DATES[k].replace('-', ':')} 10:{i:02d}:00", place=tuple(map(float, place))
+        model="demo", focal_mm=12.0, when=f"{date.replace('-', ':')} 10:{i:02d}:00", place=tuple(map(float, place))
     )

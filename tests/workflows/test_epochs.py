@@ -121,7 +121,7 @@ def test_what_moved_is_no_noise_to_the_weights(plan):
     spoiled = Weights(factors=(0.0,) * 4, floors_px2=(4.0,) * 4)
     given = weighted(block, [matches], spoiled)
     assert (given.observations.cov_px2[:, 0] == 4).all()
-    found, weights = weighted_apart(given, dates, [matches], spoiled)
+    found, weights, _ = weighted_apart(given, dates, [matches], spoiled)
     assert np.sqrt(found.observations.cov_px2[:, 0]).mean() == pytest.approx(0.3, rel=0.05)
     assert weights.covariance(matches.grey, matches.level, matches.reference)[0, 0] == pytest.approx(0.09, rel=0.1)
     assert movements(found, dates, patches=False).adjustment.sigma0 == pytest.approx(1.0, abs=0.05)

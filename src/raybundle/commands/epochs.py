@@ -130,10 +130,12 @@ def run_epochs(settings: EpochsSettings, progress: Progress = silent) -> Epochs:
     earlier = _earlier(out)
     chosen: dict[str, Any] = {f.name: getattr(orienting, f.name) for f in fields(OrientOptions)}
     options = replace(OrientOptions(**chosen), masks=masks_of_run(orienting.photos, orienting.masks, out))
+    several = len(set(dates_of(there.photos, folders).values())) > 1
     done = oriented(
         orienting.photos, out, options, given=orienting.given(), progress=progress,
         calibration=() if orienting.calibration is None else read_cameras(orienting.calibration),
         positions=None if orienting.positions is None else read_trajectory(orienting.positions), earlier=earlier,
+        reject="none" if several else "snooping",
     )  # fmt: skip
     dates = dates_of(done.photos, folders)
     less = [*contradicted(done.photos, dates), *left_out(there, folders, done.not_oriented)]
@@ -254,6 +256,7 @@ def with_movements(
     """An orientation with places of each date where points moved, and what moved; None: one date alone."""
     import numpy as np
 
+    from raybundle.adjustment.decision.decide import decide
     from raybundle.adjustment.readjust import block_again
     from raybundle.block.select import without_images
     from raybundle.ties.block import image_sigma_px
@@ -263,10 +266,14 @@ def with_movements(
     from raybundle.workflows.final_adjustment import excluded_image
 
     a = done.adjustment
-    block = block_again(a)
+    block, options = block_again(a), replace(a.options, reject="snooping")
     of_image = tuple(dates[f] for f in block.images.file)
     block = replace(block, images=replace(block.images, date=of_image))
     if len(set(of_image)) < 2:
+        if a.options.reject == "none":  # of the photographs of other dates none is oriented
+            b = decide(block, options, progress)
+            own = {n.code for n in b.notices}
+            a = replace(b, notices=(*(n for n in a.notices if n.code not in own), *b.notices))
         given = replace(a.given, images=replace(a.given.images, date=of_image))
         one = replace(a, given=given)
         lone = note("displacement.one_date", date=of_image[0])
@@ -276,16 +283,19 @@ def with_movements(
         block,
         cameras=tuple(replace(c, estimate=free.get(c.id, ())) if c.estimate == "auto" else c for c in block.cameras),
     )
-    adjusting = replace(a.options, reject="snooping", estimate="given", datum="auto")
+    adjusting = replace(options, estimate="given", datum="auto")
     same = {"test": None, "yes": True, "no": False}[settings.shared_cameras]
 
     def tested(block: Block) -> tuple[Movements, Any]:
-        weights = done.weights
+        weights, before = done.weights, None
         if weights is not None and done.matches:
-            block, weights = weighted_apart(block, Dates.of(of_image), done.matches, weights, adjusting, progress)
+            block, weights, before = weighted_apart(
+                block, Dates.of(of_image), done.matches, weights, adjusting, progress
+            )
         return movements(
             block, Dates.of(of_image), significance=settings.significance, groups=groups_of(settings.group, block),
             datum=settings.datum_points, same_cameras=same, progress=progress, options=adjusting,
+            before=before,
         ), weights  # fmt: skip
 
     less: list[Notice] = []

@@ -4,23 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import partial
-from typing import Any
 
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.statistics.precision import image_unknowns, interior_unknowns
+from raybundle.adjustment.statistics.some_points import Solve, needed, solver_of
 from raybundle.adjustment.statistics.system_state import Work
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 
-TOGETHER = 16
+TOGETHER = 192
 """Right sides that are solved at once."""
 KEPT = 64
 """Images of which columns are kept."""
-Unknown = tuple[str, Any, int]
-"""Kind; an unknown of the nodes, a point, or two points: start and end of a difference; axis"""
 
 
 @dataclass(slots=True)
@@ -84,7 +81,11 @@ class Joint:
         """Covariance (N, k) of all unknowns of nodes with those of an image."""
         found = self.images.pop(image, None)
         if found is None:
-            found, _ = self._columns([("node", int(u), 0) for u in self.of_image(image).unknowns], [])
+            unknowns = self.of_image(image).unknowns
+            nodes = np.zeros((int(self.work.system.offsets[-1]), len(unknowns)))
+            nodes[unknowns, np.arange(len(unknowns))] = 1
+            some = _Some.of(self.work, np.zeros(0, np.int64))
+            found = self.variance * some.columns(nodes, np.zeros((len(some.points), 3, len(unknowns))))[0]
         self.images[image] = found
         while len(self.images) > KEPT:
             del self.images[next(iter(self.images))]
@@ -98,26 +99,26 @@ class Joint:
 
     def point_columns(self, point: int) -> tuple[Array, Array]:
         """Covariance (N, 3) of all unknowns of nodes with a point's coordinates, and the point's own (3, 3)."""
-        nodes, points = self._columns(self._of_point(point), [point])
-        C = self._with_relief(points, [point], [point])[0]
-        return nodes, (C + C.T) / 2
+        one = self._known([point])
+        some = _Some.of(self.work, one)
+        nodes, points = some.columns(*some.sides((one, 1.0)))
+        C = self._with_relief(self.variance * points[some.place(one)], one, one)[0]
+        return self.variance * nodes, (C + C.T) / 2
 
     def of_points(self, points: Sequence[int]) -> Array:
         """Covariance (3 k, 3 k) of the coordinates of points."""
-        right = [u for p in points for u in self._of_point(p)]
-        _, found = self._columns(right, list(points))
-        C = self._with_relief(found, points, points).reshape(3 * len(points), -1)
+        C = self.points_with(points, points).reshape(3 * len(points), -1)
         return (C + C.T) / 2
 
     def of_differences(self, start: Index, end: Index) -> Array:
         """Covariances (k, 3, 3) of the coordinates of points less those of others, of each difference alone."""
         found, step = np.zeros((len(start), 3, 3)), TOGETHER // 3
         for k in range(0, len(start), step):
-            a, b = start[k : k + step].tolist(), end[k : k + step].tolist()
-            right = [("difference", (p, q), axis) for p, q in zip(a, b, strict=True) for axis in range(3)]
-            C = self._some(right, [*b, *a])[1]
-            for j in range(len(a)):
-                found[k + j] = (C[j] - C[len(a) + j])[:, 3 * j : 3 * j + 3]
+            a, b = start[k : k + step], end[k : k + step]
+            some, each = _Some.of(self.work, np.concatenate([a, b])), np.arange(len(a))
+            points = some.columns(*some.sides((b, 1.0), (a, -1.0)))[1]
+            C = (points[some.place(b)] - points[some.place(a)]).reshape(len(a), 3, len(a), 3)
+            found[k : k + step] = self.variance * C[each, :, each]
         if self.relief is not None:
             r = np.nan_to_num(self.relief[end]) - np.nan_to_num(self.relief[start])
             found += r[:, :, None] * r[:, None, :]
@@ -125,78 +126,84 @@ class Joint:
 
     def points_with(self, points: Sequence[int], others: Sequence[int]) -> Array:
         """Covariance (n, 3, 3 k) of the coordinates of points with those of other points."""
-        right = [u for p in others for u in self._of_point(p)]
-        return self._with_relief(self._columns(right, list(points))[1], points, others)
+        mine, right, step = np.asarray(points, np.int64), self._known(others), TOGETHER // 3
+        some = _Some.of(self.work, np.concatenate([mine, right]))
+        found = np.zeros((len(mine), 3, 3 * len(right)))
+        for k in range(0, len(right), step):
+            columns = some.columns(*some.sides((right[k : k + step], 1.0)))[1]
+            found[:, :, 3 * k : 3 * (k + step)] = self.variance * columns[some.place(mine)]
+        return self._with_relief(found, mine, right)
 
-    def _with_relief(self, C: Array, points: Sequence[int], others: Sequence[int]) -> Array:
+    def _with_relief(self, C: Array, points: Index, others: Index) -> Array:
         """Covariance (n, 3, 3 k) of points with others, with the relief that points of one place share."""
         if self.relief is not None:
-            at = np.asarray(points), np.asarray(others)
-            here, there = at if self.place is None else (self.place[k] for k in at)
-            r, s = (np.nan_to_num(self.relief[k]) for k in at)
+            here, there = (points, others) if self.place is None else (self.place[points], self.place[others])
+            r, s = (np.nan_to_num(self.relief[k]) for k in (points, others))
             for a, b in np.argwhere(here[:, None] == there).tolist():
                 C[a, :, 3 * b : 3 * b + 3] += np.outer(r[a], s[b])
         return C
 
-    def _of_point(self, point: int) -> list[Unknown]:
-        if not self.takes_part(point):
-            raise InputError("joint.point_not_used", point=self.work.system.block.points.ids[point])
-        return [("point", point, axis) for axis in range(3)]
+    def _known(self, points: Sequence[int]) -> Index:
+        """The points; raises InputError for one that was not adjusted."""
+        for p in points:
+            if not self.takes_part(p):
+                raise InputError("joint.point_not_used", point=self.work.system.block.points.ids[p])
+        return np.asarray(points, np.int64)
 
-    def _columns(self, right: list[Unknown], points: list[int]) -> tuple[Array, Array]:
-        """Covariance of some unknowns (c) with all nodes (N, c) and with the coordinates of points (k, 3, c)."""
-        parts = [self._some(right[k : k + TOGETHER], points) for k in range(0, len(right), TOGETHER)]
-        if not parts:
-            return np.zeros((int(self.work.system.offsets[-1]), 0)), np.zeros((len(points), 3, 0))
-        return np.concatenate([n for n, _ in parts], axis=1), np.concatenate([p for _, p in parts], axis=2)
 
-    def _some(self, right: list[Unknown], points: list[int]) -> tuple[Array, Array]:
-        work, system = self.work, self.work.system
-        nodes = np.zeros((int(system.offsets[-1]), len(right)))
-        given = np.zeros((*work.state.xyz.shape, len(right)))
-        for k, (kind, at, axis) in enumerate(right):
-            if kind == "node":
-                nodes[at, k] = 1
-                continue
-            for p, sign in _signed(at):
-                if system.point_node[p] >= 0:
-                    nodes[system.offsets[system.point_node[p]] + axis, k] = sign
-                else:
-                    given[p, axis, k] = sign
-        solve = work.spread.solve if work.spread is not None else partial(work.normals.solve, work.state)
-        n, p = solve(nodes, given)
-        q = self._points(n, p, points)
-        found = work.under_noise or work.found
+@dataclass(frozen=True, slots=True)
+class _Some:
+    """Columns of the covariance matrix, of unit weight: of all nodes and some points."""
+
+    work: Work
+    points: Index
+    """(k,) ascending"""
+    solve: Solve
+
+    @classmethod
+    def of(cls, work: Work, points: Index) -> _Some:
+        """Of these points and those that their covariances rest on."""
+        every = np.union1d(points, needed(work)).astype(np.int64)
+        return cls(work, every, solver_of(work, every))
+
+    def place(self, points: Index) -> Index:
+        """(n,) positions of points among all of them."""
+        return np.searchsorted(self.points, points)
+
+    def sides(self, *signed: tuple[Index, float]) -> tuple[Array, Array]:
+        """Right sides for nodes (N, 3 c) and points (k, 3, 3 c) of sums of c points each, with these signs."""
+        system, axis = self.work.system, np.arange(3)
+        count = len(signed[0][0])
+        nodes, given = np.zeros((int(system.offsets[-1]), 3 * count)), np.zeros((len(self.points), 3, 3 * count))
+        for points, sign in signed:
+            column, node = 3 * np.arange(count)[:, None] + axis, system.point_node[points]
+            inside, kept = node < 0, node >= 0
+            given[self.place(points)[inside, None], axis, column[inside]] += sign
+            nodes[system.offsets[node[kept]][:, None] + axis, column[kept]] += sign
+        return nodes, given
+
+    def columns(self, nodes: Array, given: Array) -> tuple[Array, Array]:
+        """The covariance applied to right sides, in the datum of the result: nodes (N, c) and points (k, 3, c)."""
+        n, q = self.solve(nodes, given)
+        q = self._retained(n, q)
+        found = self.work.under_noise or self.work.found
         t = found.transformation if found else None
-        if t is not None:
-            G, H = self._rows(t.nodes, t.points, right), self._rows(t.nodes_h, t.points_h, right)
-            half = H @ t.middle.T - G @ (t.middle @ t.inner @ t.middle.T)
-            Gp, Hp = self._points(t.nodes, t.points, points), self._points(t.nodes_h, t.points_h, points)
-            n = n - t.nodes @ half.T - t.nodes_h @ t.middle.T @ G.T
-            q = q - Gp @ half.T - Hp @ t.middle.T @ G.T
-        return self.variance * n, self.variance * q
+        if t is None:
+            return n, q
+        Gp, Hp = (self._retained(a, b[self.points]) for a, b in ((t.nodes, t.points), (t.nodes_h, t.points_h)))
+        G, H = (
+            nodes.T @ a + np.tensordot(given, b, ((0, 1), (0, 1))) for a, b in ((t.nodes, Gp), (t.nodes_h, Hp))
+        )  # fmt: skip
+        half = H @ t.middle.T - G @ (t.middle @ t.inner @ t.middle.T)
+        n = n - t.nodes @ half.T - t.nodes_h @ t.middle.T @ G.T
+        return n, q - Gp @ half.T - Hp @ t.middle.T @ G.T
 
-    def _points(self, nodes: Array, points: Array, which: list[int]) -> Array:
-        """Rows (k, 3, c) of points, retained ones from the nodes (N, c), others from (p, 3, c)."""
-        system = self.work.system
-        found = [
-            nodes[system.offsets[system.point_node[p]] + np.arange(3)] if system.point_node[p] >= 0 else points[p]
-            for p in which
-        ]
-        return np.array(found).reshape(len(which), 3, nodes.shape[1])
-
-    def _rows(self, nodes: Array, points: Array, right: list[Unknown]) -> Array:
-        rows = [
-            nodes[at] if kind == "node"
-            else sum(sign * self._points(nodes, points, [p])[0, axis] for p, sign in _signed(at))
-            for kind, at, axis in right
-        ]  # fmt: skip
-        return np.array(rows).reshape(len(right), nodes.shape[1])
-
-
-def _signed(at: int | tuple[int, int]) -> list[tuple[int, float]]:
-    """A point, or the end less the start of a difference."""
-    return [(at, 1.0)] if isinstance(at, int) else [(at[1], 1.0), (at[0], -1.0)]
+    def _retained(self, nodes: Array, points: Array) -> Array:
+        """Points (k, 3, c), those that are not eliminated from the nodes (N, c)."""
+        node = self.work.system.point_node[self.points]
+        kept, found = np.flatnonzero(node >= 0), points.copy()
+        found[kept] = nodes[self.work.system.offsets[node[kept]][:, None] + np.arange(3)]
+        return found
 
 
 def _of_places(relief: Array, place: Index) -> Array:

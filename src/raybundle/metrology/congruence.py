@@ -189,6 +189,7 @@ def congruence(
         if datum or not patch
         else [alike, *stable_starts(model, [p.points for p in patch if len(p.points) == SMALLEST])]
     )
+    starts = list({s.tobytes(): s for s in starts}.values())
     states = [_moved(model, _State.of(~s, family, model, alpha), alpha, known, family) for s in starts]
     if patch and not datum:  # as well may the others have moved
         best = max(states, key=lambda s: _merit(model, s))

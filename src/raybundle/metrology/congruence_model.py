@@ -7,7 +7,7 @@ are formed once; what moved is eliminated from them.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -23,6 +23,14 @@ LEAST = 4
 """Common points that a datum and a test need: three carry the datum, one can be tested against them"""
 POWER = 0.8
 """Probability with which the smallest detectable displacement is found"""
+TOGETHER = 128
+"""Rows of which squares are formed together"""
+CHANGES = 100
+"""Points taken out or put back from which on the weights are factored again: rounding adds up"""
+WORTH = 4
+"""Rows taken out or put back that take as long as so many that are factored"""
+SINGULAR = 1e-10
+"""Eigenvalue, as a share of the largest, below which a direction weighs nothing"""
 
 
 def model_of(
@@ -88,18 +96,18 @@ class Model:
     """weights d"""
     points: int
     freedom: float
+    last: list[Stayed] = field(default_factory=list["Stayed"], compare=False)
+    """Of the last tests of points"""
 
     @classmethod
     def of(cls, d: Array, Q: Array, B: Array, points: int, freedom: float) -> Model:
         """Of differences; raises InputError where their covariance is singular beyond the datum."""
         # what lies in the datum of Q is filled up: B t takes it away again
         fill = np.trace(Q) / max(float(np.trace(B @ B.T)), 1e-300)
-        try:
-            half = np.linalg.inv(np.linalg.cholesky(Q + fill * B @ B.T))
-        except np.linalg.LinAlgError:
-            raise InputError("epochs.covariance_singular") from None
-        HB = np.linalg.qr(half @ B)[0]
-        W = half.T @ (half - HB @ (HB.T @ half))
+        root = _root(Q + fill * B @ B.T)
+        W = root.T @ root
+        WB = W @ B
+        W = W - WB @ np.linalg.solve(B.T @ WB, WB.T)
         W = (W + W.T) / 2
         return cls(d=d, Q=Q, B=B, weights=W, misfit=W @ d, points=points, freedom=freedom)
 
@@ -115,13 +123,28 @@ class Model:
 
     def stayed(self, moved: Mask) -> Stayed:
         """The points that have not moved, those that moved free; raises InputError where they test nothing."""
-        rows = self.rows(np.flatnonzero(moved)).ravel()
-        try:
-            L = np.linalg.cholesky(self.weights[np.ix_(rows, rows)])
-        except np.linalg.LinAlgError:
-            raise InputError("epochs.covariance_singular") from None
-        inverse = np.linalg.inv(L)
-        return Stayed(model=self, moved=moved, rows=rows, inverse=inverse, taken=inverse @ self.weights[rows])
+        points = np.flatnonzero(moved)
+        each = self.rows(np.arange(self.points))
+        rows = each[points].ravel()
+        inverse = _root(self.weights[np.ix_(rows, rows)])
+        taken = inverse @ self.weights[rows]
+        own = self.weights[each[:, :, None], each[:, None, :]]
+        own -= sum(_squares(part[:, each]) for part in np.array_split(taken, len(taken) // TOGETHER + 1))
+        return Stayed(
+            model=self, moved=moved.copy(), points=points, rows=rows, inverse=inverse, taken=taken, own=own,
+            free=_squares(inverse.reshape(len(rows), len(points), each.shape[1])), size=inverse @ self.misfit[rows],
+        )  # fmt: skip
+
+    def near(self, moved: Mask) -> Stayed:
+        """As `stayed`; where few points are others than in the last tests, by a change of these."""
+        if not self.last or self.last[0].changes >= CHANGES:
+            return self.stayed(moved)
+        last = self.last[0]
+        out, back = np.flatnonzero(moved & ~last.moved), np.flatnonzero(last.moved & ~moved)
+        if WORTH * 3 * self.later * (len(out) + len(back)) > len(last.rows):
+            return self.stayed(moved)
+        last = last.without(back) if len(back) else last
+        return last.beside(out) if len(out) else last
 
     def whole(self, moved: Mask) -> tuple[float, float]:
         """Global test of the points that have not moved: F and its probability."""
@@ -132,15 +155,15 @@ class Model:
 
     def tests(self, moved: Mask) -> tuple[Array, Array]:
         """(n,) F of each point against those that stayed, without it; and its probability."""
-        u, S = self.stayed(moved).compared()
-        return self.tested(u, S)
+        self.last[:] = [self.near(moved)]
+        return self.tested(*self.last[0].compared())
 
     def tested(self, u: Array, S: Array) -> tuple[Array, Array]:
         """F (h,) of hypotheses by their vectors (h, 3 k) and covariances or weights, and their probabilities."""
         from scipy.special import chdtrc, fdtrc
 
         dof = 3 * self.later
-        F = np.einsum("hi,hij,hj->h", u, np.linalg.pinv(S, rcond=1e-10, hermitian=True), u) / dof
+        F = _squared(u, S) / dof
         return F, np.asarray(chdtrc(dof, F * dof) if np.isinf(self.freedom) else fdtrc(dof, self.freedom, F))
 
     def together(self, family: Family, moved: Mask) -> Array:
@@ -156,7 +179,7 @@ class Model:
         """F (h,) of the mean displacements of the points of areas that have not moved, and their probabilities."""
         from scipy.special import fdtrc
 
-        u, S = self.stayed(moved).shifts(family, some)
+        u, S = self.near(moved).shifts(family, some)
         F, _ = self.tested(u / np.sqrt(family.factors[some])[:, None], S)
         unknown = np.maximum(1 / family.freedom[some] + 1 / self.freedom, 1e-9)  # of chi-square: none
         return F, np.asarray(fdtrc(3 * self.later, 1 / unknown, F))
@@ -237,10 +260,9 @@ class Model:
         Bs = B[rows]
         # the datum by the points that stayed, all alike: displacements of the others refer to these
         A = np.linalg.pinv(Bs)
-        S = np.eye(len(Q))
-        S[:, rows] -= B @ A
-        C = S @ Q @ S.T
-        d = (S @ self.d).reshape(self.later, self.points, 3)
+        X = A @ Q[rows]
+        C = Q - B @ X - X.T @ B.T + B @ (X[:, rows] @ A.T) @ B.T
+        d = (self.d - B @ (A @ self.d[rows])).reshape(self.later, self.points, 3)
         return d, C.reshape(self.later, self.points, 3, self.later, self.points, 3)
 
     def detectable(self, moved: Mask, alpha: float) -> Array:
@@ -273,23 +295,78 @@ class Stayed:
 
     model: Model
     moved: Mask
+    points: Index
+    """that moved, in the order in which they were taken out"""
     rows: Index
-    """of the points that moved"""
+    """of these"""
     inverse: Array
-    """of the lower triangle of their weights"""
+    """inverse' inverse is the covariance of their displacements"""
     taken: Array
     """(rows, 3 n k) what they take from the weights of all: W - taken' taken is what the others weigh without them"""
+    own: Array
+    """(n, 3 k, 3 k) of each point its part of these"""
+    free: Array
+    """(points, 3 k, 3 k) of each point that moved its part of the covariance"""
+    size: Array
+    """(rows,) of which the squares are what those that moved take from the square sum"""
+    changes: int = 0
+    """Points taken out and put back since the weights were factored"""
 
     @property
     def square_sum(self) -> float:
         """Weighted sum of squares of the differences of those that stayed."""
-        m = self.model
-        return max(float(m.d @ m.misfit) - float(((self.inverse @ m.misfit[self.rows]) ** 2).sum()), 0.0)
+        return max(float(self.model.d @ self.model.misfit) - float(self.size @ self.size), 0.0)
 
     @property
     def misfit(self) -> Array:
         """(3 n k) weighted differences without those that moved; 0 of these."""
-        return self.model.misfit - self.taken.T @ (self.inverse @ self.model.misfit[self.rows])
+        return self.model.misfit - self.taken.T @ self.size
+
+    def beside(self, points: Index) -> Stayed:
+        """With more points that moved."""
+        m, r = self.model, len(self.rows)
+        mine, q = m.rows(points).ravel(), 3 * m.later
+        half = self.taken[:, mine]
+        root = _root(m.weights[np.ix_(mine, mine)] - half.T @ half)
+        taken = root @ (m.weights[mine] - half.T @ self.taken)
+        inverse = np.zeros((r + len(mine), r + len(mine)))
+        inverse[:r, :r], inverse[r:, :r], inverse[r:, r:] = self.inverse, -(root @ (half.T @ self.inverse)), root
+        free = np.concatenate([self.free, np.zeros((len(points), q, q))])
+        moved = self.moved.copy()
+        moved[points] = True
+        return replace(
+            self, moved=moved, points=np.append(self.points, points), rows=np.append(self.rows, mine), inverse=inverse,
+            taken=np.concatenate([self.taken, taken]), own=self.own - _squares(taken[:, m.rows(np.arange(m.points))]),
+            free=free + _squares(inverse[r:].reshape(len(mine), -1, q)), changes=self.changes + 1,
+            size=np.append(self.size, root @ (m.misfit[mine] - half.T @ self.size)),
+        )  # fmt: skip
+
+    def without(self, points: Index) -> Stayed:
+        """With these less.
+
+        Any rotation of the rows of `inverse` and `taken` leaves their squares: that which leaves but as many rows of
+        `inverse` with something of the points' columns as these are (a block reflection).
+        """
+        m, gone = self.model, np.isin(self.points, points)
+        mine, kept = (np.flatnonzero(np.repeat(g, 3 * m.later)) for g in (gone, ~gone))
+        q = len(mine)
+        U = np.linalg.qr(self.inverse[:, mine])[0]
+        left, values, right = np.linalg.svd(U[:q])
+        U[:q] += left @ right
+        middle = np.linalg.inv(np.eye(q) + right.T @ (values[:, None] * right))
+
+        def turned(a: Array) -> Array:
+            return a - U @ (middle @ (U.T @ a))
+
+        inverse, taken, size = turned(self.inverse), turned(self.taken), turned(self.size)
+        moved = self.moved.copy()
+        moved[points] = False
+        free = self.free - _squares(inverse[:q].reshape(q, -1, 3 * m.later))
+        return replace(
+            self, moved=moved, points=self.points[~gone], rows=self.rows[kept], inverse=inverse[q:, kept],
+            taken=taken[q:], own=self.own + _squares(taken[:q, m.rows(np.arange(m.points))]),
+            free=free[~gone], size=size[q:], changes=self.changes + 1,
+        )  # fmt: skip
 
     def weights(self, rows: Index, others: Index) -> Array:
         """What differences weigh without those that moved."""
@@ -302,16 +379,10 @@ class Stayed:
         weigh in the misfit.
         """
         m = self.model
-        each = m.rows(np.arange(m.points))
-        v = self.misfit
-        u = v[each]
-        taken = self.taken.T[each]
-        S = m.weights[each[:, :, None], each[:, None, :]] - taken @ taken.swapaxes(1, 2)
+        u, S = self.misfit[m.rows(np.arange(m.points))], self.own.copy()
         # the displacements of points that moved, by least squares
-        C = self.inverse.T @ self.inverse
-        u[self.moved] = (C @ m.misfit[self.rows]).reshape(-1, each.shape[1])
-        own = np.arange(len(self.rows)).reshape(-1, each.shape[1])
-        S[self.moved] = C[own[:, :, None], own[:, None, :]]
+        u[self.points] = (self.inverse.T @ self.size).reshape(-1, u.shape[1])
+        S[self.points] = self.free
         return u, S
 
     def displaced(self, points: Index) -> tuple[Array, Array]:
@@ -328,14 +399,13 @@ class Stayed:
 
         Of points that stayed: those that moved have displacements of their own, and weigh nothing.
         """
-        m = self.model
-        each = m.rows(np.arange(m.points))
         Z = family.sums[areas]
+        some = np.flatnonzero(Z.any(axis=0))
+        each, Z = self.model.rows(some), Z[:, some]
         u = Z @ self.misfit[each]
-        S = family.weights(m)[areas]
-        if len(self.rows):
-            A = np.tensordot(Z, self.taken[:, each], (1, 1))
-            S = S - np.einsum("hri,hrj->hij", A, A, optimize=True)
+        S = family.weights(self.model)[areas]
+        for part in np.array_split(self.taken, len(self.taken) // TOGETHER + 1):
+            S = S - _squares(np.einsum("hn,rni->rhi", Z, part[:, each], optimize=True))
         return u, S
 
 
@@ -374,10 +444,43 @@ class Family:
     def weights(self, model: Model) -> Array:
         """(h, 3 k, 3 k) of common displacements, if no point moved."""
         if not self.of_model or self.of_model[0][0] is not model:
-            each = model.rows(np.arange(model.points))
-            found: list[Array] = []
-            for a in self.areas:
-                some = model.weights[each[a.points]].sum(axis=0)
-                found.append(some[:, each[a.points]].sum(axis=1))
-            self.of_model[:] = [(model, np.array(found).reshape(-1, each.shape[1], each.shape[1]))]
+            each, Z = model.rows(np.arange(model.points)), self.sums
+            found = np.zeros((len(Z), each.shape[1], each.shape[1]))
+            for a, b in zip(*np.triu_indices(each.shape[1]), strict=True):
+                some = Z @ model.weights[np.ix_(each[:, a], each[:, b])]
+                found[:, a, b] = found[:, b, a] = np.einsum("hn,hn->h", some, Z)
+            self.of_model[:] = [(model, found)]
         return self.of_model[0][1]
+
+
+def _root(A: Array) -> Array:
+    """R of the inverse R' R of a positive definite matrix; raises InputError for another one."""
+    from scipy.linalg import get_lapack_funcs
+
+    if not len(A):
+        return A
+    potrf, trtri = get_lapack_funcs(("potrf", "trtri"), (A,))
+    L, failed = potrf(A, lower=True, clean=True)
+    if failed:
+        raise InputError("epochs.covariance_singular")
+    return np.ascontiguousarray(trtri(L, lower=True)[0])
+
+
+def _squares(rows: Array) -> Array:
+    """Sums (n, i, i) of squares of rows (r, n, i)."""
+    each = rows.transpose(1, 0, 2)
+    return each.transpose(0, 2, 1) @ each
+
+
+def _squared(u: Array, S: Array) -> Array:
+    """U' S^-1 u (h,) of vectors (h, i); directions in which S (h, i, i) is singular are left out."""
+    n, found = u.shape[1], np.zeros(len(u))
+    trace = np.maximum(np.trace(S, axis1=1, axis2=2), 1e-300)
+    with np.errstate(invalid="ignore"):
+        # the smallest eigenvalue is at least the determinant over what the others can be together
+        least = np.linalg.det(S / trace[:, None, None]) * (n - 1.0) ** (n - 1)
+    safe = least > 2 * SINGULAR
+    found[safe] = np.einsum("hi,hi->h", u[safe], np.linalg.solve(S[safe], u[safe, :, None])[:, :, 0])
+    v, P = u[~safe], np.linalg.pinv(S[~safe], rcond=SINGULAR, hermitian=True)
+    found[~safe] = np.einsum("hi,hij,hj->h", v, P, v)
+    return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import Literal
 
@@ -12,7 +13,13 @@ from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.evaluation.check_points import with_check_notice
 from raybundle.adjustment.evaluation.residual_structure import structure_notice
 from raybundle.adjustment.records.notice import Notice, notice_of_text
-from raybundle.adjustment.records.options import FEWEST_IMAGES, AdjustmentOptions, NoiseModel, noise_of_photographs
+from raybundle.adjustment.records.options import (
+    FEWEST_IMAGES,
+    AdjustmentOptions,
+    NoiseModel,
+    RejectMode,
+    noise_of_photographs,
+)
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows, without_images
@@ -41,18 +48,19 @@ COARSE = 1e-2
 
 def final_adjustment(
     placed: Georeferenced, groups: Sequence[CameraGroup], jobs: int, progress: Progress, remarks: Sequence[str],
-    noise: NoiseModel = "auto", *, weights: Literal["given", "residuals"] = "given",
+    noise: NoiseModel = "auto", *, weights: Literal["given", "residuals"] = "given", reject: RejectMode = "snooping",
 ) -> Adjustment:  # fmt: skip
     """The final adjustment: parameters by significance and determinability, blunders by data snooping.
 
     weights  residuals: the standard deviations of the tie points were taken from theirs
+    reject   none: gross errors stay, unless there is no solution with them
     """
     notices = [notice_of_text("photographs", r) for r in remarks]
     notices += camera_notices(groups)
     photographs = int(placed.block.images.oriented.sum())
     chosen = noise_of_photographs(noise, photographs)
     options = AdjustmentOptions(
-        jobs=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=chosen, weights=weights
+        jobs=jobs, reject=reject, tolerance=FINAL, datum_over="good", noise=chosen, weights=weights
     )
     asked = placed
     block, flat = placed.block, flat_points(placed.block) & ~placed.marked
@@ -138,6 +146,10 @@ def _held(
 
 def _decided(block: Block, options: AdjustmentOptions, progress: Progress, notices: tuple[Notice, ...]) -> Adjustment:
     start = intersected_where_better(block, (Role.CHECK,)).block
+    if options.reject == "none":
+        with suppress(NotSolvable):
+            return decide(start, options, progress, notices=notices)
+        options = replace(options, reject="snooping")
     try:
         result = decide(start, options, progress, notices=notices)
     except NoConvergence:

@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
+from raybundle.adjustment.records.options import RejectMode
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Camera
 from raybundle.errors import InputError, text_json
@@ -137,6 +138,7 @@ def orient(
     given: Given | None = None,
     positions: Trajectory | None = None,
     earlier: Earlier | None = None,
+    reject: RejectMode = "snooping",
     progress: Progress = silent,
 ) -> Orientation:
     """Orient photographs and satellite scenes within a project folder; finished stages are taken from there.
@@ -148,6 +150,7 @@ def orient(
                  beside control
     positions    positions of the photographs from a file, in place of those that they state
     earlier      what an earlier run in the folder left: its tie points keep their names
+    reject       none: gross errors stay in the final adjustment, of a block that is adjusted again
     raises       InputError, NoOrientation
 
     Limits: without control or scale bars the position, orientation and scale of the result are
@@ -170,7 +173,7 @@ def orient(
     )
     asked = Asked(
         inputs=tuple(inputs), name=folder.name, options=options, calibration=tuple(calibration), given=given,
-        positions=positions, method=method, earlier=earlier,
+        positions=positions, method=method, earlier=earlier, reject=reject,
     )  # fmt: skip
     try:
         project.products.place.check()

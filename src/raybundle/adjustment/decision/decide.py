@@ -7,7 +7,7 @@ is here; what is rejected is decided in `blunder_rejection`, against the limit `
 from __future__ import annotations
 
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from raybundle.adjustment.blunders.pixel_shape import under_its_noise
 from raybundle.adjustment.decision.blunder_rejection import Snooping
@@ -18,30 +18,48 @@ from raybundle.adjustment.engine import adjust_block, free_parameters
 from raybundle.adjustment.records.notice import Notice
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.result_figures import Extent
 from raybundle.adjustment.system.chosen_parameters import check_asked, with_asked
 from raybundle.block import Block
-from raybundle.block.rejection import given_rejections
+from raybundle.block.rejection import Rejections, given_rejections
 from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import RankDefect
 from raybundle.numerics.progress import Progress, silent
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Earlier:
+    """What data snooping decided of nearly the same block: it goes on from there."""
+
+    reasons: Rejections
+    """of image observations"""
+    returned: frozenset[int]
+    """rejected rows that have come back once, in vain"""
+
+
 def decide(
-    block: Block, options: AdjustmentOptions, progress: Progress = silent, *, notices: tuple[Notice, ...] = ()
-) -> Adjustment:
-    """Adjust a block with approximate values, with the decisions that the options and the block ask for."""
+    block: Block, options: AdjustmentOptions, progress: Progress = silent, *, notices: tuple[Notice, ...] = (),
+    earlier: Earlier | None = None, extent: Extent = "report",
+) -> Adjustment:  # fmt: skip
+    """Adjust a block with approximate values, with the decisions that the options and the block ask for.
+
+    extent  of the statistics of the result, as of `adjust_block`
+    """
     began = time.perf_counter()
-    state = decisions(block, options, adjust_block, progress)
+    state = decisions(block, options, adjust_block, progress, earlier)
     final = replace(options, robust_start=options.robust_start and state.block is block)
     result = adjust_block(
         state.block, final, progress, free=state.free, rejected=state.reasons, notices=(*notices, *state.notices),
-        start="approximate" if state.block is block else "adjusted",
+        start="approximate" if state.block is block else "adjusted", extent=extent,
     )  # fmt: skip
     result = against_known(_labelled(under_its_noise(result), state))
     return replace(result, given=block, options=options, seconds=time.perf_counter() - began)
 
 
-def decisions(block: Block, options: AdjustmentOptions, adjusting: Adjusting, progress: Progress = silent) -> State:
+def decisions(
+    block: Block, options: AdjustmentOptions, adjusting: Adjusting, progress: Progress = silent,
+    earlier: Earlier | None = None,
+) -> State:  # fmt: skip
     """What is decided of a block with approximate values, with the values that this led to.
 
     adjusting  who adjusts it on the way
@@ -63,7 +81,8 @@ def decisions(block: Block, options: AdjustmentOptions, adjusting: Adjusting, pr
     state = State(
         block=block,
         free={c.id: with_asked(c, free_parameters(c), options) for c in block.parametrised},
-        reasons=given_rejections(block),
+        reasons=given_rejections(block) if earlier is None else earlier.reasons,
+        snooped=Snooped() if earlier is None else Snooped(returned=earlier.returned),
     )
     snooping = options.reject == "snooping"
     if snooping:

@@ -11,6 +11,7 @@ from typing import Literal
 from raybundle.settings import NOT_NEGATIVE, setting
 
 Datum = Literal["auto", "control", "minimal", "inner"]
+RejectMode = Literal["none", "snooping"]
 NoiseModel = Literal["white", "fields", "auto"]
 NOISE_HELP = (
     "Error model of image coordinates. white: independent errors. fields: smooth errors that differ from image to "
@@ -65,7 +66,7 @@ class AdjustmentOptions:
         False, "Estimate a variance factor for each group of observations. Groups are image points of each camera, "
         "control, distances and others. A group without redundancy keeps its given standard deviation.",
     )  # fmt: skip
-    reject: Literal["none", "snooping"] = setting(
+    reject: RejectMode = setting(
         "none", "Rejection of blunders. snooping: reject image observations with significant blunders, one at a time."
     )
     residuals: Literal["as_block", "measured", "corrected"] = setting(

@@ -121,8 +121,8 @@ class WideNormals:
     @classmethod
     def of(cls, base: Normals, state: State, images: Index, kind: type[WithFields]) -> WideNormals:
         """At the state at which the block's own are factored; nothing is reduced yet."""
-        wide_system, unknowns, columns = _widened(base.system, images, kind)
-        wide_state = _widened_state(base.system, wide_system, state)
+        wide_system, unknowns, columns = widened(base.system, images, kind)
+        wide_state = widened_state(base.system, wide_system, state)
         wide = Normals.of(wide_system, base.threads)
         _evaluate(wide, wide_state, base, state, images, kind)
         wide.refresh_external(wide_state)
@@ -342,7 +342,7 @@ def field_system(base: Normals, state: State, kind: type[WithFields] = WithField
     return FieldSystem(base, state, wide, images, kind.columns * len(images), scores)
 
 
-def _widened(system: System, images: Index, kind: type[WithFields]) -> tuple[System, Array, Array]:
+def widened(system: System, images: Index, kind: type[WithFields]) -> tuple[System, Array, Array]:
     """The system whose images carry fields, the places of its own unknowns and of the fields' coefficients."""
     interior, of_image = list(system.interior), system.interior_of_image.copy()
     image_node, sizes = system.image_node.copy(), system.sizes.astype(np.int64).tolist()
@@ -383,7 +383,8 @@ def _widened(system: System, images: Index, kind: type[WithFields]) -> tuple[Sys
     return wide, unknowns, columns
 
 
-def _widened_state(system: System, wide: System, state: State) -> State:
+def widened_state(system: System, wide: System, state: State) -> State:
+    """The state of the system whose images carry fields: fields are zero."""
     interior = np.zeros((len(wide.interior), wide.stride))
     interior[: len(system.interior), : system.stride] = state.interior
     for i in np.flatnonzero(wide.interior_of_image != system.interior_of_image):

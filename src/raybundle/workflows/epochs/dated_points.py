@@ -7,9 +7,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.adjustment.decision.decide import Earlier, decide
+from raybundle.adjustment.decision.snooping import innocent
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.result_figures import Extent
 from raybundle.block import Block
+from raybundle.block.rejection import Rejection, RejectionKind, given_rejections
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.progress import Progress
 from raybundle.orientation.rays import intersect_linear
 from raybundle.ties.block import FLAT, viewing_lines
 
@@ -165,3 +172,38 @@ def _intersected(block: Block, points: Mask) -> tuple[Block, Mask]:
     flat = points & ((count < RAYS) | (ratio < FLAT) | ~np.isfinite(xyz).all(axis=1))
     placed: Array = np.where((points & ~flat)[:, None], xyz, block.points.xyz)
     return replace(block, points=replace(block.points, xyz=placed)), flat
+
+
+def adjusted_again(
+    block: Block, dates: Dates, options: AdjustmentOptions, progress: Progress, before: Adjustment | None, *,
+    extent: Extent = "report", snooping: bool = True,
+) -> Adjustment:  # fmt: skip
+    """The adjustment of a block with what was decided of its image points before; `snooping`: which then goes on."""
+    earlier = None if before is None else _decided(block, dates, before)
+    options = options if snooping else replace(options, reject="none")
+    return decide(block, options, progress, earlier=earlier, extent=extent)
+
+
+def _decided(block: Block, dates: Dates, before: Adjustment) -> Earlier:
+    """What data snooping decided of the same image points, of which other points may now be one place.
+
+    Of points of which no single wrong ray could be determined it stands where they have the same rays.
+    """
+    blocks = block, before.given
+    place = _numbered([dates.base(p) for b in blocks for p in b.points.ids])[1]
+    places = np.split(place, [len(block.points)])
+    now, then = (
+        p[b.observations.point] * len(b.images) + b.observations.image for p, b in zip(places, blocks, strict=True)
+    )
+    order = np.argsort(then, kind="stable")
+    at = order[np.minimum(np.searchsorted(then[order], now), len(then) - 1)]
+    same = then[at] == now
+    rays, known = (np.bincount(b.observations.point)[b.observations.point] for b in blocks)
+    reasons, back = before.image_observations.rejected, frozenset(innocent(before))
+    kept = {RejectionKind.BLUNDER}, {RejectionKind.BLUNDER, RejectionKind.BLUNDER_NOT_LOCATED}
+    found: list[Rejection | None] = list(given_rejections(block))
+    for k in np.flatnonzero(same).tolist():
+        why = reasons[at[k]]
+        if why is not None and why.kind in kept[int(rays[k] == known[at[k]])]:
+            found[k] = why
+    return Earlier(reasons=tuple(found), returned=frozenset(k for k in np.flatnonzero(same).tolist() if at[k] in back))

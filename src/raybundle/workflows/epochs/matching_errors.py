@@ -14,7 +14,7 @@ the residuals, which no movement changes, and moves and enlarges the place and i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import combinations, product
@@ -42,6 +42,8 @@ ROUNDS = 100
 LEAST = 1e-7
 """Probability of a set of wrong image points below which it is left out, and counted as the one that explains most"""
 CONDITION = 1e12
+TOGETHER = 200_000
+"""Pairs of sets that are compared together"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -128,7 +130,7 @@ class MatchingErrors:
         rows = self.rows.get(point, np.zeros(0, np.int64))
         if len(rows) < 2:
             return Place(weight=np.ones(1), shift=np.zeros((1, 3)), extra=np.zeros((1, 3, 3)))
-        weight, x, C = self._placed(rows, np.log(np.maximum(self.shares.images, 1e-300)))
+        (weight,), (x,), (C,) = self._placed(rows[None], np.log(np.maximum(self.shares.images, 1e-300)))
         keep = weight > LEAST
         keep[0] = True
         return Place(weight=weight[keep], shift=self.metres * (x - x[0])[keep], extra=self.metres**2 * (C - C[0])[keep])
@@ -178,19 +180,20 @@ class MatchingErrors:
         return weight, shift, extra
 
     def _placed(self, rows: Index, shares: Array) -> tuple[Array, Array, Array]:
-        """Probabilities (c,), places (c, 3), covariances (c, 3, 3) of sets; shares: logarithms."""
-        log, x, C = _solved(self.y[rows][None], self.A[rows][None])
-        w = log[0] + shares[_sets(len(rows))].sum(axis=1)
-        w = np.exp(w - w.max())
-        return w / w.sum(), x[0], C[0]
+        """Of g points with rows (g, m): probabilities (g, c), places (g, c, 3), covariances (g, c, 3, 3) of sets.
+
+        shares  logarithms
+        """
+        log, x, C = _solved(self.y[rows], self.A[rows])
+        w = log + shares[_sets(rows.shape[1])].sum(axis=1)
+        w = np.exp(w - w.max(axis=1, keepdims=True))
+        return w / w.sum(axis=1, keepdims=True), x, C
 
     def _of_images(self, rows: dict[int, Index]) -> Array:
         """Shares of image points by expectation and maximisation."""
         parts: list[tuple[Array, Array]] = []
-        for m in range(RAYS[0], RAYS[1] + 1):
-            some = [r for r in rows.values() if len(r) == m]
-            if some:
-                at = np.array(some)
+        for m, at in _by_count(rows.values()).items():
+            if RAYS[0] <= m <= RAYS[1]:
                 log = _solved(self.y[at], self.A[at])[0]
                 good = np.isfinite(log).all(axis=1)
                 count = np.stack([(_sets(m) == k).sum(axis=1) for k in range(len(SCALES))], axis=1)
@@ -199,25 +202,45 @@ class MatchingErrors:
 
     def _of_places(self, log: Array, image: Index, centre: Array) -> Array:
         """Shares of differences of places, of the halves of the rays of a point at a date."""
-        rows: list[Array] = []
-        for at in self.rows.values():
-            if len(at) < 4:
+        found: list[Array] = []
+        for count, every in _by_count(self.rows.values()).items():
+            if count < 4:
                 continue
-            c = centre[image[at]] - centre[image[at]].mean(axis=0)
-            order = np.argsort(c @ np.linalg.svd(c, full_matrices=False)[2][0], kind="stable")
-            halves = [self._placed(r, log) for r in (at[order[: len(at) // 2]], at[order[len(at) // 2 :]])]
-            (w, x, C), (v, z, D) = ([a[p[0] > 1e-6] for a in p] for p in halves)
-            d = (z[None] - x[:, None]).reshape(-1, 3)
-            both, S = np.outer(w, v).ravel(), (C[:, None] + D[None]).reshape(-1, 3, 3)
-            S = S / np.trace(S[0])
-            if not np.isfinite(S).all() or np.linalg.cond(S[0]) > CONDITION:
-                continue
-            F = np.einsum("si,sij,sj->s", d, np.linalg.inv(S), d) / np.trace(C[0] + D[0])
-            size = -np.linalg.slogdet(S)[1] / 2
-            likely = np.array([size - F / s**2 / 2 - 3 * np.log(s) for s in OF_PLACES])
-            rows.append((np.exp(likely - likely.max()) * both).sum(axis=1))
+            c = centre[image[every]] - centre[image[every]].mean(axis=1, keepdims=True)
+            way = np.linalg.svd(c, full_matrices=False)[2][:, 0]
+            order = np.argsort(np.einsum("gmi,gi->gm", c, way), axis=1, kind="stable")
+            rows = np.take_along_axis(every, order, axis=1)
+            sets = len(_sets(count // 2)) * len(_sets(count - count // 2))
+            for some in np.array_split(rows, len(rows) * sets // TOGETHER + 1):
+                halves = [self._placed(r, log) for r in (some[:, : count // 2], some[:, count // 2 :])]
+                found.append(_differences(*halves))
         count = np.eye(len(OF_PLACES), dtype=np.int64)
-        return _shares([(np.array(rows), count)] if rows else [], BEFORE_PLACES)
+        return _shares([(f, count) for f in found if len(f)], BEFORE_PLACES)
+
+
+def _differences(first: tuple[Array, Array, Array], second: tuple[Array, Array, Array]) -> Array:
+    """Likelihoods (g, scales) of the difference of two places of each point, under each scale; of some points none."""
+    (w, x, C), (v, z, D) = first, second
+    point, i, j = np.nonzero((w > 1e-6)[:, :, None] & (v > 1e-6)[:, None])
+    start = np.searchsorted(point, np.arange(len(w)))
+    S = C[point, i] + D[point, j]
+    trace = np.trace(S[start], axis1=1, axis2=2)
+    S = S / trace[point, None, None]
+    with np.errstate(invalid="ignore"):
+        good = np.logical_and.reduceat(np.isfinite(S).all(axis=(1, 2)), start)
+    good[good] = np.linalg.cond(S[start[good]]) <= CONDITION
+    kept = good[point]
+    point, i, j, S = point[kept], i[kept], j[kept], S[kept]
+    if not len(point):
+        return np.zeros((0, len(OF_PLACES)))
+    start = np.flatnonzero(np.diff(point, prepend=-1))
+    d = z[point, j] - x[point, i]
+    F = np.einsum("si,si->s", d, np.linalg.solve(S, d[:, :, None])[:, :, 0]) / trace[point]
+    size = -np.linalg.slogdet(S)[1] / 2
+    likely = np.array([size - F / s**2 / 2 - 3 * np.log(s) for s in OF_PLACES])
+    largest = np.repeat(np.maximum.reduceat(likely.max(axis=0), start), np.diff(start, append=len(point)))
+    both = w[point, i] * v[point, j]
+    return np.add.reduceat(np.exp(likely - largest) * both, start, axis=1).T
 
 
 def _linear(block: Block, rows: Index) -> tuple[Array, Array]:
@@ -233,6 +256,14 @@ def _by_point(point: Index, taken: Array) -> dict[int, Index]:
     rows = rows[np.argsort(point[rows], kind="stable")]
     parts = np.split(rows, np.flatnonzero(np.diff(point[rows])) + 1) if len(rows) else []
     return {int(point[r[0]]): r for r in parts}
+
+
+def _by_count(rows: Iterable[Index]) -> dict[int, Index]:
+    """Rows (g, m) of points with m of them, the fewest first."""
+    found: dict[int, list[Index]] = {}
+    for r in rows:
+        found.setdefault(len(r), []).append(r)
+    return {m: np.array(found[m]) for m in sorted(found)}
 
 
 @lru_cache(maxsize=64)

@@ -19,7 +19,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import detectable_noncentrality, fisher_tail
 from raybundle.workflows.epochs.cameras import cameras_by_dates
-from raybundle.workflows.epochs.dated_points import Dated, Dates, placed_by_dates
+from raybundle.workflows.epochs.dated_points import Dated, Dates, adjusted_again, placed_by_dates
 from raybundle.workflows.epochs.matching_errors import MatchingErrors
 from raybundle.workflows.epochs.stability import Stability, spread_evenly, stability
 from raybundle.workflows.epochs.trends import trends
@@ -114,7 +114,7 @@ def movements(
     block: Block, dates: Dates, *, significance: float = SIGNIFICANCE,
     groups: Mapping[str, Sequence[str]] | None = None,
     datum: Sequence[str] = (), options: AdjustmentOptions | None = None, same_cameras: bool | None = None,
-    patches: bool = True, progress: Progress = silent,
+    patches: bool = True, progress: Progress = silent, before: Adjustment | None = None,
 ) -> Movements:  # fmt: skip
     """Find what moved between the dates of an oriented block, and adjust it once with stable points as one place.
 
@@ -123,7 +123,7 @@ def movements(
     options = options or AdjustmentOptions()
     s = stability(
         block, dates, significance=significance, groups=groups, datum=datum, options=options,
-        same_cameras=same_cameras, patches=patches, progress=progress,
+        same_cameras=same_cameras, patches=patches, progress=progress, before=before,
     )  # fmt: skip
     apart = [t.camera for t in s.cameras if not t.shared]
     if same_cameras is False:
@@ -131,7 +131,7 @@ def movements(
     alpha = s.congruence.limit
     # image points that the test found wrong stay out of what it found stable
     stable = set(s.stayed)
-    dated, result = _adjusted(block, dates, stable, apart, options, progress)
+    dated, result = _adjusted(block, dates, stable, apart, options, progress, s.result, snooping=False)
     every = _others(dated, s)
     others = spread_evenly(dated, every, np.ones(len(every)), SINGLE)
     found = _pairs(result, dated, others)
@@ -152,7 +152,7 @@ def movements(
         if not m and not d and not a
     ]
     more += [dated.bases[b] for b, a in zip(between.tolist(), follows, strict=True) if not a]
-    final, last = _adjusted(block, dates, stable | set(more), apart, options, progress) if more else (dated, result)
+    final, last = _adjusted(block, dates, stable | set(more), apart, options, progress, result, snooping=True)
     if last.datum_defect:  # a free network: its datum is that of the points that stayed
         used = last.handle.work.system.points_used if last.handle.work is not None else np.zeros(0, bool)
         there = final.together & (final.at >= 0).any(axis=1)
@@ -176,13 +176,14 @@ def _rejected(result: Adjustment) -> tuple[tuple[str, str], ...]:
 
 
 def _adjusted(
-    block: Block, dates: Dates, together: set[str], apart: Sequence[str], options: AdjustmentOptions, progress: Progress
+    block: Block, dates: Dates, together: set[str], apart: Sequence[str], options: AdjustmentOptions,
+    progress: Progress, before: Adjustment, *, snooping: bool,
 ) -> tuple[Dated, Adjustment]:  # fmt: skip
     """The adjustment of the block with these points as one place."""
     dated = placed_by_dates(block, dates, sorted(together))
     if apart:
         dated = replace(dated, block=cameras_by_dates(dated.block, dates, apart))
-    return dated, decide(dated.block, options, progress)
+    return dated, adjusted_again(dated.block, dates, options, progress, before, snooping=snooping)
 
 
 def _others(dated: Dated, s: Stability) -> Index:

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.decision.decide import decide
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Role
@@ -28,7 +27,7 @@ from raybundle.objects.surface import farthest_first
 from raybundle.ties.block import object_pixel
 from raybundle.ties.match_weights import Matches, Weights, weighted, weights_again
 from raybundle.workflows.epochs.cameras import CameraTest, camera_tests, cameras_by_dates
-from raybundle.workflows.epochs.dated_points import Dated, Dates, by_dates, placed_by_dates
+from raybundle.workflows.epochs.dated_points import Dated, Dates, adjusted_again, by_dates, placed_by_dates
 from raybundle.workflows.epochs.matching_errors import MatchingErrors
 
 FEWEST = 6
@@ -71,7 +70,7 @@ def stability(
     block: Block, dates: Dates, *, significance: float = SIGNIFICANCE,
     groups: Mapping[str, Sequence[str]] | None = None,
     datum: Sequence[str] = (), options: AdjustmentOptions | None = None, same_cameras: bool | None = None,
-    patches: bool = True, progress: Progress = silent,
+    patches: bool = True, progress: Progress = silent, before: Adjustment | None = None,
 ) -> Stability:  # fmt: skip
     """Test which points of an oriented block moved between its dates.
 
@@ -80,6 +79,7 @@ def stability(
     datum         points known to have stayed
     same_cameras  whether a camera is one at all dates; None: unless the test rejects it
     patches       whether patches of neighbours are tested together
+    before        an adjustment of the same image points, from the decisions of which data snooping goes on
     raises        InputError for fewer than six points with a place at every date; NotSolvable
     Limits: as those of `congruence`; control is taken to have stayed.
     """
@@ -93,14 +93,14 @@ def stability(
         progress("testing cameras", 0.0)
         apart = cameras_by_dates(linked, dates)
         if len(apart.cameras) > len(linked.cameras):
-            first = decide(apart, options, progress)
+            first = adjusted_again(apart, dates, options, progress, before, snooping=before is None)
             tests = camera_tests(first, dates, [c.id for c in linked.cameras])
             separate = [t.camera for t in tests if not t.shared]
     linked = cameras_by_dates(linked, dates, separate) if separate else linked
-    result = decide(linked, options, progress)
+    result = adjusted_again(linked, dates, options, progress, before)
     names = {p for g in (groups or {}).values() for p in g} | set(datum)
     tested, sets, C = _measured(result, dated, dates, everywhere, names)
-    repeated = repeatability(block, dates, options, progress)
+    repeated = repeatability(block, dates, options, progress, result)
     errors = MatchingErrors.of(result, variance=repeated[1].variance if repeated else 1.0)
     progress("testing points", 0.0)
     found = congruence(
@@ -130,7 +130,8 @@ class _OfTested:
 
 
 def repeatability(
-    block: Block, dates: Dates, options: AdjustmentOptions, progress: Progress = silent
+    block: Block, dates: Dates, options: AdjustmentOptions, progress: Progress = silent,
+    before: Adjustment | None = None,
 ) -> dict[int, Factor]:  # fmt: skip
     """Of means of so many points, by how much their variances between halves of one date exceed their covariances.
 
@@ -153,7 +154,7 @@ def repeatability(
         try:
             dated = placed_by_dates(by_dates(block, dates, whole, dates.of_image[o.image] == d).block, halves)
             everywhere = _everywhere(dated, halves)
-            result = decide(_linked(dated, everywhere), options, progress)
+            result = adjusted_again(_linked(dated, everywhere), dates, options, progress, before)
             _, sets, C = _measured(result, dated, halves, everywhere, set())
             variances = patch_variances(sets, C, scale=True)
         except (InputError, NotSolvable):  # too few rays that are seen in both halves
@@ -179,18 +180,20 @@ def _measured(
 def weighted_apart(
     block: Block, dates: Dates, matches: Sequence[Matches], weights: Weights,
     options: AdjustmentOptions | None = None, progress: Progress = silent,
-) -> tuple[Block, Weights]:  # fmt: skip
-    """The block with variances of image points by residuals of adjustments with places of each date.
+) -> tuple[Block, Weights, Adjustment]:  # fmt: skip
+    """The block with variances of image points by residuals of adjustments with places of each date; the last of these.
 
     matches, weights  as the block got its variances: what moved was noise to the residuals that these come from
     """
-    options = options or AdjustmentOptions()
+    options, result = options or AdjustmentOptions(), None
     for _ in range(WEIGHINGS):
         dated = placed_by_dates(block, dates)
-        result = decide(_linked(dated, _everywhere(dated, dates)), options, progress)
+        linked = _linked(dated, _everywhere(dated, dates))
+        result = adjusted_again(linked, dates, options, progress, result, extent="tests", snooping=result is None)
         weights = weights_again(result, matches, weights)
         block = weighted(block, matches, weights)
-    return block, weights
+    assert result is not None
+    return block, weights, result
 
 
 def _everywhere(dated: Dated, dates: Dates) -> Index:

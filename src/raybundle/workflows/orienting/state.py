@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import RejectMode
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera
 from raybundle.io.photos.cameras import CameraGroup
@@ -48,6 +49,8 @@ class Asked:
     positions: Trajectory | None = None
     method: FeatureMethod
     earlier: Earlier | None = None
+    reject: RejectMode = "snooping"
+    """none: whoever asks adjusts the block again, and looks for gross errors then"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal
 
 import numpy as np
 
 from raybundle.adjustment.records.notice import Notice
+from raybundle.adjustment.records.options import RejectMode
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Role
 from raybundle.block.relative import relative_control
@@ -66,6 +68,7 @@ class Inputs:
     dropped: Dropped | None
     scenes: SceneState | None
     earlier: Earlier | None
+    reject: RejectMode
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,7 +89,7 @@ def _inputs(state: OrientState) -> Inputs:
         blocks=state.blocks, groups=state.groups, features=state.found, pairs=state.pairs,
         method=state.method,
         remarks=(*state.remarks, *state.reported), notices=state.notices, dropped=state.dropped, scenes=state.scenes,
-        earlier=state.asked.earlier,
+        earlier=state.asked.earlier, reject=state.asked.reject,
     )  # fmt: skip
 
 
@@ -164,6 +167,10 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
     """
     groups, noise = i.groups, i.options.noise
     weights: Literal["given", "residuals"] = "residuals" if i.options.precise else "given"
+    final = partial(
+        final_adjustment, jobs=means.jobs, progress=means.progress, remarks=i.remarks, noise=noise, weights=weights,
+        reject=i.reject,
+    )  # fmt: skip
     parts, kept, lost = list[ConnectedComponent](), list[Georeferenced](), list[Notice]()
     for part in apart:
         try:
@@ -172,7 +179,7 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         except NotSolvable as error:
             lost += undetermined_component(part, error)
     first = replace(placed, notices=(*lost, *placed.notices))
-    adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    adjustment = final(first, groups)
     largest = largest_component(adjustment, parts)
     if largest is not None and not first.fixed:  # adjustments leave photographs out
         names = tuple(
@@ -181,21 +188,21 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         parts[largest] = ConnectedComponent(adjustment=adjustment, photographs=names)
         first, kept[largest] = replace(kept[largest], notices=(*lost, *kept[largest].notices)), first
         placed = first
-        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+        adjustment = final(first, groups)
     shared = shared_sensors(adjustment, groups, i.photos)
     if shared:
         groups = shared.grouped(groups)
         first = replace(first, block=shared.applied(first.block))
-        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+        adjustment = final(first, groups)
     several = several_cameras(adjustment)
     moving = rolling_shutters(adjustment, first.block, i.photos, i.options.read_out_s)
     if moving.block is not None:
         first = replace(first, block=moving.block)
-        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+        adjustment = final(first, groups)
     weighted = with_target_weights(first.block, adjustment, i.given)
     if weighted is not None:
         first = replace(first, block=weighted)
-        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+        adjustment = final(first, groups)
     adjustment = with_relative_precision(with_cause(adjustment, i.photos))
     notices = (
         *joined_notice(first.joined, adjustment.given),
