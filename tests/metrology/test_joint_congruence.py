@@ -11,7 +11,7 @@ from raybundle.errors import InputError
 from raybundle.metrology.areas import Hypothesis
 from raybundle.metrology.congruence import congruence
 from raybundle.metrology.congruence_model import Factor, Family, model_of
-from raybundle.metrology.point_set import PointSet
+from raybundle.metrology.point_set import PointSet, datum_directions
 
 SIGMA = 1e-5
 
@@ -152,6 +152,22 @@ def test_45_per_cent_that_moved_alike_do_not_carry_the_datum():
         done = congruence(sets, joint=C, patches=True)
         assert done.moved[half].mean() > 0.9
         assert done.moved.sum() <= 20
+
+
+def test_a_datum_that_is_known_badly_is_of_no_account():
+    # positions of 2 m beside 10 um: each date has a datum of its own
+    epochs, rng = Joint(30), np.random.default_rng(4)
+    sets, C = epochs.draw(rng, [([5], [60 * SIGMA, 0, 0])])
+    plain = congruence(sets, joint=C)
+    u = C.shape[1]
+    for e, s in enumerate(sets):
+        G = datum_directions(s.xyz, scale=False).reshape(u, -1)
+        G *= [2.0, 2.0, 2.0, 1e-3, 1e-3, 1e-3]  # [m, rad]
+        C[e, :, e] += G @ G.T
+    done = congruence(sets, joint=C)
+    assert np.flatnonzero(done.moved).tolist() == [5]
+    assert done.p_value == pytest.approx(plain.p_value, rel=1e-3, abs=1e-6)
+    assert done.covariance == pytest.approx(plain.covariance, rel=1e-3, abs=1e-3 * SIGMA**2)
 
 
 def test_a_joint_covariance_needs_points_in_one_order():
