@@ -2,7 +2,7 @@
 
     python benchmarks/epochs_cost.py [FOLDER] [--stages]
 
-FOLDER    photographs in sub-folders by dates, three at least; without it a rendered strip that moves, 9 photographs a date
+FOLDER    photographs in sub-folders by dates, three at least; without it a rendered strip that moves, nine each
 --stages  where the time of each run goes, by samples each 20 ms
 
 One process, one thread.  Each date alone, then the second and third added one by one, then the same once more.
@@ -35,13 +35,13 @@ DATES, SAMPLE_S = ("2026-05-01", "2026-06-01", "2026-07-01"), 0.02
 OUT = Path(__file__).with_name("results") / "epochs_cost.json"
 STAGES = {
     "orient": "orientation", "weighted_apart": "variances", "repeatability": "halves of dates",
-    "congruence": "congruence test", "adjusted_again": "adjustments", "_measured": "covariances", "_pairs": "covariances",
-    "of": "matching errors", "_all_rows": "displacements", "trends": "velocities",
+    "congruence": "congruence test", "adjusted_again": "adjustments", "_measured": "covariances",
+    "_pairs": "covariances", "of": "matching errors", "_all_rows": "displacements", "trends": "velocities",
 }  # fmt: skip
 """Functions of the workflow, and what they are called here: the outermost counts"""
 
 
-def measured(run: Callable[[], Any], stages: bool) -> dict[str, Any]:
+def measured(run: Callable[[], Any], *, stages: bool) -> dict[str, Any]:
     """CPU seconds of a run, and of its stages."""
     count: Counter[str] = Counter()
 
@@ -76,7 +76,7 @@ def main() -> None:
         photos = asked.folder or write_dates(place / "photographs", dates=DATES)
         dates = sorted(p for p in photos.iterdir() if p.is_dir())[:3]
 
-        def run(project: str, k: int, add: bool = True) -> None:
+        def run(project: str, k: int, *, add: bool = True) -> None:
             rendered: dict[str, Any] = {}
             if asked.folder is None:
                 rendered = {"positions": photos / f"{k}.csv", "crs": "EPSG:32633", "feature_count": 1500}
@@ -85,10 +85,10 @@ def main() -> None:
         run("warm", 0)  # imports
         found: dict[str, dict[str, Any]] = {}
         for k in range(3):
-            found[f"{dates[k].name} alone"] = measured(lambda k=k: run(f"alone_{k}", k), asked.stages)
+            found[f"{dates[k].name} alone"] = measured(lambda k=k: run(f"alone_{k}", k), stages=asked.stages)
         for k in range(3):
-            found[f"{dates[k].name} added"] = measured(lambda k=k: run("project", k), asked.stages)
-        found["nothing added"] = measured(lambda: run("project", 2, add=False), asked.stages)
+            found[f"{dates[k].name} added"] = measured(lambda k=k: run("project", k), stages=asked.stages)
+        found["nothing added"] = measured(lambda: run("project", 2, add=False), stages=asked.stages)
         for k in (1, 2):
             added, alone = (found[f"{dates[k].name} {how}"]["cpu_s"] for how in ("added", "alone"))
             found[f"{dates[k].name} added"]["over_alone"] = round(added / alone, 1)

@@ -11,6 +11,7 @@ from raybundle.adjustment.evaluation.joint_cofactors import Factored, joint_cofa
 from raybundle.adjustment.evaluation.residual_structure import _neighbours
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.statistics.precision import cofactors, interior_unknowns, precision
+from raybundle.adjustment.statistics.some_points import needed, solver_of
 from raybundle.adjustment.system import dense
 from raybundle.adjustment.system.assemble import assemble
 from raybundle.adjustment.system.defects import components, held_by_points
@@ -19,6 +20,7 @@ from raybundle.block import Role
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.calibration.maps import projection_shifts, projection_uncertainty
 from raybundle.numerics import native
+from raybundle.observations.distance import Distances
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.synthetic_networks import TargetField, field_scene
 
@@ -198,3 +200,28 @@ def test_free_networks_are_factored_once_where_they_will_stand(block, monkeypatc
     ):
         s = np.sqrt(np.diagonal(b, axis1=-2, axis2=-1))
         assert (np.abs(a - b) / (s[..., :, None] * s[..., None, :])).max() < 1e-9
+
+
+@pytest.mark.parametrize("datum", ["free", "control", "distance"])
+@pytest.mark.parametrize("noise", ["white", "fields"])
+def test_some_points_have_the_covariances_that_they_have_among_all(block, noise, datum):
+    points, given = block.points, block
+    if datum == "control":
+        role, sigma = np.array(points.role), np.array(points.sigma)
+        role[:6], sigma[:6] = Role.CONTROL, 1e-4
+        sigma[3] = 0.0
+        given = replace(block, points=replace(points, role=role, sigma=sigma))
+    if datum == "distance":
+        length = np.array([np.linalg.norm(points.xyz[20] - points.xyz[1])])
+        start, end = np.array([1], np.int32), np.array([20], np.int32)
+        given = block.having(Distances(start=start, end=end, length=length, sigma=length * 1e-4))
+    work = adjust_block(given, replace(OPTIONS, noise=noise)).handle.work
+    assert (work.spread is None) == (noise == "white")
+    some, rng = np.union1d(needed(work), [2, 3, 20, 30, 31]).astype(int), np.random.default_rng(1)
+    nodes, given = rng.normal(size=(len(work.normals.right), 3)), rng.normal(size=(len(some), 3, 3))
+    every = np.zeros((*work.state.xyz.shape, 3))
+    every[some] = given
+    whole = work.normals.solve(work.state, nodes, every) if work.spread is None else work.spread.solve(nodes, every)
+    n, q = solver_of(work, some)(nodes, given)
+    np.testing.assert_allclose(n, whole[0], rtol=1e-7, atol=1e-9 * np.abs(whole[0]).max())
+    np.testing.assert_allclose(q, whole[1][some], rtol=1e-7, atol=1e-9 * np.abs(q).max())

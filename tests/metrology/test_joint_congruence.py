@@ -175,3 +175,25 @@ def test_a_joint_covariance_needs_points_in_one_order():
     other = sets[1].rows(np.arange(10)[::-1])
     with pytest.raises(InputError, match=r"epochs\.joint_order"):
         congruence([sets[0], replace(other, name="other")], joint=C)
+
+
+def test_tests_by_changes_of_a_factor_are_those_of_a_factor_of_their_own():
+    epochs, rng = Joint(40), np.random.default_rng(8)
+    sets, C = epochs.draw(rng, [([5, 9], [30 * SIGMA, 0, 0])])
+    moved = np.zeros(40, bool)
+    model = model_of(sets[0], sets[1:], ~moved, scale=True, joint=C)
+    changed = 0
+    for _ in range(60):
+        moved = moved.copy()
+        which = rng.choice(40, rng.integers(1, 3), replace=False)
+        moved[which] = ~moved[which] & (moved.sum() < 25)
+        F, p = model.tests(moved)
+        fresh = model.stayed(moved)
+        expected = model.tested(*fresh.compared())
+        np.testing.assert_allclose(F, expected[0], rtol=1e-8)
+        np.testing.assert_allclose(p, expected[1], rtol=1e-6, atol=1e-12)
+        near = model.near(moved)
+        changed += near.changes > 0
+        assert near.square_sum == pytest.approx(fresh.square_sum, rel=1e-8)
+        np.testing.assert_allclose(near.misfit, fresh.misfit, atol=1e-7 * np.abs(model.misfit).max())
+    assert changed > 20

@@ -14,6 +14,7 @@ import pytest
 from PIL import Image
 
 from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.block.rejection import RejectionKind
 from raybundle.block.select import without_images
 from raybundle.commands.epochs import (
     Epochs,
@@ -38,7 +39,7 @@ from raybundle.ties.match_weights import Matches, Weights, weighted
 from raybundle.workflows.adjust import adjust
 from raybundle.workflows.epochs.animation import animation
 from raybundle.workflows.epochs.cameras import cameras_by_dates
-from raybundle.workflows.epochs.dated_points import by_dates
+from raybundle.workflows.epochs.dated_points import adjusted_again, by_dates, placed_by_dates
 from raybundle.workflows.epochs.movements import MOVED, movements
 from raybundle.workflows.epochs.photograph_dates import (
     Source,
@@ -51,7 +52,7 @@ from raybundle.workflows.epochs.photograph_dates import (
     left_out,
 )
 from raybundle.workflows.epochs.pictures import DatedPictures
-from raybundle.workflows.epochs.stability import weighted_apart
+from raybundle.workflows.epochs.stability import _everywhere, _linked, weighted_apart
 from raybundle.workflows.epochs.tables import (
     Limit,
     changes_of,
@@ -470,3 +471,52 @@ def test_a_photograph_with_too_few_points_at_its_date_is_left_out_and_named():
     assert found is not None
     out = [n for n in whole.adjustment.notices if n.code == "image_left_out"]
     assert [n.ids for n in out] == [(block.images.ids[lone],)]
+
+
+def test_data_snooping_goes_on_from_what_was_decided_before():
+    block, dates = network(7)
+    o, rng = block.observations, np.random.default_rng(2)
+    rays = np.bincount(o.point, minlength=len(block.points))
+    many = [p for p, n in zip(block.points.ids, rays, strict=True) if n > 15]
+    wrong = rng.choice(np.flatnonzero(rays[o.point] > 15), 12, replace=False)
+    xy = o.xy_px.copy()
+    xy[wrong] += 20.0
+    block = replace(block, observations=replace(o, xy_px=xy))
+    options = AdjustmentOptions(jobs=1, noise="white", reject="snooping")
+
+    def rejected(result):
+        given = result.given
+        return {
+            (given.images.ids[given.observations.image[k]], dates.base(given.points.ids[given.observations.point[k]]))
+            for k, r in enumerate(result.image_observations.rejected)
+            if r is not None and r.kind is RejectionKind.BLUNDER
+        }
+
+    dated = placed_by_dates(block, dates)
+    apart = _linked(dated, _everywhere(dated, dates))
+    first = adjusted_again(apart, dates, options, silent, None)
+    assert len(rejected(first)) > 8
+    same = adjusted_again(apart, dates, options, silent, first, snooping=False)
+    assert rejected(same) == rejected(first)
+    assert same.weighted_square_sum == pytest.approx(first.weighted_square_sum, rel=1e-6)
+    whole = placed_by_dates(block, dates, many).block
+    kept = adjusted_again(whole, dates, options, silent, first, snooping=False)
+    assert rejected(kept) == rejected(first)
+    on, anew = (adjusted_again(whole, dates, options, silent, b) for b in (first, None))
+    assert rejected(on) == rejected(anew)
+    assert rejected(on) >= rejected(first)
+
+
+def test_of_one_date_gross_errors_are_looked_for_in_the_end():
+    block = network(6)[0]
+    block = replace(block, images=replace(block.images, file=tuple(f"{i}.jpg" for i in block.images.ids)))
+    xy = block.observations.xy_px.copy()
+    xy[100] += 30.0
+    block = replace(block, observations=replace(block.observations, xy_px=xy))
+    done = _Oriented(adjustment=adjust(block, AdjustmentOptions(jobs=1, noise="white", reject="none")))
+    whole, found = with_movements(
+        done, dict.fromkeys(block.images.file, DAYS[0]), EpochsSettings(out=Path("dam")), silent
+    )
+    assert found is None
+    assert whole.adjustment.image_observations.rejected[100] is not None
+    assert whole.adjustment.given.images.date == (DAYS[0],) * len(block.images)

@@ -476,10 +476,10 @@ def _squared(u: Array, S: Array) -> Array:
     """U' S^-1 u (h,) of vectors (h, i); directions in which S (h, i, i) is singular are left out."""
     n, found = u.shape[1], np.zeros(len(u))
     trace = np.maximum(np.trace(S, axis1=1, axis2=2), 1e-300)
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", over="ignore"):
         # the smallest eigenvalue is at least the determinant over what the others can be together
         least = np.linalg.det(S / trace[:, None, None]) * (n - 1.0) ** (n - 1)
-    safe = least > 2 * SINGULAR
+    safe = (least > 2 * SINGULAR) & (least < 1)
     found[safe] = np.einsum("hi,hi->h", u[safe], np.linalg.solve(S[safe], u[safe, :, None])[:, :, 0])
     v, P = u[~safe], np.linalg.pinv(S[~safe], rcond=SINGULAR, hermitian=True)
     found[~safe] = np.einsum("hi,hij,hj->h", v, P, v)
