@@ -627,6 +627,13 @@ def _warnings(m: Movements, done: Epochs, settings: EpochsSettings) -> list[Mess
         grave += [] if below is None else [below]
     if m.stability.congruence.after[1] < settings.significance:
         grave.append(warning("epochs.stable_points_differ", p=float(m.stability.congruence.after[1])))
+    rival = m.stability.congruence.rival
+    if rival is not None:
+        n = len(rival)
+        grave.append(
+            warning("epochs.stable_ambiguous", stable=int(m.stability.congruence.stayed.sum()),
+                    other=n - int(rival.sum()), points=n)
+        )  # fmt: skip
     grave += [
         warning("epochs.camera_changed", camera=t.camera, F=t.F, p=t.p_value)
         for t in m.stability.cameras

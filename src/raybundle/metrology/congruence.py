@@ -34,6 +34,8 @@ CONTRADICTED = 0.001
 """Probability of the global test below which points that stayed contradict each other: what moved is not explained"""
 STRAINED = 2 * SMALLEST - 1
 """Points of the patches of which strains are stated: three times what a plane of displacements needs"""
+STARTS = 4
+"""From areas: of a part that moved and one that stayed, both are tried"""
 ROUNDS = 4
 """Fits of the axes of an epoch to those of the first: turns are small after each"""
 
@@ -100,6 +102,8 @@ class Congruence:
     """(n,) points that moved with an area, not by their own test"""
     strains: tuple[SurfaceStrain, ...] = ()
     """Of the surface at patches of `STRAINED` neighbours and groups of the user, from the first epoch to each other"""
+    rival: Mask | None = None
+    """(n,) points that moved by another explanation, with other stable points, that fits as well; None: none does"""
     patch_sizes: tuple[tuple[int, float, float], ...] = ()
     """Of patches of so many neighbours the smallest mean displacement that is found with `POWER`, median, if nothing
     moved and with what moved [m]"""
@@ -190,14 +194,17 @@ def congruence(
         else [alike, *stable_starts(model, [p.points for p in patch if len(p.points) == SMALLEST])]
     )
     starts = list({s.tobytes(): s for s in starts}.values())
-    states = [_moved(model, _State.of(~s, family, model, alpha), alpha, known, family) for s in starts]
+    begun = [_State.of(~s, family, model, alpha) for s in starts]
+    if patch and not datum:
+        begun += _of_areas(model, family)
+    states = [_moved(model, s, alpha, known, family) for s in begun]
     if patch and not datum:  # as well may the others have moved
         best = max(states, key=lambda s: _merit(model, s))
         if LEAST <= best.moved.sum() < n - LEAST:
             with suppress(InputError):  # too few of them, or in a line
                 states.append(_moved(model, _State.of(~best.moved, family, model, alpha), alpha, known, family))
-    # of those that leave no contradiction the one in which most stayed
     state = max(states, key=lambda s: _merit(model, s))
+    rival = _rival(model, states, state)
     for _ in range(ROUNDS):  # in the axes of those that stayed
         model = model_of(first, sets[1:], ~state.moved, scale=free_scale, joint=joint)
         again = _moved(model, state, alpha, known, family)
@@ -236,7 +243,7 @@ def congruence(
         transforms=tuple(axes_onto(s, first, ~moved, scale=free_scale) for s in sets[1:]),
         alternatives=() if joint is not None else _alternatives(model, moved, known, ids, (alpha, significance)),
         areas=tuple(model.area(shown, k, moved, significance / len(limits)) for k in range(len(limits))),
-        in_area=moved & ~state.own, patch_sizes=model.patch_sizes(family, moved, own),
+        in_area=moved & ~state.own, rival=rival, patch_sizes=model.patch_sizes(family, moved, own),
     )  # fmt: skip
 
 
@@ -350,9 +357,44 @@ def _with_errors(model: Model, moved: Mask, own: Mask, p: Array, errors: PointEr
     return found
 
 
-def _merit(model: Model, state: _State) -> tuple[float, int]:
-    """How good an explanation is: whether those that stayed contradict each other, then how many they are."""
-    return min(model.whole(state.moved)[1], CONTRADICTED), int((~state.moved).sum())
+def _merit(model: Model, state: _State) -> tuple[float, float]:
+    """How good an explanation is: whether those that stayed contradict each other, then Schwarz's criterion.
+
+    Displacements are its parameters: of explanations that fit alike the one in which most stayed.
+    """
+    p, rest = model.whole(state.moved)[1], model.stayed(state.moved).square_sum
+    return min(p, CONTRADICTED), -rest - 3 * model.later * float(state.moved.sum()) * float(np.log(len(model.d)))
+
+
+def _rival(model: Model, states: Sequence[_State], chosen: _State) -> Mask | None:
+    """What moved by the best state with other stable points that leaves no contradiction either.
+
+    Of both most points stayed, but less than half of these are the same: nothing shows which of them did.
+    """
+    stayed = ~chosen.moved
+    others = [
+        s
+        for s in states
+        if 2 * s.moved.sum() < model.points
+        and 2 * (stayed & ~s.moved).sum() < min(stayed.sum(), (~s.moved).sum())
+        and model.whole(s.moved)[1] >= CONTRADICTED
+    ]
+    return max(others, key=lambda s: _merit(model, s)).moved if others else None
+
+
+def _of_areas(model: Model, family: Family) -> list[_State]:
+    """Starts from areas that have no point in common, the most significant ones if nothing else moved."""
+    none = np.zeros(model.points, bool)
+    ratio = model.together(family, none) / family.limits
+    found, taken = list[_State](), none.copy()
+    for k in np.argsort(ratio).tolist():  # what is not tested is NaN, and last
+        points = family.areas[k].points
+        if not ratio[k] < 1.0 or len(found) == STARTS:
+            break
+        if not taken[points].any():
+            taken[points] = True
+            found.append(_State(own=none, active=(k,), family=family, stay=none))
+    return found
 
 
 def _alternatives(

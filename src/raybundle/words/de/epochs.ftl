@@ -46,6 +46,10 @@ epochs-stable_points_differ = Stabile Punkte weichen um mehr als ihre Standardab
     .why = Die Standardabweichungen sind zu klein, oder viele Punkte haben sich wenig verschoben.
     .do = Die stabilen Punkte mit { OPTION("datum_points", "A", "B", "C") } angeben.
 
+epochs-stable_ambiguous = Zwei Mengen stabiler Punkte passen gleich gut: { $stable } und { $other } von { $points } Punkten.
+    .why = Fast die Hälfte hat sich gleich verschoben. Was als verschoben berichtet ist, kann stabil sein.
+    .do = Die stabilen Punkte mit { OPTION("datum_points", "A", "B", "C") } angeben.
+
 epochs-free_scale = Der Maßstab von { $names } ist nicht festgelegt: eine gleichmäßige Dehnung bleibt unentdeckt ({ $scale_ppm } ppm).
     .why = Passpunkte sind in diesem Test frei; Längen sind die der ersten Epoche.
     .do = In jeder Epoche eine Maßstabsstrecke messen.

@@ -99,6 +99,13 @@ epochs-stable_points_differ = Stable points differ by more than their standard d
     .why = The standard deviations are too small, or many points moved a little.
     .do = Give the stable points with { OPTION("datum_points", "A", "B", "C") }.
 
+# $stable = 160
+# $other = 155
+# $points = 300
+epochs-stable_ambiguous = Two sets of stable points fit equally well: { $stable } and { $other } of { $points } points.
+    .why = Nearly half moved alike. What is reported as moved may be what stayed.
+    .do = Give the stable points with { OPTION("datum_points", "A", "B", "C") }.
+
 # $names = ["autumn"]
 # $scale_ppm = [120.0]
 epochs-free_scale = The scale of { $names } is not fixed: a growth of all points is not detected ({ $scale_ppm } ppm).

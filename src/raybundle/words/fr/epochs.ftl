@@ -22,6 +22,8 @@ epochs-faulty = { $name } a lui-même { $n } fautes.
 
 epochs-stable_points_differ = Les points stables diffèrent de plus que leurs écarts-types ({ P($p) }).
 
+epochs-stable_ambiguous = Deux ensembles de points stables conviennent aussi bien : { $stable } et { $other } de { $points } points.
+
 epochs-free_scale = L'échelle de { $names } n'est pas fixée : une dilatation de tous les points n'est pas détectée ({ $scale_ppm } ppm).
 
 epochs-points_unknown = Aucune mesure ne contient { LIST($points, most: 10) }.
