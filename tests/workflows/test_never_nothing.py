@@ -9,6 +9,7 @@ import pytest
 from raybundle.adjustment.records.options import noise_of_photographs
 from raybundle.adjustment.records.severity import Severity
 from raybundle.block import Role
+from raybundle.block.rejection import RejectionKind
 from raybundle.block.select import with_rows, without_images
 from raybundle.errors import NotSolvable, Undetermined
 from raybundle.matching.least_squares import FIGURES
@@ -129,6 +130,18 @@ def thinned(block, image, count):
     return with_rows(block, keep)
 
 
+def test_gross_errors_stay_in_a_block_that_is_adjusted_again():
+    block, _ = features()
+    xy = block.observations.xy_px.copy()
+    xy[20] += 60.0
+    wrong = placed(replace(block, observations=replace(block.observations, xy_px=xy)))
+    kept = final_adjustment(wrong, (), 1, silent, (), reject="none")
+    assert not any(r is not None and r.kind is RejectionKind.BLUNDER for r in kept.image_observations.rejected)
+    assert kept.options.reject == "none"
+    found = final_adjustment(wrong, (), 1, silent, ())
+    assert found.image_observations.rejected[20] is not None
+
+
 def test_errors_of_few_photographs_are_said_to_be_taken_as_independent():
     told = {n: independent_notices("auto", noise_of_photographs("auto", n), n) for n in (3, 4, 5)}
     assert not told[5]
@@ -180,7 +193,9 @@ def test_a_part_that_nothing_determines_costs_its_photographs_alone():
     whole, _ = features()
     o = whole.observations
     few = with_rows(whole, np.isin(o.image, [0, 1]) & (np.arange(len(o)) % 60 == 0))
-    asked = SimpleNamespace(groups=(), photos=(), remarks=(), options=OrientOptions(precise=False), given=Given())
+    asked = SimpleNamespace(
+        groups=(), photos=(), remarks=(), options=OrientOptions(precise=False), given=Given(), reject="snooping"
+    )
     means = SimpleNamespace(jobs=1, progress=silent)
     done = _adjusted(asked, placed(whole), [placed(few), placed(whole)], means)
     adjustment, parts = done.adjustment, done.other_components
@@ -199,7 +214,13 @@ def test_the_part_with_most_photographs_leads_whatever_is_left_of_the_first():
         few, images=replace(few.images, centre=_only(few.images.centre, 3), rotation=_only(few.images.rotation, 3))
     )
     asked = SimpleNamespace(
-        groups=(), photos=(), remarks=(), options=OrientOptions(precise=False), given=Given(), scenes=None
+        groups=(),
+        photos=(),
+        remarks=(),
+        options=OrientOptions(precise=False),
+        given=Given(),
+        scenes=None,
+        reject="snooping",
     )
     means = SimpleNamespace(jobs=1, progress=silent)
     done = _adjusted(asked, placed(few), [placed(whole)], means)

@@ -13,12 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.adjustment.statistics.field_system import (
-    FieldSystem,
-    Wide,
-    widened,
-    widened_state,
-)
+from raybundle.adjustment.statistics.field_system import FieldSystem, Wide, widened, widened_state
 from raybundle.adjustment.statistics.fields import WithFields
 from raybundle.adjustment.statistics.noise import Outside
 from raybundle.adjustment.statistics.system_state import Work
@@ -39,7 +34,7 @@ def solver_of(work: Work, points: Index) -> Solve:
 
     points  ascending, with `needed(work)` among them
     """
-    own = _NormalsOfPoints.of(work, points)
+    own = _NormalsOfPoints.among(work, points)
     state = replace(work.state, xyz=work.state.xyz[points])
     if work.spread is None:
         return partial(own.solve, state)
@@ -71,7 +66,7 @@ class _NormalsOfPoints(Normals):
     """(3 k, N) sparse V^-1 W'"""
 
     @classmethod
-    def of(cls, work: Work, points: Index) -> _NormalsOfPoints:
+    def among(cls, work: Work, points: Index) -> _NormalsOfPoints:
         """Of points of an adjusted block."""
         system, whole = work.system, work.normals
         inverse, taken = _of_rays(system, work.state, points)
@@ -168,8 +163,9 @@ def _of_rays(system: System, state: State, points: Index) -> tuple[Array, Any]:
     line = np.broadcast_to((3 * mine[:, None] + e)[:, :, None], couplings.shape)
     column = np.broadcast_to(np.maximum(at, 0)[:, None], couplings.shape)
     there = np.broadcast_to((at >= 0)[:, None], couplings.shape)
-    coupled = csr_matrix((couplings[there], (line[there], column[there])), shape=(3 * k, int(system.offsets[-1])))
-    return inverse, (bsr_matrix((inverse, np.arange(k), np.arange(k + 1)), shape=(3 * k, 3 * k)) @ coupled).tocsr()
+    coupled: Any = csr_matrix((couplings[there], (line[there], column[there])), shape=(3 * k, int(system.offsets[-1])))
+    each: Any = bsr_matrix((inverse, np.arange(k), np.arange(k + 1)), shape=(3 * k, 3 * k))
+    return inverse, (each @ coupled).tocsr()
 
 
 def _of_nodes(system: System, image: Index, by_station: Array, by_interior: Array) -> tuple[Index, Array]:
