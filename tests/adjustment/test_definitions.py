@@ -5,15 +5,22 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.stats import chi2
 
 from raybundle.adjustment.blunders.identical_control import _largest_scale
+from raybundle.adjustment.decision.variance_groups import _one_explains
+from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.evaluation.image_interiors import OwnInteriors, groups_of
+from raybundle.adjustment.evaluation.joint_cofactors import Factored, JointCofactors, joint_cofactors
 from raybundle.adjustment.records.figures import VarianceComponent
-from raybundle.adjustment.statistics.components import settled_components
+from raybundle.adjustment.records.options import AdjustmentOptions
+from raybundle.adjustment.statistics.components import NAMES, settled_components
 from raybundle.adjustment.statistics.reliability import _of_piece
+from raybundle.adjustment.system import defects
 from raybundle.adjustment.system.datum import well_spread
 from raybundle.numerics.statistics import DELTA0
-from tests.native.cases import block_of
+from tests.native.cases import block_of, per_image
+from tests.native.test_kernels import setting
 
 
 def test_tests_of_correlated_image_points_are_those_of_their_matrices():
@@ -126,3 +133,46 @@ def test_the_datum_is_carried_by_points_of_many_rays_that_are_not_far_off():
     assert np.isin(points, near[np.argsort(-rays[near])[:60]]).all()
     assert not given[points, axes].any()
     assert well_spread(xyz[:2], rays[:2], given[:2], datum)[2] == 0
+
+
+def test_joint_cofactors_are_those_of_the_points_and_unknowns_that_are_asked_for():
+    Q = np.arange(121.0).reshape(11, 11)
+    joint = JointCofactors(points=np.array([2, 5, 9]), columns=np.array([-1, 9, -1, 10]), matrix=Q)
+    assert joint.place(np.array([0, 2, 5, 7, 9, 12])).tolist() == [-1, 0, 1, -1, 2, -1]
+    assert joint.of_unknowns(np.array([3, 1])).tolist() == [[Q[10, 10], Q[10, 9]], [Q[9, 10], Q[9, 9]]]
+    assert joint.variances().tolist() == np.diagonal(Q)[:9].reshape(3, 3).tolist()
+
+
+@pytest.mark.parametrize("own", [False, True])
+def test_joint_cofactors_hold_the_interior_orientations_that_images_share(own):
+    result = adjust_block(per_image(block_of(control=8)) if own else block_of(control=8), AdjustmentOptions(jobs=1))
+    joint = joint_cofactors(Factored.of(result), np.array([1, 4]))
+    free = 0 if own else sum(len(i.free) for i in result.interior)
+    assert free > 0 or own
+    assert joint.matrix.shape == (6 + free, 6 + free)
+    assert sorted(joint.columns[joint.columns >= 0]) == list(range(6, 6 + free))
+
+
+def test_an_unknown_of_which_no_reason_is_known_is_named(monkeypatch):
+    normals, state = setting(block_of(control=4), compiled=True, threads=1)
+    normals.reduce(state)
+    monkeypatch.setattr(defects, "null_space", lambda _: ([], []))
+    for unknown in (0, 7):
+        (found,) = defects.explain(normals, state, (), unknown).undetermined
+        assert found == defects.named_unknown(normals.system, unknown)[0]
+    assert not defects.explain(normals, state, (), -1).undetermined
+
+
+@pytest.mark.parametrize(("tail", "explains"), [(0.02, True), (0.006, True), (0.004, False), (1e-6, False)])
+def test_a_single_value_explains_a_group_where_the_others_do_not_contradict(tail, explains):
+    """At half of one percent, the test being two-sided."""
+    r = np.array([0.9, 0.8, 0.7, 0.8])
+    square = chi2.isf(tail, r.sum() - 1)
+    group = SimpleNamespace(
+        kind="control", sigma=np.ones(4), w=np.array([0.0, 0.0, 6.0, 0.0]), redundancy=r,
+        square=np.array([square / 2, square / 4, 36.0, square / 4]),
+    )  # fmt: skip
+    notices = [SimpleNamespace(code="control_suspect")]
+    result = SimpleNamespace(groups=[group], notices=notices)
+    assert _one_explains(result, (NAMES["control"], "all")) is explains
+    assert not _one_explains(SimpleNamespace(groups=[group], notices=[]), (NAMES["control"], "all"))
