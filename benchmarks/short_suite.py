@@ -6,10 +6,11 @@
 
 Long are all above `slow.MOST` seconds.  Of those above LEAST so many are short as bring the most blocks a second that
 fewer than TIMES other short tests run (CORE_TIMES in the numeric core), less those that later ones made needless, and
-the quickest case of each function.  All below LEAST are short, and those of ALWAYS: what they hold (formats, damaged
-files, words, kernels, the source itself) shows in no block.  A test that is not in the map keeps its place, as does one
-that was not measured, and all below `slow.MOST` without a map.  Of several measurements of a test the least counts.
-What long tests alone run is counted, and --alone writes which these are.
+the quickest case of each function; in tests of the core functions without cases, too, below WHOLE.  All below LEAST are
+short, and those of ALWAYS: what they hold (formats, damaged files, words, kernels, the source itself) shows in no
+block.  A test that is not in the map keeps its place, as does one that was not measured, and all below `slow.MOST`
+without a map.  Of several measurements of a test the least counts.  What long tests alone run is counted, and --alone
+writes which these are.
 """
 
 from __future__ import annotations
@@ -25,10 +26,11 @@ from mutants import CORE
 sys.path.insert(0, str(ROOT))
 from tests import slow
 
-LEAST, TIMES, CORE_TIMES = 0.1, 1, 3
+LEAST, WHOLE, TIMES, CORE_TIMES = 0.08, 0.5, 1, 2
 ALWAYS = (*slow.KEPT, "tests/words/", "tests/io/", "tests/hostile/test_fuzz.py", "tests/hostile/test_every_reader.py",
           "tests/hostile/readers/", "tests/published/", "tests/docs/", "tests/native/", "tests/public/", "tests/tools/",
           "tests/test_")  # fmt: skip
+OF_CORE = ("tests/adjustment/", "tests/calibration/", "tests/observations/", "tests/sensors/")
 
 
 def measured(files):
@@ -86,7 +88,7 @@ def divided(table, spent, least=LEAST, times=TIMES, core=CORE_TIMES):
     for function in {name.partition("[")[0] for name in free}:
         cases = [name for name in spent if name.partition("[")[0] == function]
         last = min(set(free) & set(cases), key=spent.__getitem__)
-        if long.issuperset(cases) and len(cases) > 1:
+        if long.issuperset(cases) and (len(cases) > 1 or (spent[last] < WHOLE and last.startswith(OF_CORE))):
             order.append(last)
     return order, long - set(order)
 
