@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.errors import InputError
+from raybundle.surfaces.depths import refine as module
 from raybundle.surfaces.depths.refine import (
     NUMBERS,
     PixelGrid,
@@ -17,6 +18,7 @@ from raybundle.surfaces.depths.refine import (
     _empty,
     _Work,
     cubic,
+    grow,
     interpolated_lags,
     left_by_interpolation,
 )
@@ -103,6 +105,25 @@ def test_starts_beside_refined_pixels_lie_on_the_plane_of_the_best_of_them():
             t, a, b = before[:3, j, i]
             expected = t + stride * ((x - i) * a + (y - j) * b), a, b
         np.testing.assert_allclose(r.numbers[:3, y, x], expected, rtol=1e-5)
+
+
+@pytest.mark.parametrize(("until", "chains"), [(9, [1, -1, 1, -1, 1]), (3, [1, -1, 1, -1]), (0, [1, -1])])
+def test_growing_goes_forth_and_back_in_turn_until_nothing_is_new(monkeypatch, until, chains):
+    found, gone = refined(3, 20), []
+    found.reason[:] = Reason.NO_CORRELATION
+    found.reason[1, 0] = Reason.REFINED
+
+    def run(_, grown, todo, chain):
+        gone.append(chain)
+        grown.reason[1, len(gone)] = Reason.REFINED if len(gone) <= until else Reason.NO_TEXTURE
+
+    monkeypatch.setattr(module, "_run", run)
+    grey, grid = np.zeros((3, 20), np.float32), PixelGrid(x0=0, y0=0, stride=1, rows=3, columns=20)
+    sources = [Source(grey=grey, transfer=None)] * 2
+    grown = grow(grey, sources, grid, found, passes=5)
+    assert gone == chains
+    assert grown.found.sum() == 1 + min(until, 5)
+    assert found.found.sum() == 1
 
 
 def test_interpolation_is_exact_for_parabolas_and_leaves_a_share_of_white_noise():
