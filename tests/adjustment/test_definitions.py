@@ -12,6 +12,7 @@ from raybundle.adjustment.decision.variance_groups import _one_explains
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.evaluation.image_interiors import OwnInteriors, groups_of
 from raybundle.adjustment.evaluation.joint_cofactors import Factored, JointCofactors, joint_cofactors
+from raybundle.adjustment.notices import _points
 from raybundle.adjustment.records.figures import VarianceComponent
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.statistics.components import NAMES, settled_components
@@ -27,8 +28,9 @@ def test_tests_of_correlated_image_points_are_those_of_their_matrices():
     rng = np.random.default_rng(1)
     n = 60
     a, b, c = 10 ** rng.uniform(-3, 3, n), rng.normal(size=n), 10 ** rng.uniform(-3, 3, n)
+    c[:20], a[:20] = 10 ** rng.uniform(3, 4, (2, 20))
     b *= a
-    c[:20], a[:20] = 10 ** rng.uniform(-0.3, 0.3, (2, 20))
+    b[:20] *= 1e-3
     W = np.zeros((n, 2, 2))
     W[:, 0, 0], W[:, 1, 0], W[:, 1, 1] = a, b, c
     half = rng.normal(size=(n, 2, 2))
@@ -176,3 +178,17 @@ def test_a_single_value_explains_a_group_where_the_others_do_not_contradict(tail
     result = SimpleNamespace(groups=[group], notices=notices)
     assert _one_explains(result, (NAMES["control"], "all")) is explains
     assert not _one_explains(SimpleNamespace(groups=[group], notices=[]), (NAMES["control"], "all"))
+
+
+def test_of_points_with_small_angles_a_hundred_are_listed():
+    result = adjust_block(block_of(control=4), AdjustmentOptions(jobs=1))
+    block, n = result.given, len(result.given.points)
+    points = block.points.rows(np.tile(np.arange(n), -(-150 // n))[:150])
+    given = SimpleNamespace(
+        points=points, observations=block.observations, images=block.images, distances=block.distances
+    )
+    network = SimpleNamespace(rays=np.full(150, 2), intersection_angle=np.full(150, 0.01))
+    (notice,) = [n for n in _points(replace(result, given=given, network=network)) if n.data.code == "small_angle"]
+    loose = [name for name, known in zip(points.ids, points.is_control, strict=True) if not known.all()]
+    assert notice.values["n"] == len(loose) > 100
+    assert list(notice.ids) == loose[:100]
