@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
+from raybundle.adjustment.blunders import suspects
 from raybundle.adjustment.blunders.identical_control import _largest_scale
 from raybundle.adjustment.decision.variance_groups import _one_explains
 from raybundle.adjustment.engine import adjust_block
@@ -192,3 +193,16 @@ def test_of_points_with_small_angles_a_hundred_are_listed():
     loose = [name for name, known in zip(points.ids, points.is_control, strict=True) if not known.all()]
     assert notice.values["n"] == len(loose) > 100
     assert list(notice.ids) == loose[:100]
+
+
+@pytest.mark.parametrize(("rho", "explains"), [(0.1, False), (-0.4, False), (0.8, True), (-0.9, True)])
+def test_a_blunder_explains_another_residual_where_their_tests_are_correlated(rho, explains, monkeypatch):
+    """w - rho w' beside 2.33 standard deviations of it: 5.1 and 5.0, each with the other's or none."""
+    check = np.array([0.7, 0.4])
+    cross = rho * np.sqrt(check.prod())
+    H = np.array([[1 - check[0], cross], [cross, 1 - check[1]]])
+    monkeypatch.setattr(suspects, "leverages", lambda *_: H)
+    group = SimpleNamespace(kind="control", w=np.array([0.0, -5.1, 0.0, 5.0]))
+    found = suspects._explained(None, group, np.array([1, 3]))
+    assert found == {1: (3,) if explains else (), 3: (1,) if explains else ()}
+    assert suspects._explained(None, group, np.array([1])) == {}
