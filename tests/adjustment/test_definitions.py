@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from scipy.stats import chi2
+from scipy.stats import chi2, f
 
 from raybundle.adjustment.blunders import suspects
 from raybundle.adjustment.blunders.identical_control import _largest_scale
@@ -13,10 +13,11 @@ from raybundle.adjustment.decision.variance_groups import _one_explains
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.evaluation.image_interiors import OwnInteriors, groups_of
 from raybundle.adjustment.evaluation.joint_cofactors import Factored, JointCofactors, joint_cofactors
-from raybundle.adjustment.notices import _points
+from raybundle.adjustment.notices import _points, _without_worst
 from raybundle.adjustment.records.figures import VarianceComponent
 from raybundle.adjustment.records.options import AdjustmentOptions
 from raybundle.adjustment.statistics.components import NAMES, settled_components
+from raybundle.adjustment.statistics.network import classed
 from raybundle.adjustment.statistics.reliability import _of_piece
 from raybundle.adjustment.system import defects
 from raybundle.adjustment.system.datum import well_spread
@@ -206,3 +207,32 @@ def test_a_blunder_explains_another_residual_where_their_tests_are_correlated(rh
     found = suspects._explained(None, group, np.array([1, 3]))
     assert found == {1: (3,) if explains else (), 3: (1,) if explains else ()}
     assert suspects._explained(None, group, np.array([1])) == {}
+
+
+@pytest.mark.parametrize(("tie", "named", "expected"), [(4, 6, True), (5, 5, False), (6, 4, False), (0, 0, True)])
+def test_classes_compare_where_less_than_half_of_the_points_seen_are_tie_points(tie, named, expected):
+    ids = [*(f"t{k + 1}" for k in range(tie)), *(f"wall {k}" for k in range(named)), "t900", "t901", "t902"]
+    seen = np.repeat(np.arange(tie + named), 3)
+    block = SimpleNamespace(
+        cameras=[SimpleNamespace(is_scene=False)], points=SimpleNamespace(ids=ids),
+        observations=SimpleNamespace(point=seen),
+    )  # fmt: skip
+    assert classed(block) is expected
+    block.cameras.append(SimpleNamespace(is_scene=True))
+    assert not classed(block)
+
+
+def test_a_group_without_its_worst_differs_by_the_f_test_of_what_is_left():
+    """Degrees of freedom as whole numbers: 2 beside 4 of 7.4 in all, the worst value taking one."""
+    seen = set()
+    for square in np.geomspace(1, 1e4, 300):
+        group = SimpleNamespace(
+            sigma=np.array([1.0, 1.0, 0.0]), w=np.array([9.0, 0.0, 50.0]), square=np.array([81.0, square, 7.0]),
+            redundancy=np.array([1.5, 1.5, np.nan]),
+        )  # fmt: skip
+        result = SimpleNamespace(weighted_square_sum=81.0 + square + 5.0, redundancy=7.4)
+        F = (square / 2) / (5.0 / 4.4)
+        expected = 2 * min(f.sf(F, 2, 4), f.sf(1 / F, 4, 2)) < 0.01
+        assert _without_worst(result, group) == expected
+        seen.add(bool(expected))
+    assert len(seen) == 2
