@@ -8,6 +8,7 @@ import pytest
 from scipy.stats import chi2, f
 
 from raybundle.adjustment.blunders import suspects
+from raybundle.adjustment.blunders.collinear_points import _straight
 from raybundle.adjustment.blunders.identical_control import _largest_scale
 from raybundle.adjustment.decision.variance_groups import _one_explains
 from raybundle.adjustment.engine import adjust_block
@@ -21,6 +22,8 @@ from raybundle.adjustment.statistics.network import classed
 from raybundle.adjustment.statistics.reliability import _of_piece
 from raybundle.adjustment.system import defects
 from raybundle.adjustment.system.datum import well_spread
+from raybundle.adjustment.system.input_checks import _check_indices
+from raybundle.errors import InputError
 from raybundle.numerics.statistics import DELTA0
 from tests.native.cases import block_of, per_image
 from tests.native.test_kernels import setting
@@ -236,3 +239,28 @@ def test_a_group_without_its_worst_differs_by_the_f_test_of_what_is_left():
         assert _without_worst(result, group) == expected
         seen.add(bool(expected))
     assert len(seen) == 2
+
+
+@pytest.mark.parametrize(
+    ("n", "off", "straight"), [(2, 0, False), (3, 0, True), (3, 0.2, False), (5, 0, True), (5, 0.2, False)]
+)
+def test_three_points_lie_on_a_line_or_do_not(n, off, straight):
+    xyz = np.linspace(0, 10, n)[:, None] * [1.0, 2.0, -1.0] + 50
+    xyz[n // 2, 2] += off
+    assert _straight(xyz, np.tile(1e-4 * np.eye(3), (n, 1, 1))) is straight
+
+
+@pytest.mark.parametrize("name", ["image", "point"])
+@pytest.mark.parametrize("beyond", [-1, 0, 1])
+def test_a_position_one_after_the_last_is_refused(name, beyond):
+    block = block_of(control=4)
+    last = len(getattr(block, f"{name}s").ids) - 1
+    at = getattr(block.observations, name).copy()
+    at[3] = last + beyond
+    changed = replace(block, observations=replace(block.observations, **{name: at}))
+    if beyond < 1:
+        _check_indices(changed)
+        return
+    with pytest.raises(InputError) as caught:
+        _check_indices(changed)
+    assert (caught.value.message.values["row"], caught.value.message.values["last"]) == (3, last)
