@@ -14,6 +14,7 @@ from raybundle.adjustment.decision.variance_groups import _one_explains
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.evaluation.image_interiors import OwnInteriors, groups_of
 from raybundle.adjustment.evaluation.joint_cofactors import Factored, JointCofactors, joint_cofactors
+from raybundle.adjustment.noise_sample import _neighbouring
 from raybundle.adjustment.notices import _points, _without_worst
 from raybundle.adjustment.records.figures import VarianceComponent
 from raybundle.adjustment.records.options import AdjustmentOptions
@@ -192,10 +193,14 @@ def test_of_points_with_small_angles_a_hundred_are_listed():
     given = SimpleNamespace(
         points=points, observations=block.observations, images=block.images, distances=block.distances
     )
-    network = SimpleNamespace(rays=np.full(150, 2), intersection_angle=np.full(150, 0.01))
+    rays = np.full(150, 2)
+    rays[np.flatnonzero(~points.is_control.all(axis=1))[:5]] = 1  # of a single ray there is no angle
+    network = SimpleNamespace(rays=rays, intersection_angle=np.full(150, 0.01))
     (notice,) = [n for n in _points(replace(result, given=given, network=network)) if n.data.code == "small_angle"]
-    loose = [name for name, known in zip(points.ids, points.is_control, strict=True) if not known.all()]
-    assert notice.values["n"] == len(loose) > 100
+    loose = [
+        name for name, known, k in zip(points.ids, points.is_control, rays, strict=True) if k > 1 and not known.all()
+    ]
+    assert notice.values["n"] == len(loose) > 99
     assert list(notice.ids) == loose[:100]
 
 
@@ -210,6 +215,8 @@ def test_a_blunder_explains_another_residual_where_their_tests_are_correlated(rh
     found = suspects._explained(None, group, np.array([1, 3]))
     assert found == {1: (3,) if explains else (), 3: (1,) if explains else ()}
     assert suspects._explained(None, group, np.array([1])) == {}
+    larger = SimpleNamespace(kind="control", w=np.array([0.0, 5.0 * abs(rho) + 2.9, 0.0, 5.0]))
+    assert suspects._explained(None, larger, np.array([1, 3]))[1] == ()
 
 
 @pytest.mark.parametrize(("tie", "named", "expected"), [(4, 6, True), (5, 5, False), (6, 4, False), (0, 0, True)])
@@ -264,3 +271,17 @@ def test_a_position_one_after_the_last_is_refused(name, beyond):
     with pytest.raises(InputError) as caught:
         _check_indices(changed)
     assert (caught.value.message.values["row"], caught.value.message.values["last"]) == (3, last)
+
+
+def test_photographs_of_a_sample_are_joined_by_a_single_point():
+    image, point = (
+        np.array([1] * 5 + [0] * 3 + [2] * 2 + [3] * 4),
+        np.array([0, 1, 2, 3, 4, 4, 5, 6, 6, 7, 8, 9, 10, 11]),
+    )
+    rows = block_of(control=4).observations.rows(np.arange(len(image)))
+    block = SimpleNamespace(
+        images=range(4),
+        points=range(12),
+        observations=replace(rows, image=image.astype(np.int32), point=point.astype(np.int32)),
+    )
+    assert _neighbouring(block).tolist() == [True, True, True, False]
