@@ -2,10 +2,10 @@
 
     python benchmarks/block_coverage.py MAP.json [--packages adjustment ...] [-- ARGUMENTS OF PYTEST]
 
-The files of tests that run replace their rows of a map that exists.  A block is the body of a function, of a branch or
-of a loop; where a condition has no `else`, passing it over is a block too.  What a test runs in its fixtures and in
-processes that it begins, killed ones included, counts as its own: a byte for each block lies in a file that all of them
-share.  Processes with an empty environment are not seen.
+Tests that run replace their rows of a map that exists; functions and blocks that are gone are dropped.  A block is the
+body of a function, of a branch or of a loop; where a condition has no `else`, passing it over is a block too.  What a
+test runs in its fixtures and in processes that it begins, killed ones included, counts as its own: a byte for each
+block lies in a file that all of them share.  Processes with an empty environment are not seen.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import argparse
 import ast
 import base64
 import builtins
+import functools
 import importlib.abc
 import importlib.machinery
 import importlib.util
@@ -269,16 +270,19 @@ def unpacked(text, n):
 
 
 def merged(earlier, rows, keys):
-    """A map of all that ran now, and of the other files of tests as the earlier map has them."""
+    """A map of all that ran now, and of the other tests as the earlier map has them."""
     import numpy as np
 
-    every = list(dict.fromkeys([*keys, *(earlier["blocks"] if earlier else ())]))
+    measured = {key.partition(" ")[0] for key in keys}
+    older = [key for key in earlier["blocks"] if key.partition(" ")[0] not in measured] if earlier else ()
+    every = [*keys, *older]
     place = {key: i for i, key in enumerate(every)}
     imported, tests = np.zeros(len(every), bool), {}
 
     def moved(text, columns):
         full = np.zeros(len(every), bool)
-        full[columns[unpacked(text, len(columns))]] = True
+        at = columns[unpacked(text, len(columns))]
+        full[at[at >= 0]] = True
         return full
 
     columns = np.array([place[key] for key in keys])
@@ -288,13 +292,22 @@ def merged(earlier, rows, keys):
         else:
             imported |= moved(text, columns)
     if earlier:
-        again = {test.partition("::")[0] for test in tests}
-        columns = np.array([place[key] for key in earlier["blocks"]])
+        columns = np.array([place.get(key, -1) for key in earlier["blocks"]])
         imported |= moved(earlier["imported"], columns)
         for test, (spent, text) in earlier["tests"].items():
-            if test.partition("::")[0] not in again:
+            if test not in tests and is_there(test):
                 tests[test] = [spent, text and packed(moved(text, columns))]
     return {"blocks": every, "imported": packed(imported), "tests": tests}
+
+
+@functools.cache
+def source_of(path):
+    return (ROOT / path).read_text(encoding="utf-8") if (ROOT / path).exists() else ""
+
+
+def is_there(test):
+    path, *_, function = test.partition("[")[0].split("::")
+    return f"def {function}(" in source_of(path)
 
 
 def measure(path, packages, arguments):

@@ -51,7 +51,7 @@ SETTING = "RAYBUNDLE_MUTANT"
 """Environment variable that holds a mutant, for processes that tests begin"""
 BUDGET_S = 25.0
 """Seconds of tests tried for a mutant, as measured without it"""
-FEWEST, FIRST, SELDOM, MOST = 5, 8, 10, 150
+FEWEST, FIRST, SELDOM, MOST = 5, 8, 10, 400
 """Tests tried whatever they take; tried before all others are collected; of such as enter what a condition
 decides on; no more than these"""
 ARGUMENTS = ("-x", *PLAIN, "-W", "ignore::pytest.PytestAssertRewriteWarning")

@@ -81,8 +81,10 @@ _resident = [0]
 @pytest.hookimpl(trylast=True)
 def pytest_runtest_teardown(item, nextitem):
     """Give memory back to the system after the last test of a file, where the process has grown."""
+    if not TRIM or (nextitem is not None and nextitem.path == item.path):
+        return
     process = psutil.Process()
-    if TRIM and (nextitem is None or nextitem.path != item.path) and process.memory_info().rss > _resident[0] + GROWN:
+    if process.memory_info().rss > _resident[0] + GROWN:
         gc.collect()
         TRIM(0)
         _resident[0] = process.memory_info().rss

@@ -1,7 +1,7 @@
 """Which tests are long: tests/slow.txt, which benchmarks/short_suite.py writes.
 
 They took more than MOST seconds of processor time (`pytest --cpu FILE`; with xdist each worker appends), or fewer and
-run no block of statements that two short tests do not run.  A test in the list has the mark `long`, as one that states
+run no block of statements that short tests do not run.  A test in the list has the mark `long`, as one that states
 it itself: `make test-long` runs both.  Those of KEPT stay in `make test`, however long they take: the main job, and
 whether standard deviations are true.
 """

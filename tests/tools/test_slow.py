@@ -29,7 +29,7 @@ def test_every_name_is_that_of_a_test():
     assert not gone
 
 
-CPU = {"tests/a.py::cheap": 0.1, "tests/a.py::one": 1.0, "tests/a.py::two": 0.6, "tests/a.py::both": 1.1,
+CPU = {"tests/a.py::cheap": 0.05, "tests/a.py::one": 1.0, "tests/a.py::two": 0.6, "tests/a.py::both": 1.1,
        "tests/a.py::nothing": 0.7, "tests/a.py::too_long": 1.6, "tests/smoke/test_s.py::demo": 9.0,
        "tests/words/t.py::same": 0.8, "tests/a.py::case[x]": 0.9, "tests/a.py::case[y]": 0.8}  # fmt: skip
 RAN = {"cheap": "1000", "one": "0100", "two": "0010", "both": "0110", "nothing": "1000", "too_long": "1111",
@@ -59,6 +59,26 @@ def test_what_brings_no_block_becomes_long(tmp_path, monkeypatch):
     assert found == {"nothing", "too_long", "case[x]", "elsewhere"}
 
 
+def test_blocks_of_the_core_are_run_more_often(tmp_path, monkeypatch):
+    monkeypatch.setattr(short_suite, "SOURCE", ROOT)
+    monkeypatch.setattr(short_suite, "CORE", ["a"])
+    found = chosen_at(tmp_path, monkeypatch, "--map", str(tmp_path / "map"), "--core-times", "2")
+    assert found == {"nothing", "too_long", "case[x]", "elsewhere"}
+
+
+def test_what_later_ones_made_needless_is_not_chosen():
+    ran = np.array([[1, 1, 0, 0], [1, 0, 1, 0], [0, 1, 0, 1]])
+    assert short_suite.chosen(ran, np.array([1.0, 1.2, 1.2]), np.zeros(4), 1) == [1, 2]
+
+
+def test_what_long_tests_run_alone_is_counted(tmp_path):
+    (tmp_path / "map").write_text(json.dumps(coverage(RAN)))
+    table = block_coverage.Map(tmp_path / "map")
+    long = {"tests/a.py::one", "tests/a.py::two", "tests/a.py::both", "tests/a.py::too_long"}
+    assert short_suite.alone(table, long) == {"tests/a.py::too_long": 3}
+    assert short_suite.alone(table, long - {"tests/a.py::one"}) == {"tests/a.py::too_long": 2}
+
+
 def test_without_a_map_what_takes_too_long_becomes_long(tmp_path, monkeypatch):
     assert chosen_at(tmp_path, monkeypatch) == {"too_long", "two", "elsewhere"}
 
@@ -77,14 +97,23 @@ def test_a_condition_is_marked_on_both_sides(tmp_path, monkeypatch):
     assert scope["f"]([]) == []
 
 
-def test_a_map_keeps_files_that_were_not_measured_now():
+def test_a_map_keeps_tests_that_were_not_measured_now(monkeypatch):
+    monkeypatch.setattr(block_coverage, "is_there", lambda test: test != "tests/a.py::two")
     earlier = coverage(RAN)
     now = [["", 0, packed(np.array([False] * 2))], ["tests/a.py::one", 0.2, packed(np.array([True, False]))]]
     found = merged(earlier, now, ["b 1", "c 1"])
     assert found["blocks"] == ["b 1", "c 1", "a 1", "a 2", "a 3"]
-    assert found["tests"].keys() == {"tests/a.py::one", "tests/smoke/test_s.py::demo", "tests/words/t.py::same"}
+    assert found["tests"].keys() == CPU.keys() - {"tests/a.py::two"}
     assert list(unpacked(found["tests"]["tests/smoke/test_s.py::demo"][1], 5)) == [False, False, True, False, False]
     assert list(unpacked(found["tests"]["tests/a.py::one"][1], 5)) == [True, False, False, False, False]
+    again = merged(found, [now[0]], ["a 1", "a 2"])
+    assert again["blocks"] == ["a 1", "a 2", "b 1", "c 1"]
+
+
+def test_a_function_that_is_gone_is_not_there():
+    assert block_coverage.is_there("tests/tools/test_slow.py::test_a_part_is_one_of_all[0/7]")
+    assert not block_coverage.is_there("tests/tools/test_slow.py::test_that_there_never_was")
+    assert not block_coverage.is_there("tests/gone.py::test_a_part_is_one_of_all")
 
 
 @pytest.mark.parametrize("text", ["0/7", "8/7", "x", "1"])
