@@ -218,7 +218,7 @@ export class ProductPlan implements Leaf {
       c.drawImage(image, (left - this.left) * s, (top - this.top) * s, width * s, height * s);
     }
     const onScreen = (corners: XY[]) => corners.map(([x, y]) => [(x - this.left) * s, (y - this.top) * s] as XY);
-    c.font = `${13 * ratio}px system-ui, sans-serif`;
+    c.font = "13px system-ui, sans-serif".replace("13", String(13 * ratio));
     if (this.picture?.place) for (const d of this.kept.here) {
       const on = onScreen(d.corners.map((corner) => this.inPicture(corner)));
       stroke(c, on, d.kind, ratio, KEPT);
