@@ -196,7 +196,7 @@ def congruence(
     starts = list({s.tobytes(): s for s in starts}.values())
     begun = [_State.of(~s, family, model, alpha) for s in starts]
     if patch and not datum:
-        begun += _of_areas(model, family)
+        begun += _of_areas(model, family, alpha)
     states = [_moved(model, s, alpha, known, family) for s in begun]
     if patch and not datum:  # as well may the others have moved
         best = max(states, key=lambda s: _merit(model, s))
@@ -382,7 +382,7 @@ def _rival(model: Model, states: Sequence[_State], chosen: _State) -> Mask | Non
     return max(others, key=lambda s: _merit(model, s)).moved if others else None
 
 
-def _of_areas(model: Model, family: Family) -> list[_State]:
+def _of_areas(model: Model, family: Family, alpha: float) -> list[_State]:
     """Starts from areas that have no point in common, the most significant ones if nothing else moved."""
     none = np.zeros(model.points, bool)
     ratio = model.together(family, none) / family.limits
@@ -393,7 +393,10 @@ def _of_areas(model: Model, family: Family) -> list[_State]:
             break
         if not taken[points].any():
             taken[points] = True
-            found.append(_State(own=none, active=(k,), family=family, stay=none))
+            moved = none.copy()
+            moved[points] = True
+            own = moved & (model.tests(moved)[1] < alpha)
+            found.append(_State(own=own, active=(k,), family=family, stay=none))
     return found
 
 
