@@ -197,3 +197,22 @@ def test_tests_by_changes_of_a_factor_are_those_of_a_factor_of_their_own():
         assert near.square_sum == pytest.approx(fresh.square_sum, rel=1e-8)
         np.testing.assert_allclose(near.misfit, fresh.misfit, atol=1e-7 * np.abs(model.misfit).max())
     assert changed > 20
+
+
+def test_where_either_half_may_have_moved_both_explanations_are_named():
+    epochs, rng = Joint(40, common=1.0), np.random.default_rng(22)
+    half = np.argsort(epochs.xyz[:, 0])[:18]
+    true = np.isin(np.arange(40), half)
+    wrong = named = 0
+    for _ in range(12):
+        sets, C = epochs.draw(rng, [(half, [0, 0, 7 * SIGMA])])
+        done = congruence(sets, joint=C, patches=True)
+        turned = (done.moved & ~true).sum() > 8
+        wrong += turned
+        named += turned and (done.rival is not None or done.after[1] < 0.05)
+    assert 0 < wrong <= 6
+    assert named == wrong
+    sets, C = epochs.draw(rng, [(half, [0, 0, 40 * SIGMA])])
+    assert congruence(sets, joint=C, patches=True).rival is None
+    sets, C = epochs.draw(rng, [(half[:8], [0, 0, 10 * SIGMA])])
+    assert congruence(sets, joint=C, patches=True).rival is None

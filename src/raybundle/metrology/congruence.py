@@ -204,7 +204,7 @@ def congruence(
             with suppress(InputError):  # too few of them, or in a line
                 states.append(_moved(model, _State.of(~best.moved, family, model, alpha), alpha, known, family))
     state = max(states, key=lambda s: _merit(model, s))
-    rival = _rival(model, states, state)
+    rival = None if datum else _rival(model, states, state, significance)
     for _ in range(ROUNDS):  # in the axes of those that stayed
         model = model_of(first, sets[1:], ~state.moved, scale=free_scale, joint=joint)
         again = _moved(model, state, alpha, known, family)
@@ -366,20 +366,25 @@ def _merit(model: Model, state: _State) -> tuple[float, float]:
     return min(p, CONTRADICTED), -rest - 3 * model.later * float(state.moved.sum()) * float(np.log(len(model.d)))
 
 
-def _rival(model: Model, states: Sequence[_State], chosen: _State) -> Mask | None:
-    """What moved by the best state with other stable points that leaves no contradiction either.
+def _rival(model: Model, states: Sequence[_State], chosen: _State, significance: float) -> Mask | None:
+    """What moved by another explanation that leaves no contradiction either; None: there is none.
 
-    Of both most points stayed, but less than half of these are the same: nothing shows which of them did.
+    Most points stayed by both, but what moved is another part: nothing shows which did.  It is a state that was found,
+    or what follows if what moved had stayed.
     """
     stayed = ~chosen.moved
-    others = [
-        s
-        for s in states
-        if 2 * s.moved.sum() < model.points
-        and 2 * (stayed & ~s.moved).sum() < min(stayed.sum(), (~s.moved).sum())
-        and model.whole(s.moved)[1] >= CONTRADICTED
+    others = [s.moved for s in states]
+    if chosen.moved.sum() >= LEAST:
+        with suppress(InputError):  # in a line
+            others.append(stayed & (model.tests(stayed)[1] < significance))
+    fits = [
+        moved
+        for moved in others
+        if 2 * moved.sum() < model.points
+        and 2 * (chosen.moved & moved).sum() < min(chosen.moved.sum(), moved.sum())
+        and model.whole(moved)[1] >= CONTRADICTED
     ]
-    return max(others, key=lambda s: _merit(model, s)).moved if others else None
+    return min(fits, key=np.sum) if fits else None
 
 
 def _of_areas(model: Model, family: Family, alpha: float) -> list[_State]:
