@@ -8,6 +8,7 @@ import pytest
 from tests.cli.test_heights import refused, reported
 from tests.surface.height_models import folder_of, made, middles
 
+from raybundle.errors import InputError
 from raybundle.measuring.journal import Journal, journal_path
 from raybundle.measuring.names import Known
 
@@ -72,11 +73,35 @@ def test_drawings_have_heights_lengths_and_attributes(surface, capsys, tmp_path)
     assert fields[list(meta["fields"]).index("note")].tolist() == ["of the quarry", ""]
 
 
+def test_names_of_layers_are_those_that_dxf_allows_and_areas_are_sound(tmp_path, capsys):
+    ezdxf = pytest.importorskip("ezdxf")
+    slope = made(0.1 * middles(SHAPE)[0], rng=np.random.default_rng(1), common=1e-9, sigma=1e-6)
+    height = slope.heights.height.copy()
+    height[28:32, 28:32] = np.nan
+    surface = folder_of(replace(slope, heights=replace(slope.heights, height=height)), tmp_path / "surface")
+    area = [[0.3, 0.3], [0.5, 0.3], [0.5, 0.5]]  # its first corner has no height
+    with Journal.open(journal_path(tmp_path), Known(size_px={}, names={})) as journal:
+        for layer in ("a/b*c", "0", "Lines", "lines", "x" * 200):
+            journal.append_verb("draw", {"drawing": layer, "kind": "area", "corners": area, "layer": layer})
+        for wrong, more in (
+            ([[0, 0], [1, 1], [1, 0], [0, 1]], {}), ([[0, 0], [1, 0], [2, 0]], {}), (area, {"surface": "../etc"}),
+        ):  # fmt: skip
+            with pytest.raises(InputError):
+                journal.append_verb("draw", {"drawing": "wrong", "kind": "area", "corners": wrong, **more})
+    files = [tmp_path / "a.dxf", tmp_path / "a.geojson"]
+    reported(capsys, "heights", "drawing", surface, "--fill", 0, *(w for f in files for w in ("--out", f)))
+    drawing = ezdxf.readfile(files[0])
+    assert not drawing.audit().errors
+    assert "a_b_c" in drawing.layers
+    ring = np.array(json.loads(files[1].read_text())["features"][0]["geometry"]["coordinates"][0])
+    assert ring[0] == pytest.approx(ring[-1])
+
+
 def test_what_cannot_be_written_is_refused(surface, capsys, tmp_path):
     assert "[option.missing]" in refused(capsys, "heights", "drawing", surface)
     assert "[file.suffix]" in refused(capsys, "heights", "drawing", surface, "--out", tmp_path / "a.png")
     none = ("heights", "drawing", surface, "--layer", "walls", "--out", tmp_path / "a.dxf")
-    assert "[surface_drawing.none]" in refused(capsys, *none)
+    assert "[surface_drawing.no_layer]" in refused(capsys, *none)
     assert not (tmp_path / "a.dxf").exists()
     apart = folder_of(made(np.zeros(SHAPE), rng=np.random.default_rng(1), common=1e-9, sigma=1e-4), tmp_path / "apart")
     assert "[surface_drawing.none]" in refused(capsys, "heights", "drawing", apart, "--out", tmp_path / "a.dxf")

@@ -21,6 +21,8 @@ from raybundle.numerics.arrays import Array
 WKB = {"line": 1002, "area": 1003}
 """Numbers of WKB for geometries with Z."""
 GDAL = {"line": "LineString Z", "area": "Polygon Z"}
+FORBIDDEN = frozenset('<>/\\":;?*|=`,')
+"""Characters that names of layers in DXF cannot have"""
 COLOURS = (7, 8, 5, 1, 3)
 """AutoCAD colour indices of layers in their order: black, grey, blue, red, green"""
 
@@ -58,13 +60,14 @@ def write_dxf(path: Path, drawn: Sequence[Drawn], labels: Sequence[Label], unit:
     drawing.header["$MEASUREMENT"] = 0 if unit in {"ft", "us-ft"} else 1
     for name, value in about.items():
         drawing.header.custom_vars.append(name, value)
-    layers = dict.fromkeys([*(d.layer for d in drawn), *(t.layer for t in labels)])
-    for k, name in enumerate(layers):
-        drawing.layers.add(name, color=COLOURS[k % len(COLOURS)])
+    layers = {name: _layer(name) for name in (*(d.layer for d in drawn), *(t.layer for t in labels))}
+    for k, name in enumerate(layers.values()):
+        if name not in drawing.layers:
+            drawing.layers.add(name, color=COLOURS[k % len(COLOURS)])
     space = drawing.modelspace()
     for d in drawn:
         for ring in d.rings:
-            to = {"layer": d.layer}
+            to = {"layer": layers[d.layer]}
             if ring.shape[1] == 2:
                 space.add_lwpolyline(ring.tolist(), dxfattribs=to)
             elif np.ptp(ring[:, 2]) == 0:
@@ -73,10 +76,15 @@ def write_dxf(path: Path, drawn: Sequence[Drawn], labels: Sequence[Label], unit:
             else:
                 space.add_polyline3d(ring.tolist(), dxfattribs=to)
     for t in labels:
-        words = space.add_text(t.text, height=t.size, rotation=t.angle_deg, dxfattribs={"layer": t.layer})
+        words = space.add_text(t.text, height=t.size, rotation=t.angle_deg, dxfattribs={"layer": layers[t.layer]})
         words.set_placement(t.place, align=ezdxf.enums.TextEntityAlignment.MIDDLE_CENTER)
     with path.open("w", encoding=drawing.output_encoding, errors="dxfreplace") as file:
         drawing.write(file)
+
+
+def _layer(name: str) -> str:
+    """A name that DXF allows for a layer."""
+    return "".join("_" if c in FORBIDDEN else c for c in name)[:255]
 
 
 def write_geojson(path: Path, drawn: Sequence[Drawn], wkt: str) -> None:

@@ -62,6 +62,10 @@ def run_drawing(settings: HeightsDrawingSettings) -> WrittenDrawings:
     o = opened(s.source, CELLS_FILLED * o.file.cell if s.fill is None else s.fill)
     state, surface = _drawn_on(s.source)
     every = {n: d for n, d in state.drawings.items() if d.surface == surface and (not s.layer or d.layer in s.layer)}
+    there = list(dict.fromkeys(d.layer for d in state.drawings.values() if d.surface == surface))
+    lacking = [name for name in s.layer if name not in there]
+    if lacking and there:
+        raise InputError("surface_drawing.no_layer", names=lacking, known=there, file=s.source)
     if not every:
         raise InputError("surface_drawing.none", n=len(state.drawings), surface=surface, file=s.source)
     made: dict[str, Drawn] = {}
@@ -105,7 +109,9 @@ def _measured(o: Opened, name: str, d: Drawing) -> tuple[Drawn | None, bool]:
     known = np.isfinite(found.height)
     if not known.any():
         return None, False
-    xyz = np.column_stack([xy, np.interp(found.distance, found.distance[known], found.height[known])])
+    around = float(found.distance[-1]) if d.kind == "area" else None
+    height = np.interp(found.distance, found.distance[known], found.height[known], period=around)
+    xyz = np.column_stack([xy, height])
     x, y = (xy[:, :2] - xy[0]).T
     fields = {
         "name": name, "layer": d.layer, "note": d.note,
@@ -123,7 +129,10 @@ def _write(s: HeightsDrawingSettings, o: Opened, drawn: list[Drawn]) -> None:
     from raybundle.surfaces.files.drawn import write_drawn
 
     size = LETTER_CELLS * o.file.cell
-    labels = [Label(text=str(d.fields["name"]), place=tuple(d.rings[0].mean(axis=0)), size=size) for d in drawn]
+    labels = [
+        Label(text=str(d.fields["name"]), place=tuple(d.rings[0][d.kind == "area" :].mean(axis=0)), size=size)
+        for d in drawn
+    ]
     for path in s.out:
         with new_files(path) as (new,):
             write_drawn(o, drawn, lambda: labels, "drawing", new)

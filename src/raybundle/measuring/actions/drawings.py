@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import PurePosixPath
 from typing import ClassVar
+
+import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
@@ -11,6 +14,7 @@ from raybundle.measuring.actions.base import Action
 from raybundle.measuring.actions.checks import FARTHEST, check_name, check_number
 from raybundle.measuring.names import Known
 from raybundle.measuring.state import Draft, Drawing, DrawingKind, State
+from raybundle.objects.rings import ring_of
 
 MOST_CORNERS = 5000
 
@@ -41,6 +45,11 @@ class Draw(Action):
         for k, place in enumerate(self.corners):
             for axis, value in zip("XY", place, strict=True):
                 check_number(f"{self.drawing}, corners[{k}].{axis}", value, most=FARTHEST)
+        if self.kind == "area":
+            ring_of(np.array(self.corners, float), self.drawing)
+        folder = PurePosixPath(self.surface)
+        if folder.is_absolute() or ".." in folder.parts or not self.surface.isprintable():
+            raise InputError("mark.drawing_surface", drawing=self.drawing, surface=quoted(self.surface))
         return self
 
     def apply(self, draft: Draft) -> None:

@@ -97,6 +97,9 @@ mark-no_mask = Es gibt keine Maske { $mask }.
 mark-drawing_corners = { $drawing } hat { $n } Ecken; möglich sind { $least } bis { $most }.
     .do = Neu zeichnen.
 
+mark-drawing_surface = { $drawing }: { $surface } ist kein Ordner im Projekt.
+    .do = Den Namen eines Oberflächenordners angeben, etwa surface.
+
 mark-no_drawing = Es gibt keine Zeichnung { $drawing }.
     .why = { $n ->
         [0] Nichts ist gezeichnet.

@@ -11,6 +11,10 @@ surface_drawing-none = Auf { $surface } ist nichts gezeichnet.
 surface_drawing-no_heights = Die Oberfläche hat an keiner Ecke von { LIST($names, most: 5) } eine Höhe.
     .do = Innerhalb der Oberfläche zeichnen oder Löcher mit { OPTION("fill", "WIDTH") } füllen.
 
+surface_drawing-no_layer = Keine Zeichnung liegt auf Layer { LIST($names, most: 5) }.
+    .why = Layer sind: { LIST($known, most: 10) }.
+    .do = Einen dieser Namen verwenden.
+
 surface_drawing-written = { $n } { $n ->
         [one] Zeichnung
        *[other] Zeichnungen
@@ -22,7 +26,7 @@ surface_drawing-others = { $n } { $n ->
     } auf anderen Oberflächen oder Layern.
 
 surface_drawing-heights_between = Ecken ohne Höhe in { LIST($names, most: 5) }.
-    .why = Ihre Höhen sind zwischen den Ecken daneben interpoliert.
+    .why = Ihre Höhen folgen aus den Ecken daneben.
     .do = Löcher mit { OPTION("fill", "WIDTH") } füllen.
 
 surface_drawing-left_out = Ohne jede Höhe, weggelassen: { LIST($names, most: 5) }.

@@ -165,6 +165,11 @@ mark-drawing_corners = { $drawing } has { $n } corners; { $least } to { $most } 
     .do = Draw it again.
 
 # $drawing = "edge"
+# $surface = "'../etc'"
+mark-drawing_surface = { $drawing }: { $surface } is no folder within the project.
+    .do = Give the name of a surface folder, as surface.
+
+# $drawing = "edge"
 # $n = 1
 # $known = ["pile"]
 mark-no_drawing = There is no drawing { $drawing }.

@@ -15,6 +15,12 @@ surface_drawing-none = Nothing is drawn on { $surface }.
 surface_drawing-no_heights = The surface has no height at any corner of { LIST($names, most: 5) }.
     .do = Draw within the surface, or fill holes with { OPTION("fill", "WIDTH") }.
 
+# $names = ["walls"]
+# $known = ["lines", "breaklines"]
+surface_drawing-no_layer = No drawing is on layer { LIST($names, most: 5) }.
+    .why = Layers are: { LIST($known, most: 10) }.
+    .do = Use one of these names.
+
 # $n = 3
 # $layers = ["lines", "breaklines"]
 surface_drawing-written = { $n } { $n ->
@@ -31,7 +37,7 @@ surface_drawing-others = { $n } { $n ->
 # $n = 1
 # $names = ["edge"]
 surface_drawing-heights_between = Corners without a height in { LIST($names, most: 5) }.
-    .why = Their heights are interpolated between the corners beside them.
+    .why = Their heights follow from the corners beside them.
     .do = Fill holes with { OPTION("fill", "WIDTH") }.
 
 # $n = 1

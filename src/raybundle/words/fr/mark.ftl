@@ -55,6 +55,8 @@ mark-no_mask = Il n'y a pas de masque { $mask }.
 
 mark-drawing_corners = { $drawing } a { $n } sommets ; { $least } à { $most } sont possibles.
 
+mark-drawing_surface = { $drawing } : { $surface } n'est pas un dossier du projet.
+
 mark-no_drawing = Il n'y a pas de dessin { $drawing }.
 
 mark-no_masks_at_all = Aucun masque n'est dessiné ni lu d'un dossier.

@@ -4,6 +4,8 @@ surface_drawing-none = Rien n'est dessiné sur { $surface }.
 
 surface_drawing-no_heights = La surface n'a pas d'altitude aux sommets de { LIST($names, most: 5) }.
 
+surface_drawing-no_layer = Aucun dessin sur le calque { LIST($names, most: 5) }.
+
 surface_drawing-written = { $n } { $n ->
         [one] dessin
        *[other] dessins
